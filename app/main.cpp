@@ -20,6 +20,16 @@ int fail(int exit_code, const std::string& why) {
   return exit_code;
 }
 
+/// A verb, misspelt or not, is misuse behind options, too, and never opens a window; a word behind
+/// "--" is a file.
+std::string unknownWord(const relievo::WindowOptions& options) {
+  for (const std::string& word : options.files) {
+    if (options.only_files) break;
+    if (std::string unknown = relievo::unknownVerb(word); !unknown.empty()) return unknown;
+  }
+  return {};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -32,11 +42,15 @@ int main(int argc, char** argv) {
   }
   try {
     const relievo::WindowOptions options = relievo::parseWindowOptions({argv + 1, argv + argc});
+    if (const std::string unknown = unknownWord(options); !unknown.empty()) {
+      return fail(kUsage, unknown);
+    }
     if (options.help || options.version) {
       std::cout << (options.help ? relievo::windowHelp() + '\n' + relievo::verbHelp()
-                                 : "relievo " RELIEVO_VERSION_STRING "\n");
+                                 : relievo::versionText());
       return 0;
     }
+    if (options.libraries) relievo::goOnAs(relievo::Program::draw, argv);
     relievo::goOnAs(relievo::Program::window, argv);
   } catch (const relievo::ArgumentError& error) {
     return fail(kUsage, error.what());

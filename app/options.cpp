@@ -52,6 +52,7 @@ WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     std::string option = arguments[i];
     if (option == "--") {  // From here on all are files, whatever they begin with.
+      options.only_files = true;
       options.files.insert(options.files.end(),
                            arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1, arguments.end());
       break;
@@ -74,6 +75,8 @@ WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
       options.help = true;
     } else if (option == "--version") {
       options.version = true;
+    } else if (option == "--libraries") {
+      options.libraries = true;
     } else if (option == "--safe-mode") {
       options.safe_mode = true;
     } else if (option == "--unit") {
@@ -111,7 +114,8 @@ const std::vector<WindowOptionRow>& windowOptionRows() {
       {{"--region"}, "X,Y,W,H", "first window, millimetres from the lower left corner"},
       {{"--lang"}, "en|de|hi", "language of the window"},
       {{"--safe-mode"}, "", "ignore and keep no settings"},
-      {{"--version"}, "", "print the version"},
+      {{"--version"}, "", "print the version and those of the command line's libraries"},
+      {{"--libraries"}, "", "print the same with the libraries that draw"},
       {{"-h", "--help"}, "", "print this help"},
       {{"--"}, "", "what follows are files, whatever they begin with"}};
   return kRows;

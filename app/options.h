@@ -18,10 +18,12 @@ struct WindowOptions {
   std::optional<ViewChoice> view;
   std::optional<int> detail;
   std::optional<RectMm> region;
-  std::string language;  ///< "de"; empty: as set, else the system's.
+  std::string language;     ///< "de"; empty: as set, else the system's.
+  bool only_files = false;  ///< "--" was given.
   bool safe_mode = false;
   bool help = false;
   bool version = false;
+  bool libraries = false;  ///< "--version" with those that draw.
 
   /// How the file is to be opened; a project or picture says so itself.
   bool saysHow() const { return unit || view || detail || region; }

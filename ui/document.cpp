@@ -23,7 +23,9 @@ constexpr int kUndoLimit = 250;
 constexpr int kMergeGain = 1;
 constexpr int kMergeZoom = 2;
 
-QString detailName(int from, int to) {
+/// @param grows  the window, as it does beyond the coarsest detail and shrinks below the finest
+QString detailName(int from, int to, bool grows) {
+  if (from == to) return grows ? Document::tr("Larger window") : Document::tr("Smaller window");
   return Document::tr("Detail %1 \u2192 %2").arg(from).arg(to);
 }
 
@@ -367,7 +369,7 @@ bool Document::finer(const StepAbout& about) {
   if (!isOpen() || inGesture()) return false;
   const auto next = relievo::finer(state_.surface->ladder, state_.region, about);
   if (!next) return false;
-  go(next, detailName(detail(), state_.surface->ladder.detailOf(next->level)));
+  go(next, detailName(detail(), state_.surface->ladder.detailOf(next->level), false));
   return true;
 }
 
@@ -375,7 +377,7 @@ bool Document::coarser(const StepAbout& about) {
   if (!isOpen() || inGesture()) return false;
   const auto next = relievo::coarser(state_.surface->ladder, state_.region, about);
   if (!next) return false;
-  go(next, detailName(detail(), state_.surface->ladder.detailOf(next->level)));
+  go(next, detailName(detail(), state_.surface->ladder.detailOf(next->level), true));
   return true;
 }
 
@@ -399,7 +401,7 @@ bool Document::setLevel(Level level) {
   if (!isOpen() || inGesture() || level == state_.region.level) return false;
   const auto next = atLevel(state_.surface->ladder, state_.region, level);
   if (!next) return false;
-  go(next, detailName(detail(), state_.surface->ladder.detailOf(level)));
+  go(next, detailName(detail(), state_.surface->ladder.detailOf(level), false));
   return true;
 }
 

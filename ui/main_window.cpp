@@ -20,6 +20,7 @@
 #include <QToolButton>
 #include <QUrl>
 
+#include "core/region/smoothing.h"
 #include "core/session/map_facts.h"
 #include "core/session/surface_colours.h"
 #include "ui/detail_view.h"
@@ -51,6 +52,20 @@ namespace {
 constexpr int kPlotHeight = 140;
 constexpr QSize kFirstSize(1440, 900);
 constexpr QSize kLeastSize(760, 460);
+
+QString levelTip(const DetailLadder& ladder, Level level) {
+  if (level.value == 0) return MainWindow::tr("Level 0 of the pyramid: not smoothed");
+  return MainWindow::tr("Level %1 of the pyramid, smoothed by a Gaussian of \u03c3 = %2")
+      .arg(QString::number(level.value), lengthText(smoothingMm(ladder, level)));
+}
+
+/// A window of its own inside the window: Qt puts a window that has OpenGL in it together anew, all
+/// of it and by OpenGL, whenever one letter of it changes; a part that is a window is left alone,
+/// and one without OpenGL is painted without it (docs/adr/0150).
+void makeOwnWindow(QWidget* part) {
+  part->setAttribute(Qt::WA_DontCreateNativeAncestors);
+  part->setAttribute(Qt::WA_NativeWindow);
+}
 
 QLabel* headerLabel(const QString& name) {
   auto* label = new QLabel;
@@ -184,6 +199,10 @@ void MainWindow::layOut() {
   pages_->addWidget(work);
   first_view_ = new FirstViewCard(document_, pages_);
   setCentralWidget(centre);
+  for (QWidget* part : std::initializer_list<QWidget*>{reference_, detail_, plot_, panels_,
+                                                       first_view_, statusBar()}) {
+    makeOwnWindow(part);
+  }
 }
 
 void MainWindow::connectParts() {
@@ -350,7 +369,7 @@ void MainWindow::showWindow() {
   }
   detail_choice_->setCurrentIndex(detail - 1);
   status_->set(StatusField::detail, tr("Detail %1/%2").arg(detail).arg(details),
-               tr("Level %1 of the pyramid").arg(window->region.level.value));
+               levelTip(document_.surface()->ladder, window->region.level));
   status_->set(StatusField::hand, tr("hand 1 : %1").arg(scale_text),
                tr("1 mm of hand = %1 mm on the object").arg(scale_text));
   showParallax();

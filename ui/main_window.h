@@ -270,6 +270,9 @@ class MainWindow : public QMainWindow {
   // main_window_package.cpp
   void makePackageCommand();
   void connectPackages();
+  /// Unpacks and opens, if the file is a zip. @param into  empty: the folder that it lies in
+  bool openPackage(const QString& file, const QString& into = {});
+  void choosePackageFolder(const QString& package);
   void noteFigure(const QString& file);
   void choosePackage();
 
@@ -417,7 +420,7 @@ class MainWindow : public QMainWindow {
   std::shared_ptr<const Surface> warned_of_rivalry_;
   bool stepping_ = false;  ///< Through the history: no new steps.
   CompanionsOf companions_;
-  WorkQueue image_work_, package_work_, record_work_, export_work_;
+  WorkQueue image_work_, package_work_, unpack_work_, record_work_, export_work_;
 };
 
 }  // namespace relievo

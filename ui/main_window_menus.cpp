@@ -267,7 +267,8 @@ void MainWindow::chooseFile() {
   dialog->setNameFilters(
       {tr("Scans, height maps, projects and figures (%1)")
            .arg((scanPatterns() << QStringLiteral("*.json") << QStringLiteral("*.png")
-                                << QStringLiteral("*.pdf") << QStringLiteral("*.svg"))
+                                << QStringLiteral("*.pdf") << QStringLiteral("*.svg")
+                                << QStringLiteral("*.zip"))
                     .join(' ')),
        tr("All files (*)")});
   const QString folder = settings_.layout(QStringLiteral("folder")).toString();

@@ -4,12 +4,14 @@
 #include <memory>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <utility>
 
 #include "core/base/failure.h"
 #include "core/project/carried_state.h"
 #include "core/project/package.h"
+#include "core/project/unpacked_package.h"
 #include "ui/file_names.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
@@ -56,10 +58,13 @@ void MainWindow::makePackageCommand() {
 }
 
 void MainWindow::connectPackages() {
-  connect(&package_work_, &WorkQueue::busyChanged, this, &MainWindow::showBusy);
+  for (WorkQueue* work : {&package_work_, &unpack_work_}) {
+    connect(work, &WorkQueue::busyChanged, this, &MainWindow::showBusy);
+  }
   connect(status_, &StatusFields::cancelAsked, this, [this] {
     stayOpen();
     if (package_work_.cancel()) announce(tr("Cancelled. Nothing was packed."));
+    if (unpack_work_.cancel()) announce(tr("Cancelled. Nothing was opened."));
   });
 }
 
@@ -153,6 +158,57 @@ void MainWindow::writePackage(const PackageChoice& choice) {
         }
         closeIfAwaited(error->isEmpty());
       });
+}
+
+bool MainWindow::openPackage(const QString& file, const QString& into) {
+  if (!isZip(pathOf(file))) return false;
+  struct Unpacked {
+    QString error, project;
+    int problems = 0;
+  };
+  const auto unpacked = std::make_shared<Unpacked>();
+  const QString parent = into.isEmpty() ? QFileInfo(file).absolutePath() : into;
+  unpack_work_.add(
+      [file, parent, unpacked](const Task& task) {
+        try {
+          const std::filesystem::path package = pathOf(file);
+          unpacked->problems = static_cast<int>(verifyPackage(package, task).problems.size());
+          if (unpacked->problems > 0) return;
+          const auto folder = unpackedPackage(package, pathOf(parent), task);
+          unpacked->project = pathFromBytes((folder / "project.json").string());
+        } catch (const Cancelled&) {  // Its end is not told.
+        } catch (const std::exception& failure) {
+          unpacked->error = shownError(failure);
+        }
+      },
+      [this, file, unpacked] {
+        if (unpacked->problems > 0) {
+          strip_->show(tr("%n part(s) of %1 are not as they were packed. Nothing was opened. "
+                          "'relievo project verify' names them.",
+                          nullptr, unpacked->problems)
+                           .arg(shownName(file)));
+        } else if (!unpacked->error.isEmpty()) {
+          strip_->show(unpacked->error, {{tr("&Unpack elsewhere\u2026"),
+                                          [this, file] { choosePackageFolder(file); }}});
+        } else {
+          open(unpacked->project);
+          announce(
+              tr("%1 was unpacked into %2")
+                  .arg(shownName(file), shownPath(QFileInfo(unpacked->project).absolutePath())));
+        }
+      });
+  return true;
+}
+
+void MainWindow::choosePackageFolder(const QString& package) {
+  auto* dialog = new QFileDialog(this, tr("Unpack %1 into").arg(shownName(package)));
+  dialog->setObjectName(QStringLiteral("unpack_dialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly, true);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, package](const QString& folder) { openPackage(package, folder); });
+  dialog->open();
 }
 
 }  // namespace relievo

@@ -227,6 +227,7 @@ bool MainWindow::restoreFromFile(const QString& file) {
     replay(file);  // It brings its state along.
     return true;
   }
+  if (openPackage(file)) return true;
   if (!endsIn(file, {".json", ".png", ".tif", ".tiff", ".pdf", ".svg", ".csv"})) return false;
   try {
     const auto project = carriedProject(pathOf(file));

@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 
+#include "core/region/smoothing.h"
 #include "core/session/map_facts.h"
 #include "ui/file_names.h"
 #include "ui/mnemonic.h"
@@ -28,6 +29,17 @@ int sliderOf(double gain) {
 }
 double gainOf(int slider) {
   return std::pow(kMostGain, static_cast<double>(slider) / kGainSteps);
+}
+
+/// "2 of 4, level 2, \u03c3 0.56 mm": what the level is smoothed by, if it is.
+QString levelText(const DetailLadder& ladder, Level level) {
+  const int detail = ladder.detailOf(level);
+  if (level.value == 0) {
+    return RegionPanel::tr("%1 of %2, level 0").arg(detail).arg(ladder.levels());
+  }
+  return RegionPanel::tr("%1 of %2, level %3, \u03c3 %4")
+      .arg(QString::number(detail), QString::number(ladder.levels()), QString::number(level.value),
+           lengthText(smoothingMm(ladder, level)));
 }
 
 QFormLayout* form(QWidget* panel) {
@@ -252,11 +264,14 @@ void RegionPanel::showWindow() {
   y_->setValue(window->region.y_mm);
   side_->setValue(window->region.side_mm);
   const int levels = document_.details();
-  if (level_->count() != levels) {
+  QStringList names;
+  for (int level = levels - 1; level >= 0; --level) names << levelText(s.ladder, {level});
+  if (names != level_names_) {  // Of another map, or in another unit.
+    level_names_ = names;
     level_->clear();
-    for (int level = levels - 1; level >= 0; --level) {
-      level_->addItem(tr("Detail %1 of %2 (level %3)").arg(levels - level).arg(levels).arg(level),
-                      level);
+    for (int i = 0; i < levels; ++i) {
+      level_->addItem(names[i], levels - 1 - i);
+      level_->setItemData(i, names[i], Qt::ToolTipRole);
     }
   }
   level_->setCurrentIndex(level_->findData(window->region.level.value));

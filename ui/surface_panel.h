@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 
 #include "ui/document.h"
@@ -42,6 +43,7 @@ class RegionPanel : public QWidget {
   Document& document_;
   QDoubleSpinBox *x_, *y_, *side_, *gain_;
   QComboBox* level_;
+  QStringList level_names_;  ///< As they stand in it.
   QSlider* gain_slider_;
   QLabel* hand_scale_;
   bool showing_ = false;

@@ -195,7 +195,8 @@ void addRegionOptions(CLI::App& verb, RegionArguments& a) {
       verb.add_option("--region", a.region, "X,Y,W,H in view mm; X,Y is the lower left corner"), 4,
       {.low = -kFarMm, .high = kFarMm, .unit = "mm"});
   takes(verb.add_option("--gain", a.gain, "Factor on heights; 1 is true to scale"),
-        {.low = 1e-3, .high = 1e3});
+        {.low = 1e-3, .high = 1e3})
+      .each([&a](const std::string&) { a.gain_given = true; });
   verb.add_option("--window-out", a.window_out, "Also write the 200 x 200 samples as a GeoTIFF");
 }
 

@@ -52,6 +52,7 @@ struct RegionArguments {
   std::optional<int> level;
   std::string region;  ///< "X,Y,W,H" in view mm; empty: the whole map.
   double gain = 1;
+  bool gain_given = false;
   std::string window_out;  ///< Empty: not written.
 };
 void addRegionOptions(CLI::App& verb, RegionArguments& arguments);

@@ -17,6 +17,7 @@
 
 #include "app/batch/declare_verbs.h"
 #include "app/batch/drawing.h"
+#include "app/batch/library_versions.h"
 #include "app/batch/number_option.h"
 #include "app/batch/other_program.h"
 #include "app/batch/state.h"
@@ -24,6 +25,7 @@
 #include "core/depth/rasterize.h"
 #include "core/io/raster.h"
 #include "core/provenance/name_text.h"
+#include "core/provenance/program.h"
 #include "core/session/load.h"
 #include "core/session/surface_colours.h"
 
@@ -253,6 +255,10 @@ std::string unknownVerb(const std::string& word) {
                            word.find_first_of("./") != std::string::npos ||
                            std::filesystem::exists(word, unknown);
   if (like_a_file) return {};
+  if (isVerb(word)) {
+    return "The verb '" + word + "' stands before all options. Nothing was done. 'relievo " + word +
+           " --help' says what there is.";
+  }
   std::string nearest;
   std::size_t least = 3;  // More changes than two make another word.
   for (const batch::Verb& verb : batch::verbs()) {
@@ -294,6 +300,15 @@ int runOrGoOn(const batch::Verb& verb, const std::string& format, char** argv) {
 }
 
 }  // namespace
+
+std::string versionText() {
+  std::string text = "relievo " + std::string(programVersion()) + "\ncommit " +
+                     std::string(programCommit()) + '\n';
+  for (const LibraryVersion& one : batch::libraryVersions()) {
+    text += one.name + ' ' + one.version + '\n';
+  }
+  return text;
+}
 
 int runBatch(int argc, char** argv) {
   try {

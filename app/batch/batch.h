@@ -9,12 +9,15 @@ namespace relievo {
 /// Is this word a verb of the command line ("info", "depthmap", ...)?
 bool isVerb(std::string_view word);
 
-/// Of a word that is neither a verb nor, by its look or on the disk, a file: what is wrong and what
-/// may have been meant. Empty for all others.
+/// Of a word where files are expected that is a verb, or neither a verb nor, by its look or on the
+/// disk, a file: what is wrong and what may have been meant. Empty for all others.
 std::string unknownVerb(const std::string& word);
 
 /// Every verb with a line about it, and the exit codes.
 std::string verbHelp();
+
+/// For --version: the program's on the first line, its commit, then one library a line.
+std::string versionText();
 
 /// `relievo VERB ...`: same functions as the window, no window. Same input, same output bytes.
 /// @return exit code: 0 done, 1 usage, 2 cannot read, 3 cannot write, 4 finished with warnings,

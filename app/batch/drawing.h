@@ -7,6 +7,7 @@
 
 #include "app/batch/verb.h"
 #include "core/depth/depth_request.h"
+#include "core/provenance/libraries.h"
 
 namespace relievo::batch {
 
@@ -14,6 +15,7 @@ namespace relievo::batch {
 /// sooner without those libraries, goes on as that program where it is needed (docs/adr/0151).
 struct Drawing {
   DepthEngine depth_buffer;
+  std::vector<LibraryVersion> (*libraries)() = nullptr;
   std::vector<Verb> (*verbs)() = nullptr;  ///< render, figure, video, as `drawingVerbs` lists them.
 };
 

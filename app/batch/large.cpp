@@ -14,6 +14,7 @@
 #include "core/base/failure.h"
 #include "core/io/colour_raster.h"
 #include "core/project/caption.h"
+#include "core/region/smoothing.h"
 #include "core/session/large_map.h"
 #include "core/session/tiled_surface.h"
 #include "core/tiles/level_files.h"
@@ -57,19 +58,23 @@ void sayView(const Surface& view) {
        shortNumber(range.min_mm) + " to " + shortNumber(range.max_mm) + " mm.");
 }
 
-Json levelsJson(const LargeMap& map) {
+/// @param factor  the M that its levels were made with
+Json levelsJson(const LargeMap& map, double factor) {
+  DetailLadder ladder{.spacings_mm = {}, .factor = factor};
+  for (const GridFrame& frame : map.frames) ladder.spacings_mm.push_back(frame.spacing_mm);
   Json levels = Json::array();
   for (std::size_t l = 0; l < map.frames.size(); ++l) {
     const GridFrame& frame = map.frames[l];
     levels.push_back({{"level", l},
                       {"cells", {frame.size.cols, frame.size.rows}},
                       {"spacing_mm", frame.spacing_mm},
+                      {"sigma_mm", smoothingMm(ladder, {static_cast<int>(l)})},
                       {"file", levelFile(map.file, static_cast<int>(l)).string()}});
   }
   return levels;
 }
 
-Json reportOf(const LargeMap& map) {
+Json reportOf(const LargeMap& map, double factor) {
   const GridFrame& frame = map.frames.front();
   Json json;
   json["cells"] = {frame.size.cols, frame.size.rows};
@@ -94,7 +99,7 @@ Json reportOf(const LargeMap& map) {
   json["strays"] = straysJson(map.strays);
   json["missing"] = map.missing;
   json["not_done"] = map.not_done;
-  json["levels"] = levelsJson(map);
+  json["levels"] = levelsJson(map, factor);
   return json;
 }
 
@@ -135,7 +140,7 @@ Outcome runByTiles(const MapArguments& arguments, double memory_mb,
   line.clear();
   for (const std::string& message : map.messages) tell(message);
   for (const std::string& left : map.not_done) tell(left);
-  const Json json = reportOf(map);
+  const Json json = reportOf(map, arguments.factor);
   Outcome outcome{.json = reportText(json), .lines = {}};
   for (const Json& level : json["levels"]) {
     outcome.lines.push_back(level["file"].get<std::string>() + ": " + level["cells"][0].dump() +

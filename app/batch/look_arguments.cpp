@@ -39,6 +39,10 @@ void requireCarrier(const CarrierArguments& a) {
   requireUse("--changed-input", a.changed_input, a.given(), "--from-image or --project");
 }
 
+void requireProject(const CarrierArguments& a) {
+  requireUse("--place", !a.place.empty(), a.given(), "--project or --from-image");
+}
+
 void refuseWord(const char* option, const std::string& text, const std::string& words) {
   throw failure<MessageId::option_none_of>(option, text, words);
 }

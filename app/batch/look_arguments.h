@@ -33,6 +33,8 @@ void requireUse(const char* option, bool given, bool applies, const std::string&
 struct CarrierArguments;
 /// @throw ArgumentError  --changed-input without a state
 void requireCarrier(const CarrierArguments& arguments);
+/// @throw ArgumentError  --place without a state
+void requireProject(const CarrierArguments& arguments);
 
 /// A look with what the arguments say in place of what it said.
 /// @throw ArgumentError  a value that is not of its option's form, beyond its limits, or of no use

@@ -16,6 +16,10 @@ void nameTexts(Json& part) {
 
 }  // namespace
 
+std::string counted(std::uint64_t count, const char* one, const char* more) {
+  return std::to_string(count) + " " + (count == 1 ? one : more);
+}
+
 std::string reportText(Json report) {
   nameTexts(report);
   return report.dump(2);

@@ -107,6 +107,9 @@ void addCarrierOptions(CLI::App& verb, CarrierArguments& a) {
                   "Draw again what this picture of relievo shows; FILE is then found by itself, or "
                   "given");
   verb.add_option("--project", a.project, "Draw what this project shows");
+  verb.add_option("--place", a.place,
+                  "With these: this place of the project, with its gain; --view NAME: this view, "
+                  "also how it is looked at; --region, --level and --gain go beyond both");
   verb.add_flag("--changed-input", a.changed_input,
                 "With these: take an input whose checksum differs (else exit 5)");
   addOutsideOption(verb, a.outside_files);
@@ -131,6 +134,21 @@ void refuseBeside(const CLI::App& verb, const CarrierArguments& a,
   }
 }
 
+void requireOwnRecording(const Project& p, const CarrierArguments& carrier, const Task& task) {
+  if (carrier.outside_files == OutsideFiles::allow) return;
+  const std::filesystem::path from = carrier.project.empty() ? carrier.from_image : carrier.project;
+  Project only;
+  only.sha256 = p.sha256;
+  only.recordings = p.recordings;
+  std::erase_if(only.recordings,
+                [&](const InputFile& one) { return one.file != p.figure.recording; });
+  only.figure.recording = p.figure.recording;
+  for (const auto& foreign : foreignFiles(from, only, task)) {
+    requireOwn(from, {.file = foreign.string(), .sha256 = {}}, carrier.outside_files,
+               "Give it with --recording if it is the right one.", task);
+  }
+}
+
 Project storedProject(const CarrierArguments& a, const std::string& given, const Task& task) {
   const fs::path carrier = a.from_image.empty() ? a.project : a.from_image;
   auto project = carriedProject(carrier);
@@ -152,6 +170,61 @@ Stored loadStored(const CarrierArguments& a, const std::string& given, const Tas
                                                       stored.project.region.level.value);
   }
   return stored;
+}
+
+namespace {
+
+const NamedRegion& namedPlace(const Project& p, const char* option, const std::string& name,
+                              bool as_view) {
+  std::string known;
+  for (const NamedRegion& place : p.places) {
+    if (as_view && !place.view) continue;
+    if (place.name == name) return place;
+    known += (known.empty() ? "" : ", ") + ("'" + place.name + "'");
+  }
+  throw ArgumentError(std::string(option) + ": the project has no " + (as_view ? "view" : "place") +
+                      " '" + name + "'" + (known.empty() ? "" : "; it has " + known) +
+                      ". Nothing was drawn.");
+}
+
+void requireLevelOf(const DetailLadder& ladder, Level level, const std::string& what) {
+  if (level.value < ladder.levels()) return;
+  throw ArgumentError(what + ": the map has no level " + std::to_string(level.value) +
+                      ". Nothing was drawn.");
+}
+
+}  // namespace
+
+bool showChosen(Stored& state, const CarrierArguments& carrier, const std::string& view,
+                const RegionArguments& region) {
+  Project& p = state.project;
+  const DetailLadder& ladder = state.surface.ladder;
+  if (!view.empty()) {
+    setView(p, *namedPlace(p, "--view", view, true).view);
+    requireLevelOf(ladder, p.region.level, "--view " + view);
+    p.figure.look = p.look;
+    p.figure.stereo = printed(p.stereo.mode);
+    p.figure.eye_angle_deg = p.stereo.eye_angle_deg;
+    p.figure.zero_plane_mm = p.stereo.zero_plane_mm;
+    p.figure.swap_eyes = p.stereo.swap_eyes;
+  }
+  if (!carrier.place.empty()) {
+    const NamedRegion& place = namedPlace(p, "--place", carrier.place, false);
+    requireLevelOf(ladder, place.region.level, "--place " + carrier.place);
+    const Region at = place.region;
+    p.gain = place.gain;
+    p.region = at;
+  }
+  if (!region.region.empty()) {
+    p.region = chosenRegion(state.surface, region);
+  } else if (region.level) {
+    const Level level{*region.level};
+    requireLevelOf(ladder, level, "--level");
+    p.region.level = level;
+  }
+  if (region.gain_given) p.gain = region.gain;
+  return !view.empty() || !carrier.place.empty() || !region.region.empty() || region.level ||
+         region.gain_given;
 }
 
 }  // namespace relievo::batch

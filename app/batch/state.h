@@ -41,6 +41,7 @@ void requireOwn(const std::filesystem::path& carrier, const InputFile& named, Ou
 /// Which state comes back, and whether what it was made from may have changed.
 struct CarrierArguments {
   std::string from_image, project;  ///< At most one.
+  std::string place = {};           ///< Which of its places; empty: what it shows.
   bool changed_input = false;
   OutsideFiles outside_files = OutsideFiles::refuse;
   bool given() const { return !from_image.empty() || !project.empty(); }
@@ -71,6 +72,10 @@ Surface surfaceOf(const Project& project, const Task& task);
 Project storedProject(const CarrierArguments& arguments, const std::string& given,
                       const Task& task);
 
+/// The recording that the state would have plotted: one of the project's, or of its very input.
+/// @throw FileError  it must not be read
+void requireOwnRecording(const Project& project, const CarrierArguments& carrier, const Task& task);
+
 /// A state that came back, and the surface it belongs to.
 struct Stored {
   Surface surface;
@@ -80,5 +85,11 @@ struct Stored {
 /// carrier, and in the working folder; then makes the surface.
 /// @throw FileError  no state, or (E501) no input  @throw ChangedInputError  not accepted
 Stored loadStored(const CarrierArguments& arguments, const std::string& given, const Task& task);
+
+/// What of the state is shown: a view of its places, one of them, a region, in this order; each
+/// goes beyond those before. @param view  a view's name; empty: none
+/// @return whether anything was asked for  @throw ArgumentError  no such place, view or level
+bool showChosen(Stored& state, const CarrierArguments& carrier, const std::string& view,
+                const RegionArguments& region);
 
 }  // namespace relievo::batch

@@ -134,7 +134,7 @@ Outcome relink(const ProjectArguments& a, const Task& task) {
   if (found > 0) writeProject(a.out.empty() ? a.file : a.out, project);
   const std::vector<FileCheck> after = checkFiles(project, task);
   Outcome outcome{.json = reportText(Json{{"relinked", found}, {"files", checkJson(after)}}),
-                  .lines = {std::to_string(found) + " files were found again"}};
+                  .lines = {counted(found, "file was", "files were") + " found again"}};
   if (!allAsBefore(after)) {
     outcome.exit_code = 5;
     tell(
@@ -163,7 +163,8 @@ Outcome verify(const ProjectArguments& a, const Task& task) {
   const PackageCheck result = verifyPackage(a.file, task);
   Outcome outcome{
       .json = reportText(Json{{"files", result.files}, {"problems", result.problems}}),
-      .lines = {a.file + ": " + std::to_string(result.files) + " files are as they were packed"}};
+      .lines = {a.file + ": " +
+                counted(result.files, "file is as it was", "files are as they were") + " packed"}};
   for (const std::string& problem : result.problems) tell(problem);
   if (!result.problems.empty()) outcome.exit_code = 5;
   return outcome;

@@ -10,6 +10,7 @@
 #include "core/io/colour_raster.h"
 #include "core/io/raster.h"
 #include "core/io/tiff_head.h"
+#include "core/region/smoothing.h"
 #include "core/tiles/level_files.h"
 
 namespace relievo::batch {
@@ -73,6 +74,7 @@ Outcome runPyramid(const PyramidArguments& a, const Task& task) {
     levels.push_back({{"level", l},
                       {"cells", {level.frame.size.cols, level.frame.size.rows}},
                       {"spacing_mm", level.frame.spacing_mm},
+                      {"sigma_mm", smoothingMm(surface.ladder, {static_cast<int>(l)})},
                       {"file", file.string()}});
     outcome.lines.push_back(file.string() + ": " + std::to_string(level.frame.size.cols) + " x " +
                             std::to_string(level.frame.size.rows));

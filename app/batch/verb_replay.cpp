@@ -215,7 +215,8 @@ Outcome verifyAll(const ReplayArguments& a, const Task& task) {
   for (const std::string& problem : check.problems) tell(problem);
   Outcome outcome{
       .json = {},
-      .lines = {a.log + ": " + std::to_string(check.files) + " files are as they were packed"},
+      .lines = {a.log + ": " + counted(check.files, "file is as it was", "files are as they were") +
+                " packed"},
       .exit_code = check.problems.empty() ? 0 : kVerifyMismatch};
   if (check.problems.empty()) {
     const WorkFolder folder;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/draw/drawing_verbs.h"
 
+#include "ui/figure/picture_libraries.h"
 #include "ui/vtk/depth_capture.h"
 #include "ui/vtk/offscreen.h"
 
@@ -12,6 +13,7 @@ Drawing ownDrawing() {
                 const DisplayGuard display;
                 return captureDepths(request, task);
               },
+          .libraries = pictureLibraries,
           .verbs =
               [] {
                 return std::vector<Verb>{renderVerb(), figureVerb(), videoVerb()};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // relievo-draw: the whole command line in a program that draws. `relievo` goes on as it.
+#include <algorithm>
 #include <csignal>
+#include <iostream>
+#include <string_view>
 #include <QHash>
 
 #include "app/batch/batch.h"
@@ -14,5 +17,11 @@ int main(int argc, char** argv) {
   // The fonts of a PDF stand in the order of a hash: the same figure has the same bytes.
   qSetGlobalQHashSeed(0);
   relievo::batch::setDrawing(relievo::batch::ownDrawing());
+  const bool libraries = std::any_of(
+      argv + 1, argv + argc, [](std::string_view word) { return word == "--libraries"; });
+  if (libraries && !relievo::isVerb(argv[1])) {
+    std::cout << relievo::versionText();
+    return 0;
+  }
   return relievo::runBatch(argc, argv);
 }

@@ -8,6 +8,7 @@
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
+#include "app/draw/compare_figure.h"
 #include "app/draw/drawing_verbs.h"
 #include "core/base/failure.h"
 #include "core/file/output_set.h"
@@ -25,6 +26,7 @@ struct Arguments {
   FigureArguments figure;
   CarrierArguments carrier;
   std::string out, caption, heights;
+  std::string compare;  ///< A picture that is drawn again; empty: one is made.
 };
 
 Stored fromArguments(const Arguments& a, const Task& task) {
@@ -37,27 +39,12 @@ Stored fromArguments(const Arguments& a, const Task& task) {
   return state;
 }
 
-/// The recording that the state would have plotted: one of the project's, or of its very input.
-void requireOwnRecording(const Project& p, const CarrierArguments& carrier, const Task& task) {
-  if (carrier.outside_files == OutsideFiles::allow) return;
-  const std::filesystem::path from = carrier.project.empty() ? carrier.from_image : carrier.project;
-  Project only;
-  only.sha256 = p.sha256;
-  only.recordings = p.recordings;
-  std::erase_if(only.recordings,
-                [&](const InputFile& one) { return one.file != p.figure.recording; });
-  only.figure.recording = p.figure.recording;
-  for (const auto& foreign : foreignFiles(from, only, task)) {
-    requireOwn(from, {.file = foreign.string(), .sha256 = {}}, carrier.outside_files,
-               "Give it with --recording if it is the right one.", task);
-  }
-}
-
 /// What is asked for beside a state takes the place of what the state says.
 Stored fromState(const Arguments& a, const Task& task) {
   Stored state = loadStored(a.carrier, a.map.file, task);
   Project& p = state.project;
   p.picture.reset();
+  showChosen(state, a.carrier, a.map.view, a.region);
   const std::string plotted = p.figure.recording;
   p.figure = figureRequest(a.figure, p.figure);
   if (!plotted.empty() && p.figure.recording == plotted && a.figure.recording.empty()) {
@@ -94,6 +81,7 @@ FigureFiles figureFiles(const Arguments& a) {
 }
 
 Outcome runFigure(const Arguments& a, const Task& task) {
+  if (!a.compare.empty()) return compareFigure(a.carrier, a.map.file, task);
   if (!a.carrier.given() && a.map.file.empty()) {
     throw failure<MessageId::figure_of_nothing>();
   }
@@ -145,6 +133,25 @@ Outcome runFigure(const Arguments& a, const Task& task) {
       .exit_code = exitCodeAfter(surface)};
 }
 
+/// --compare takes the place of -o and of where the state comes from.
+void checkCompare(const CLI::App& verb, Arguments& a) {
+  if (a.compare.empty()) {
+    if (a.out.empty()) throw CLI::RequiredError("--output");
+    return;
+  }
+  for (const auto& [option, text] : {std::pair<const char*, const std::string*>{"-o", &a.out},
+                                     {"--caption", &a.caption},
+                                     {"--from-image", &a.carrier.from_image},
+                                     {"--project", &a.carrier.project}}) {
+    if (text->empty()) continue;
+    throw ArgumentError(std::string(option) +
+                        ": --compare draws again what its picture shows, and writes nothing. "
+                        "Nothing was drawn. Leave one of them out.");
+  }
+  a.carrier.from_image = a.compare;
+  refuseBeside(verb, a.carrier, {"compare"});
+}
+
 VerbFiles filesOf(const Arguments& a) {
   VerbFiles files;
   files.readsStateOf(a.carrier, a.map.file);
@@ -170,14 +177,20 @@ Verb figureVerb() {
             verb.add_option("--caption", arguments->caption, "Also write the caption as text");
             verb.add_option("--heights", arguments->heights,
                             "Also write the region's heights as a 16-bit TIFF");
-            verb.add_option("-o,--output", arguments->out, "FIG.png, .tif, .pdf or .svg")
-                ->required();
+            verb.add_option("-o,--output", arguments->out, "FIG.png, .tif, .pdf or .svg");
+            verb.add_option("--compare", arguments->compare,
+                            "Draw this picture of relievo again and compare the pixels; nothing is "
+                            "written, exit 5 if any differs");
             verb.final_callback([arguments, &verb] {
+              checkCompare(verb, *arguments);
+              if (!arguments->compare.empty()) return;
               requireCarrier(arguments->carrier);
+              requireProject(arguments->carrier);
               if (!arguments->carrier.given()) return;
               refuseBeside(
                   verb, arguments->carrier,
-                  {"layout",    "width-mm",   "dpi",       "scale",        "text-pt", "relief",
+                  {"place",     "view",       "region",    "level",        "gain",    "window-out",
+                   "layout",    "width-mm",   "dpi",       "scale",        "text-pt", "relief",
                    "colours",   "light",      "radius",    "range",        "shading", "stereo",
                    "eye-angle", "zero-plane", "swap-eyes", "any-parallax", "without", "transparent",
                    "recording", "measure",    "heights",   "both-eyes"});

@@ -36,6 +36,8 @@ struct RenderArguments {
   bool scale_bar = false, swap_eyes = false;
   std::string out, caption;
   CarrierArguments carrier;
+  // Given beside a state, they take the place of what it says.
+  bool stereo_given = false, pixels_given = false, look_given = false;
 };
 
 constexpr const char* kStereoWords = "off anaglyph half dubois sidebyside overunder";
@@ -110,6 +112,32 @@ Stored fromArguments(const RenderArguments& a, const Task& task) {
   return state;
 }
 
+/// What is asked for beside a state takes the place of what the state says; it is a picture of the
+/// region then, and no figure.
+Stored fromState(const RenderArguments& a, const Task& task) {
+  Stored state = loadStored(a.carrier, a.map.file, task);
+  Project& p = state.project;
+  const Region before = p.region;
+  const bool chosen = showChosen(state, a.carrier, a.map.view, a.region);
+  if (!chosen && !a.stereo_given && !a.pixels_given && !a.look_given && !a.scale_bar) return state;
+  checkEnding(a.out);
+  p.look = p.figure.look = reliefLook(a.look, p.look);
+  const StereoPrint print = stereoPrint(a.stereo).value_or(StereoPrint::off);
+  if (a.stereo_given && isPair(print)) {
+    p.figure = pairOf(a, print, p.look);
+    p.picture.reset();
+    return state;
+  }
+  if (a.stereo_given) p.stereo = stereoOptions(a);
+  if (!p.picture || p.picture->source != PictureChoice{}.source) {
+    p.picture = PictureChoice{.width_px = a.pixels, .height_px = a.pixels};
+  }
+  if (a.pixels_given) p.picture->width_px = p.picture->height_px = a.pixels;
+  if (a.scale_bar) p.picture->scale_bar = true;
+  if (p.region != before) p.picture->hand.reset();
+  return state;
+}
+
 /// What lies beside the picture, then the picture.
 void takePlaces(const RenderArguments& a, const std::string& caption, OutputSet& beside,
                 OutputSet& picture, const Task& task) {
@@ -147,8 +175,7 @@ Outcome drawAsFigure(const RenderArguments& a, const Stored& stored, OutputSet& 
 Outcome runRender(const RenderArguments& a, const Task& task) {
   requireReplaceable(a.out);
   if (a.caption != "-") requireReplaceable(a.caption);
-  Stored state =
-      a.carrier.given() ? loadStored(a.carrier, a.map.file, task) : fromArguments(a, task);
+  Stored state = a.carrier.given() ? fromState(a, task) : fromArguments(a, task);
   OutputSet set;
   if (!state.project.picture) {
     if (!a.region.window_out.empty()) {
@@ -201,10 +228,25 @@ VerbFiles filesOf(const RenderArguments& a) {
 }
 
 /// What the image says must not be said again, differently.
-void checkUse(const CLI::App& verb, const RenderArguments& a) {
+void checkUse(const CLI::App& verb, RenderArguments& a) {
   requireCarrier(a.carrier);
+  requireProject(a.carrier);
+  const auto given = [&](const char* option) { return verb.get_option(option)->count() > 0; };
+  a.stereo_given = given("--stereo");
+  a.pixels_given = given("--pixels");
+  for (const char* option :
+       {"--relief", "--colours", "--light", "--radius", "--range", "--shading"}) {
+    a.look_given = a.look_given || given(option);
+  }
   if (a.carrier.given()) {
-    refuseBeside(verb, a.carrier, {});
+    const bool eyes = a.stereo_given && a.stereo != name(StereoMode::off);
+    for (const char* option : {"--eye-angle", "--zero-plane", "--swap-eyes"}) {
+      requireUse(option, given(option), eyes, "a kind of --stereo");
+    }
+    refuseBeside(verb, a.carrier,
+                 {"place", "view", "region", "level", "gain", "window-out", "pixels", "scale-bar",
+                  "relief", "colours", "light", "radius", "range", "shading", "stereo", "eye-angle",
+                  "zero-plane", "swap-eyes"});
   } else if (a.map.file.empty()) {
     throw CLI::RequiredError("FILE");
   }

@@ -13,6 +13,7 @@
 #include "core/hash/sha256.h"
 #include "core/io/export_grid.h"
 #include "core/io/gdal_session.h"
+#include "core/io/gdal_version.h"
 #include "core/io/number_text.h"
 #include "core/io/raster.h"
 #include "core/io/tiff_head.h"
@@ -104,6 +105,10 @@ void checkMap(const DepthMap& map) {
 }
 
 }  // namespace
+
+std::string gdalVersion() {
+  return GDALVersionInfo("RELEASE_NAME");
+}
 
 void registerRasterDrivers() {
   static std::once_flag registered;

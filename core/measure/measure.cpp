@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/base/failure.h"
+#include "core/measure/gap_rim.h"
 #include "core/measure/piece.h"
 
 namespace relievo {
@@ -276,8 +277,9 @@ std::optional<SurfacePoint> surfacePoint(const MapCells& map, PlaceMm place) {
                                         .rows = std::min(cell.row + 2, f.size.rows) - first.row});
   if (part.origin(cell) == Origin::outside) return std::nullopt;
   const double error = part.heightErrorMm(cell);
+  const double made = part.origin(cell) == Origin::interpolated ? gapRimMm(map, cell) : 0;
   return SurfacePoint{.at = {place.x, place.y, heightAt(part, place)},
-                      .height_uncertainty_mm = halfRange(part, cell) + error,
+                      .height_uncertainty_mm = halfRange(part, cell) + error + made,
                       .height_error_mm = error,
                       .origin = part.origin(cell)};
 }

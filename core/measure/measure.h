@@ -69,10 +69,10 @@ bool lastSideCrosses(const std::vector<PlaceMm>& places);
 /// A point of the map. Heights are bilinear between samples.
 struct SurfacePoint {
   ViewMm at = {};
-  /// Half the range of the 3 x 3 samples around, and what the sample itself may be off
-  /// (MapPart::heightErrorMm).
+  /// Half the range of the 3 x 3 samples around, what the sample itself may be off
+  /// (MapPart::heightErrorMm), and of an interpolated one how far the rim of its gap is (gapRimMm).
   double height_uncertainty_mm = 0;
-  double height_error_mm = 0;       ///< The latter alone.
+  double height_error_mm = 0;       ///< What the sample itself may be off, alone.
   Origin origin = Origin::outside;  ///< Of the nearest sample.
 };
 /// Nothing beyond the map, or where the nearest sample is outside. This and all below:

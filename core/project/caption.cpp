@@ -11,6 +11,7 @@
 #include "core/project/shown_lengths.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
+#include "core/region/smoothing.h"
 #include "core/relief/relief_image.h"
 #include "core/session/map_facts.h"
 
@@ -69,12 +70,19 @@ std::string mapText(const Project& p, const Surface& surface) {
   return text + "; " + holesText(p, surface) + ".";
 }
 
+/// By how much a level is smoother than the map; nothing for the map itself.
+std::string smoothingText(const Surface& surface, Level level) {
+  if (level.value == 0) return {};
+  const double sigma_mm = smoothingMm(surface.ladder, level);
+  return ", smoothed by \u03c3 = " + ShownLengths(surface).text(sigma_mm, 3);
+}
+
 std::string regionText(const Project& p, const Surface& surface) {
   const Region& r = p.region;
   const ShownLengths lengths(surface);
   return "Detail " + std::to_string(surface.ladder.detailOf(r.level)) + " of " +
          std::to_string(surface.ladder.levels()) + " (level " + std::to_string(r.level.value) +
-         ", M = " + shortNumber(surface.ladder.factor, 9) +
+         ", M = " + shortNumber(surface.ladder.factor, 9) + smoothingText(surface, r.level) +
          "): " + lengths.rectangle(r.side_mm, r.side_mm) + " from x " + lengths.number(r.x_mm) +
          ", y " + lengths.number(r.y_mm) + " " + std::string(lengths.unit().name) +
          "; heights \u00d7 " + shortNumber(p.gain) + (p.gain == 1 ? " (true to scale)." : ".");

@@ -126,4 +126,8 @@ zip_source* ZipTarget::source() {
       impl_.get(), &impl_->error);
 }
 
+std::string libzipVersion() {
+  return zip_libzip_version();
+}
+
 }  // namespace relievo

@@ -3,10 +3,14 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 struct zip_source;  // libzip's
 
 namespace relievo {
+
+/// Of the libzip that this process has loaded: "1.7.3".
+std::string libzipVersion();
 
 /// An open file into which libzip writes an archive. By itself libzip writes a second file beside
 /// the one it is given, under a name that stays when the process is killed.

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "core/base/failure.h"
+#include "core/provenance/libraries.h"
 #include "core/provenance/parameters_json.h"
 #include "core/provenance/program.h"
 #include "core/session/large_map.h"
@@ -39,6 +40,7 @@ Json madeJson(const Made& made, const GridFrame& frame, const HeightRange& heigh
                     {"groups_kept", made.strays.groups_kept}};
   json["missing"] = made.missing;
   if (!made.info.reader.empty()) json["reader"] = made.info.reader;
+  for (const LibraryVersion& one : coreLibraries()) json["libraries"][one.name] = one.version;
   for (std::size_t i = 0; i < kOriginCount; ++i) {
     json["shares"][std::string(kOriginNames[i])] = shares[i];
   }

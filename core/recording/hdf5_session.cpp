@@ -2,6 +2,7 @@
 #include "core/recording/hdf5_session.h"
 
 #include "core/base/failure.h"
+#include "core/recording/hdf5_version.h"
 
 namespace relievo::hdf5 {
 
@@ -14,3 +15,14 @@ void require(herr_t status) {
 }
 
 }  // namespace relievo::hdf5
+
+namespace relievo {
+
+std::string hdf5Version() {
+  const std::scoped_lock lock(hdf5::library());
+  unsigned major = 0, minor = 0, release = 0;
+  if (H5get_libversion(&major, &minor, &release) < 0) return "unknown";
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(release);
+}
+
+}  // namespace relievo

@@ -68,6 +68,16 @@ TEST_F(ExitCodes, AWordThatIsNoVerbIsMisuseWithAndWithoutAScreen) {
     EXPECT_EQ(far.err.find("Did you mean"), std::string::npos) << far.err;
     EXPECT_NE(far.err.find("'relievo --help' lists the verbs"), std::string::npos) << far.err;
   }
+  // Also behind options of the window.
+  for (const std::vector<std::string>& unset : {std::vector<std::string>{}, {"DISPLAY"}}) {
+    const CommandResult late = test::runRelievo({"--lang", "de", "figrue"}, unset);
+    EXPECT_EQ(late.exit_code, 1);
+    EXPECT_THAT(late.err, HasSubstr("Did you mean 'relievo figure'?"));
+    const CommandResult verb = test::runRelievo({"--lang", "de", "info", plane()}, unset);
+    EXPECT_EQ(verb.exit_code, 1);
+    EXPECT_THAT(verb.err, HasSubstr("The verb 'info' stands before all options."));
+    EXPECT_EQ(test::runRelievo({"--lang", "de", "--", "figrue"}, {"DISPLAY"}).exit_code, 7);
+  }
   // A file by its look is told about where files are, and none of these opens a window here.
   EXPECT_EQ(test::runRelievo({"scan.ply"}, {"DISPLAY"}).exit_code, 7);
   EXPECT_EQ(test::runRelievo({"./figrue"}, {"DISPLAY"}).exit_code, 7);

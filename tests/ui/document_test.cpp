@@ -48,6 +48,32 @@ TEST_F(DocumentTest, UnitsScaleEveryLengthAndCanBeUndone) {
   EXPECT_EQ(document.surface()->map.widthMm(), width);
 }
 
+TEST_F(DocumentTest, AStepThatKeepsTheDetailIsNamedByWhatItChanges) {
+  Document document(rasterize);
+  ASSERT_TRUE(open(document, relief()));
+  ASSERT_GE(document.details(), 2);
+  // A window of another size than its detail has: the next one may be of the same detail.
+  for (const double part : {0.4, 0.7, 0.9, 1.3}) {
+    for (int detail = 1; detail <= document.details(); ++detail) {
+      const DetailLadder& ladder = document.surface()->ladder;
+      const double side = part * ladder.sideMm(detail);
+      document.setRect({ladder.left_mm, ladder.bottom_mm, side, side});
+      const StepAbout centre{ladder.left_mm + side / 2, ladder.bottom_mm + side / 2, false};
+      document.finer(centre);
+      document.setRect({ladder.left_mm, ladder.bottom_mm, side, side});
+      document.coarser(centre);
+    }
+  }
+  int kept = 0;
+  for (int i = 0; i < document.history().count(); ++i) {
+    const QString name = document.history().text(i);
+    const QStringList numbers = name.section(' ', 1).split(QString::fromUtf8(" \u2192 "));
+    EXPECT_FALSE(numbers.size() == 2 && numbers[0] == numbers[1]) << name.toStdString();
+    if (name == "Smaller window" || name == "Larger window") ++kept;
+  }
+  EXPECT_GT(kept, 0);
+}
+
 TEST_F(DocumentTest, AGestureThatEndsWhereItBeganLeavesNoEntry) {
   Document document(rasterize);
   ASSERT_TRUE(open(document, relief()));

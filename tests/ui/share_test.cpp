@@ -170,6 +170,51 @@ TEST_F(ShareTest, APackageForCitationIsMadeInTheDialog) {
   EXPECT_EQ(packed.recordings.size(), 1U);
 }
 
+TEST_F(ShareTest, ThePackageOpensWhereverItIsTaken) {
+  openRelief();
+  document().setRect({40, 40, 60, 60});
+  const Region region = document().state().region;
+  window().writePackage({path("cite.zip"), true, {}, {}});
+  ASSERT_TRUE(waitFor([&] { return !window().packing(); }));
+  fs::create_directories(path("elsewhere").toStdString());
+  ASSERT_TRUE(QFile::rename(path("cite.zip"), path("elsewhere/cite.zip")));
+  ASSERT_TRUE(QFile::remove(path("relief.ply")));
+  for (int times = 0; times < 2; ++times) {  // The second time it is there already.
+    document().whole();
+    window().open(path("elsewhere/cite.zip"));
+    ASSERT_TRUE(waitFor([&] {
+      return document().file() == path("elsewhere/cite/input/relief.ply") && !document().busy() &&
+             document().state().region == region;
+    })) << window().message().toStdString()
+        << document().file().toStdString();
+    EXPECT_EQ(window().message(), QString());
+  }
+  EXPECT_FALSE(fs::exists(path("elsewhere/cite-2").toStdString()));
+  for (const auto& entry : fs::directory_iterator(path("elsewhere").toStdString())) {
+    EXPECT_NE(entry.path().filename().string().front(), '.') << "nothing half done stays";
+  }
+}
+
+TEST_F(ShareTest, APackageThatWasChangedIsNotOpened) {
+  openRelief();
+  window().writePackage({path("cite.zip"), true, {}, {}});
+  ASSERT_TRUE(waitFor([&] { return !window().packing(); }));
+  QFile zip(path("cite.zip"));
+  ASSERT_TRUE(zip.open(QIODevice::ReadWrite));
+  QByteArray bytes = zip.readAll();
+  const int readme = bytes.indexOf("input/relief.ply") + 2000;
+  bytes[readme] = static_cast<char>(bytes[readme] ^ 0x40);
+  zip.seek(0);
+  zip.write(bytes);
+  zip.close();
+  const QString before = document().file();
+  window().open(path("cite.zip"));
+  ASSERT_TRUE(waitFor([&] { return !window().message().isEmpty(); }));
+  EXPECT_TRUE(window().message().contains("cite.zip")) << window().message().toStdString();
+  EXPECT_EQ(document().file(), before);
+  EXPECT_FALSE(fs::exists(path("cite").toStdString()));
+}
+
 TEST_F(ShareTest, AWindowThatIsClosedWritesItsPackageFirst) {
   openRelief();
   window().writePackage({path("p.zip"), true, {}, {}});

@@ -21,6 +21,7 @@
 #include "ui/figure/figure.h"
 #include "ui/figure/figure_layout.h"
 #include "ui/figure/figure_sheet.h"
+#include "ui/figure/picture_libraries.h"
 #include "ui/vtk/picture_file.h"
 
 namespace relievo {
@@ -40,7 +41,7 @@ SetMark setOf(const Project& project, const fs::path& figure, const std::string&
 PictureText textOf(const Surface& surface, const Project& project, const FigureFacts& facts,
                    const fs::path& file, const SetMark& mark) {
   Project state = relativeTo(project, file);
-  state.made = markedMade(madeText(surface), mark);
+  state.made = markedMade(withLibraries(madeText(surface), pictureLibraries()), mark);
   state.figures.clear();  // What else was drawn changes no figure.
   return {{"Title", escapedName(fs::path(project.file).filename().string())},
           {"Software", std::string("relievo ") + RELIEVO_VERSION_STRING},

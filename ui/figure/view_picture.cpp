@@ -13,6 +13,7 @@
 #include "core/provenance/set_mark.h"
 #include "core/relief/relief_image.h"
 #include "core/session/surface_colours.h"
+#include "ui/figure/picture_libraries.h"
 #include "ui/vtk/offscreen.h"
 #include "ui/vtk/picture_file.h"
 #include "ui/vtk/relief_scene.h"
@@ -92,15 +93,20 @@ void writePicture(const OutputFile& file, const RgbImage& image, const PictureTe
 
 }  // namespace
 
+RgbImage drawViewPicture(const Surface& surface, const RegionWindow& window, const Project& p,
+                         const Task& task) {
+  if (p.picture->source != PictureChoice{}.source) {
+    throw failure<MessageId::picture_of_the_window>(p.picture->source);
+  }
+  return draw(surface, window, p, task);
+}
+
 ViewPictureFacts writeViewPicture(const Surface& surface, const RegionWindow& window,
                                   const Project& project, const OutputFile& file,
                                   const Task& task) {
   Project p = project;
-  if (p.picture->source != PictureChoice{}.source) {
-    throw failure<MessageId::picture_of_the_window>(p.picture->source);
-  }
-  p.made = madeText(surface);
-  const RgbImage image = draw(surface, window, p, task);
+  p.made = withLibraries(madeText(surface), pictureLibraries());
+  const RgbImage image = drawViewPicture(surface, window, p, task);
   ViewPictureFacts facts{.width_px = image.width,
                          .height_px = image.height,
                          .mm_per_pixel = p.region.side_mm / std::min(image.width, image.height),

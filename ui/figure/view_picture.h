@@ -8,6 +8,7 @@
 #include "core/file/atomic_file.h"
 #include "core/project/project.h"
 #include "core/region/window.h"
+#include "ui/vtk/offscreen.h"
 
 namespace relievo {
 
@@ -16,6 +17,10 @@ struct ViewPictureFacts {
   double mm_per_pixel = 0;
   std::string caption;
 };
+
+/// The pixels of what writeViewPicture writes. @throw as that, but for WriteError
+RgbImage drawViewPicture(const Surface& surface, const RegionWindow& window, const Project& project,
+                         const Task& task = {});
 
 /// Draws exactly the project's region as its `picture` says and writes it as PNG or, if its name
 /// ends so, as TIFF with caption and state: what `relievo render` makes, and "Save picture" of the

@@ -1587,6 +1587,14 @@
         <source>Leave out far-off groups</source>
         <translation>Weit entfernte Gruppen weglassen</translation>
     </message>
+    <message>
+        <source>Larger window</source>
+        <translation>Größeres Fenster</translation>
+    </message>
+    <message>
+        <source>Smaller window</source>
+        <translation>Kleineres Fenster</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ExportDialog</name>
@@ -3861,10 +3869,6 @@
         <translation>Detail %1/%2</translation>
     </message>
     <message>
-        <source>Level %1 of the pyramid</source>
-        <translation>Ebene %1 der Pyramide</translation>
-    </message>
-    <message>
         <source>hand 1 : %1</source>
         <translation>Hand 1 : %1</translation>
     </message>
@@ -4604,6 +4608,37 @@
             <numerusform>%n Datei, die dieses Projekt nennt, wurde nicht gelesen. Sie bleibt darin genannt und wird für kein Paket und keine Abbildung angeboten.</numerusform>
             <numerusform>%n Dateien, die dieses Projekt nennt, wurden nicht gelesen. Sie bleiben darin genannt und werden für kein Paket und keine Abbildung angeboten.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was opened.</source>
+        <translation>Abgebrochen. Nichts wurde geöffnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s) of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</source>
+        <translation>
+            <numerusform>%n Teil von %1 ist nicht, wie er gepackt wurde. Nichts wurde geöffnet. „relievo project verify“ nennt ihn.</numerusform>
+            <numerusform>%n Teile von %1 sind nicht, wie sie gepackt wurden. Nichts wurde geöffnet. „relievo project verify“ nennt sie.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Unpack elsewhere…</source>
+        <translation>&amp;Anderswo entpacken…</translation>
+    </message>
+    <message>
+        <source>%1 was unpacked into %2</source>
+        <translation>%1 wurde nach %2 entpackt</translation>
+    </message>
+    <message>
+        <source>Unpack %1 into</source>
+        <translation>%1 entpacken nach</translation>
+    </message>
+    <message>
+        <source>Level 0 of the pyramid: not smoothed</source>
+        <translation>Ebene 0 der Pyramide: nicht geglättet</translation>
+    </message>
+    <message>
+        <source>Level %1 of the pyramid, smoothed by a Gaussian of σ = %2</source>
+        <translation>Ebene %1 der Pyramide, geglättet durch eine Gauß-Funktion mit σ = %2</translation>
     </message>
 </context>
 <context>
@@ -8299,12 +8334,16 @@
         <translation>Maßstab der Hand</translation>
     </message>
     <message>
-        <source>Detail %1 of %2 (level %3)</source>
-        <translation>Detail %1/%2 (Ebene %3)</translation>
-    </message>
-    <message>
         <source>1 mm of hand = %1 mm on the object</source>
         <translation>1 mm der Hand = %1 mm auf dem Objekt</translation>
+    </message>
+    <message>
+        <source>%1 of %2, level 0</source>
+        <translation>%1/%2, Ebene 0</translation>
+    </message>
+    <message>
+        <source>%1 of %2, level %3, σ %4</source>
+        <translation>%1/%2, Ebene %3, σ %4</translation>
     </message>
 </context>
 <context>

@@ -48,6 +48,13 @@
             <numerusform>%n files that this project names were not read. They stay named in it, and are offered for no package and no figure.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n part(s) of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</source>
+        <translation>
+            <numerusform>%n part of %1 is not as it was packed. Nothing was opened. &apos;relievo project verify&apos; names it.</numerusform>
+            <numerusform>%n parts of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>

@@ -1587,6 +1587,14 @@
         <source>Leave out far-off groups</source>
         <translation>दूर के समूह छोड़ दें</translation>
     </message>
+    <message>
+        <source>Larger window</source>
+        <translation>बड़ी खिड़की</translation>
+    </message>
+    <message>
+        <source>Smaller window</source>
+        <translation>छोटी खिड़की</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ExportDialog</name>
@@ -3861,10 +3869,6 @@
         <translation>विवरण %1/%2</translation>
     </message>
     <message>
-        <source>Level %1 of the pyramid</source>
-        <translation>पिरामिड का स्तर %1</translation>
-    </message>
-    <message>
         <source>hand 1 : %1</source>
         <translation>हाथ 1 : %1</translation>
     </message>
@@ -4604,6 +4608,35 @@
             <numerusform>%n फ़ाइल, जिसका नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गई। उसका नाम इसमें बना रहता है, और वह किसी पैकेज या चित्र के लिए नहीं दी जाती।</numerusform>
             <numerusform>%n फ़ाइलें, जिनके नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गईं। उनके नाम इसमें बने रहते हैं, और वे किसी पैकेज या चित्र के लिए नहीं दी जातीं।</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was opened.</source>
+        <translation>रद्द किया गया। कुछ नहीं खोला गया।</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s) of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</source>
+        <translation>
+            </translation>
+    </message>
+    <message>
+        <source>&amp;Unpack elsewhere…</source>
+        <translation>&amp;कहीं और खोलें…</translation>
+    </message>
+    <message>
+        <source>%1 was unpacked into %2</source>
+        <translation>%1 को %2 में निकाला गया</translation>
+    </message>
+    <message>
+        <source>Unpack %1 into</source>
+        <translation>%1 को यहाँ निकालें</translation>
+    </message>
+    <message>
+        <source>Level 0 of the pyramid: not smoothed</source>
+        <translation>पिरामिड का स्तर 0: चिकना नहीं किया गया</translation>
+    </message>
+    <message>
+        <source>Level %1 of the pyramid, smoothed by a Gaussian of σ = %2</source>
+        <translation>पिरामिड का स्तर %1, σ = %2 के गाउसीय से चिकना किया गया</translation>
     </message>
 </context>
 <context>
@@ -7248,7 +7281,7 @@
     </message>
     <message>
         <source>The window is not installed. Install the package relievo, or use a verb, which needs no window: &apos;relievo --help&apos; lists the verbs.</source>
-        <translation>विंडो इंस्टॉल नहीं है। relievo पैकेज इंस्टॉल करें, या ऐसा आदेश चुनें जिसे विंडो नहीं चाहिए: "relievo --help" आदेशों की सूची देता है।</translation>
+        <translation>विंडो इंस्टॉल नहीं है। relievo पैकेज इंस्टॉल करें, या ऐसा आदेश चुनें जिसे विंडो नहीं चाहिए: &quot;relievo --help&quot; आदेशों की सूची देता है।</translation>
     </message>
     <message>
         <source>The program %1 cannot be started: %2. Nothing was done. Install relievo again.</source>
@@ -8299,12 +8332,16 @@
         <translation>हाथ का पैमाना</translation>
     </message>
     <message>
-        <source>Detail %1 of %2 (level %3)</source>
-        <translation>विवरण %2 में से %1 (स्तर %3)</translation>
-    </message>
-    <message>
         <source>1 mm of hand = %1 mm on the object</source>
         <translation>हाथ का 1 mm = वस्तु पर %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2, level 0</source>
+        <translation>%2 में से %1, स्तर 0</translation>
+    </message>
+    <message>
+        <source>%1 of %2, level %3, σ %4</source>
+        <translation>%2 में से %1, स्तर %3, σ %4</translation>
     </message>
 </context>
 <context>

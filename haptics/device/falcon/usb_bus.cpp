@@ -489,4 +489,10 @@ std::vector<SeenFalcon> seenFalcons() {
   return there;
 }
 
+std::string libusbVersion() {
+  const libusb_version* const version = libusb_get_version();
+  return std::to_string(version->major) + "." + std::to_string(version->minor) + "." +
+         std::to_string(version->micro);
+}
+
 }  // namespace relievo::falcon

@@ -15,6 +15,9 @@ namespace relievo::falcon {
 /// why.
 std::vector<SeenFalcon> seenFalcons();
 
+/// Of the libusb that this process has loaded: "1.0.26".
+std::string libusbVersion();
+
 /// Where any is meant and one is plugged in, that one; so that its own settings can be read.
 FalconChoice settled(const FalconChoice& choice);
 

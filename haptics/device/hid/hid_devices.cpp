@@ -236,4 +236,8 @@ std::vector<std::string> HidDevices::forbidden() const {
   return names;
 }
 
+std::string hidapiVersion() {
+  return hid_version_str();
+}
+
 }  // namespace relievo::hid

@@ -56,4 +56,7 @@ class HidDevices {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Of the hidapi that this process has loaded: "0.13.1".
+std::string hidapiVersion();
+
 }  // namespace relievo::hid

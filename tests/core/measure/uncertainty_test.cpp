@@ -110,6 +110,49 @@ TEST(Uncertainty, OfHeightsStoredInStepsIsHalfAStep) {
   EXPECT_LT(flat.quantities[0].uncertainty, 1e-4);
 }
 
+/// What stands before the gap is 10 mm higher than what stands behind it; in between a ramp was
+/// made.
+DepthMap filledStep(int first_col, int cols) {
+  DepthMap map = mapOf([](double, double) { return 0; });
+  for (int row = 0; row < map.frame.size.rows; ++row) {
+    for (int col = 0; col < map.frame.size.cols; ++col) {
+      const std::size_t i = map.frame.size.index({.col = col, .row = row});
+      const double along = (col - first_col + 1.0) / (cols + 1);
+      map.heights_mm[i] = static_cast<float>(10 * std::clamp(1 - along, 0.0, 1.0));
+      if (col >= first_col && col < first_col + cols) map.origins[i] = Origin::interpolated;
+    }
+  }
+  return map;
+}
+
+TEST(Uncertainty, OfAnInterpolatedHeightReachesToTheRimOfItsGap) {
+  for (const int cols : {1, 5, 20, 100}) {
+    const DepthMap map = filledStep(40, cols);
+    for (const int col : {40, 40 + cols / 2, 40 + cols - 1}) {
+      const PlaceMm place{.x = map.frame.xMm(col), .y = 50};
+      const Reading reading = read(map, {.kind = MeasureKind::point, .places = {place}});
+      // The truth may be a step anywhere between.
+      expectWithin(reading.quantities[0], 10);
+      expectWithin(reading.quantities[0], 0);
+      EXPECT_LT(reading.quantities[0].uncertainty, 16) << "and says no more than it needs";
+    }
+    const Measurement beside{.kind = MeasureKind::point, .places = {{.x = 5, .y = 50}}};
+    EXPECT_LT(read(map, beside).quantities[0].uncertainty, 1e-4) << "a measured cell is not meant";
+  }
+}
+
+TEST(Uncertainty, OfAGapThatEndsWithTheObjectIsThatOfTheRimThereIs) {
+  DepthMap map = filledStep(40, 20);
+  for (int row = 0; row < map.frame.size.rows; ++row) {
+    for (int col = 60; col < map.frame.size.cols; ++col) {
+      map.origins[map.frame.size.index({.col = col, .row = row})] = Origin::outside;
+    }
+  }
+  const PlaceMm place{.x = map.frame.xMm(50), .y = 50};
+  const Reading reading = read(map, {.kind = MeasureKind::point, .places = {place}});
+  expectWithin(reading.quantities[0], 10);
+}
+
 TEST(Uncertainty, OfTheMeanOfManyPointsIsTwiceItsStandardError) {
   const DepthMap map = mapOf(block);
   const QualityMap quality{.counts = std::vector<std::uint32_t>(map.frame.size.count(), 16),

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "app/batch/state.h"
+#include "app/batch/verb.h"
+
+namespace relievo::batch {
+
+/// Draws again what a picture of ours shows and compares the pixels with those that it has; writes
+/// nothing. Exit status 5 where any pixel differs.
+/// @param picture  its `from_image` is the picture  @param given  the scan; empty: as it says
+/// @throw ArgumentError, FileError, GraphicsError, Cancelled
+Outcome compareFigure(const CarrierArguments& picture, const std::string& given, const Task& task);
+
+}  // namespace relievo::batch

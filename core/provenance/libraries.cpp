@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/provenance/libraries.h"
+
+#include <png.h>
+
+#include "core/io/gdal_version.h"
+#include "core/neighbours/point_neighbours.h"
+#include "core/prepare/base_plane.h"
+#include "core/provenance/parameters_json.h"
+#include "core/recording/hdf5_version.h"
+
+namespace relievo {
+
+std::vector<LibraryVersion> coreLibraries() {
+  return {{"FLANN", flannVersion()},
+          {"GDAL", gdalVersion()},
+          {"HDF5", hdf5Version()},
+          {"PCL", pclVersion()},
+          {"libpng", png_get_libpng_ver(nullptr)}};
+}
+
+std::string withLibraries(std::string_view made, const std::vector<LibraryVersion>& more) {
+  Json json = Json::parse(made);
+  for (const LibraryVersion& one : more) json["libraries"][one.name] = one.version;
+  return json.dump();
+}
+
+}  // namespace relievo
