@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <csignal>
 #include <iostream>
-#include <string_view>
 #include <QHash>
+#include <string_view>
 
 #include "app/batch/batch.h"
 #include "app/draw/drawing_verbs.h"
@@ -17,8 +17,8 @@ int main(int argc, char** argv) {
   // The fonts of a PDF stand in the order of a hash: the same figure has the same bytes.
   qSetGlobalQHashSeed(0);
   relievo::batch::setDrawing(relievo::batch::ownDrawing());
-  const bool libraries = std::any_of(
-      argv + 1, argv + argc, [](std::string_view word) { return word == "--libraries"; });
+  const bool libraries = std::any_of(argv + 1, argv + argc,
+                                     [](std::string_view word) { return word == "--libraries"; });
   if (libraries && !relievo::isVerb(argv[1])) {
     std::cout << relievo::versionText();
     return 0;

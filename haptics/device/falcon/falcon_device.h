@@ -30,8 +30,7 @@ inline constexpr double kMostCountsPerNmm = 2 * kNominalCountsPerNmm;
 /// One cannot be opened.
 class OpeningError : public DeviceError {
  public:
-  OpeningError(Presence presence, const Message& why)
-      : DeviceError(why), presence_(presence) {}
+  OpeningError(Presence presence, const Message& why) : DeviceError(why), presence_(presence) {}
   Presence presence() const { return presence_; }
 
  private:
