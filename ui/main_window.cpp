@@ -298,6 +298,7 @@ void MainWindow::connectParts() {
 
 void MainWindow::open(const QString& file) {
   whenNothingIsUnsaved([this, file] {
+    unpack_work_.cancel();  // Else its project would take the place of what is opened now.
     restoring_.reset();
     recovered_copy_.clear();  // What is opened now does not hold that work.
     replay_->forgetWaiting();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "core/io/input_facts.h"
 #include "core/project/carried_state.h"
 #include "core/project/package.h"
 #include "core/project/unpacked_package.h"
@@ -161,9 +162,14 @@ void MainWindow::writePackage(const PackageChoice& choice) {
 }
 
 bool MainWindow::openPackage(const QString& file, const QString& into) {
-  if (!isZip(pathOf(file))) return false;
+  try {
+    if (inputFacts(pathOf(file)).carrier != CarrierKind::package) return false;
+  } catch (const Error&) {
+    return false;  // Who opens it says why it cannot be read.
+  }
   struct Unpacked {
     QString error, project;
+    bool not_there = false;  ///< Another folder may take it.
     int problems = 0;
   };
   const auto unpacked = std::make_shared<Unpacked>();
@@ -177,6 +183,9 @@ bool MainWindow::openPackage(const QString& file, const QString& into) {
           const auto folder = unpackedPackage(package, pathOf(parent), task);
           unpacked->project = pathFromBytes((folder / "project.json").string());
         } catch (const Cancelled&) {  // Its end is not told.
+        } catch (const WriteError& failure) {
+          unpacked->error = shownError(failure);
+          unpacked->not_there = true;
         } catch (const std::exception& failure) {
           unpacked->error = shownError(failure);
         }
@@ -187,9 +196,11 @@ bool MainWindow::openPackage(const QString& file, const QString& into) {
                           "'relievo project verify' names them.",
                           nullptr, unpacked->problems)
                            .arg(shownName(file)));
-        } else if (!unpacked->error.isEmpty()) {
+        } else if (unpacked->not_there) {
           strip_->show(unpacked->error, {{tr("&Unpack elsewhere\u2026"),
                                           [this, file] { choosePackageFolder(file); }}});
+        } else if (!unpacked->error.isEmpty()) {
+          strip_->show(unpacked->error);
         } else {
           open(unpacked->project);
           announce(

@@ -16,6 +16,7 @@
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/ply_header.h"
+#include "core/io/png_version.h"
 #include "core/io/reader_guard.h"
 #include "core/io/tiff_head.h"
 #include "core/io/write_cloud.h"
@@ -178,6 +179,10 @@ std::optional<std::string> embeddedStateHere(const std::filesystem::path& file) 
     return markupState(file);
   }
   return std::nullopt;
+}
+
+std::string pngVersion() {
+  return png_get_libpng_ver(nullptr);
 }
 
 }  // namespace relievo

@@ -351,9 +351,13 @@ std::vector<PointRange> PointStream::cheapSample(std::uint64_t points) const {
     ranges.resize(known + static_cast<std::size_t>(got));
     impl_->fetch(lease.channel(), 0, ranges.data() + known,
                  static_cast<std::size_t>(got) * sizeof(PointRange));
+    if (ranges.size() > kMostSampleRanges) impl_->refuseNonsense();
   }
   const std::uint64_t all = impl_->head.info.points;
-  const bool sound = std::all_of(ranges.begin(), ranges.end(), [all](const PointRange& range) {
+  std::uint64_t left = all;  // A range may not be told again and again.
+  const bool sound = std::all_of(ranges.begin(), ranges.end(), [&](const PointRange& range) {
+    if (range.count > left) return false;
+    left -= range.count;
     return range.first <= all && range.count <= all - range.first;
   });
   if (!sound) impl_->refuseNonsense();

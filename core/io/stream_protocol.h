@@ -17,6 +17,8 @@ inline constexpr int kMostChannels = 4;
 inline constexpr std::size_t kPointsAtOnce = 16384;
 inline constexpr std::size_t kSliceBytes =
     kPointsAtOnce * (sizeof(FilePoint) + sizeof(StoredValues));
+/// More than the chunks of any file that this version reads.
+inline constexpr std::size_t kMostSampleRanges = std::size_t{1} << 22U;
 inline constexpr std::size_t kRangesAtOnce = kSliceBytes / sizeof(PointRange);
 
 enum class StreamAsk : std::uint64_t {

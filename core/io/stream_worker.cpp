@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -181,9 +183,14 @@ void servePoints(const std::filesystem::path& file, const ImportOptions& options
   }
   reader.convertHeights(start.height_factor);
   std::vector<std::jthread> threads;
-  for (int channel = 1; channel < setup.channels; ++channel) {
-    threads.emplace_back(
-        [&reader, &setup, &refusal, channel] { Service(reader, setup, channel, refusal).run(); });
+  try {
+    for (int channel = 1; channel < setup.channels; ++channel) {
+      threads.emplace_back(
+          [&reader, &setup, &refusal, channel] { Service(reader, setup, channel, refusal).run(); });
+    }
+  } catch (const std::system_error&) {
+    // The system refuses a thread. Those that run wait for questions and would never be joined.
+    std::_Exit(EXIT_FAILURE);
   }
   Service(reader, setup, 0, refusal).run();
 }

@@ -69,10 +69,13 @@ std::filesystem::path programSeenFrom(const std::filesystem::path& folder,
 std::filesystem::path workerProgram(const std::filesystem::path& name, const std::string& does,
                                     const std::filesystem::path& folder) {
   if (std::filesystem::path found = programSeenFrom(folder, name); !found.empty()) return found;
+  // Programs that relievo goes on as lie among those that they start.
+  const bool among_them = folder.filename() == "relievo";
+  const std::filesystem::path place =
+      among_them ? folder : (folder / RELIEVO_LIBEXECDIR "/relievo").lexically_normal();
   throw FileError(does + " the program " + name.string() +
                   ", which does it, is not where it was installed with relievo (" +
-                  printable((folder / RELIEVO_LIBEXECDIR "/relievo").lexically_normal().string()) +
-                  "). Install relievo again.");
+                  printable(place.string()) + "). Install relievo again.");
 }
 
 }  // namespace

@@ -74,15 +74,6 @@ bool holdsTheSame(const fs::path& there, const fs::path& fresh, const Task& task
 
 }  // namespace
 
-bool isZip(const fs::path& file) {
-  try {
-    const std::string kMagic("PK\x03\x04", 4);
-    return readHead(file, kMagic.size()) == kMagic;
-  } catch (const FileError&) {
-    return false;
-  }
-}
-
 fs::path unpackedPackage(const fs::path& package, const fs::path& parent, const Task& task) {
   NewFolder fresh(parent);
   unpackPackage(package, fresh.path(), task);

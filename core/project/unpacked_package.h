@@ -7,9 +7,6 @@
 
 namespace relievo {
 
-/// Is it a zip? Told by its first bytes; a file that cannot be read is none.
-bool isZip(const std::filesystem::path& file);
-
 /// Unpacks a package into a new folder of `parent` that has the package's name, with a number where
 /// that is taken, whole or not at all; where one of these folders holds the very same project and
 /// its files, that is the one. [worker]

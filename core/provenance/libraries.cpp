@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/provenance/libraries.h"
 
-#include <png.h>
-
 #include "core/io/gdal_version.h"
+#include "core/io/png_version.h"
 #include "core/neighbours/point_neighbours.h"
 #include "core/prepare/base_plane.h"
 #include "core/provenance/parameters_json.h"
@@ -16,7 +15,7 @@ std::vector<LibraryVersion> coreLibraries() {
           {"GDAL", gdalVersion()},
           {"HDF5", hdf5Version()},
           {"PCL", pclVersion()},
-          {"libpng", png_get_libpng_ver(nullptr)}};
+          {"libpng", pngVersion()}};
 }
 
 std::string withLibraries(std::string_view made, const std::vector<LibraryVersion>& more) {

@@ -300,7 +300,7 @@ TEST_F(OneWayIn, EveryVerbOnEveryFormat) {
     on({"pyramid"}, {"--unit", "mm", "-o", out + "-p.tif"});
     on({"pyramid"}, {"--unit", "mm", "--memory", "500", "-o", out + "-m.tif"});
     on({"convert"}, {out + ".asc", "--unit", "mm"});
-    on({"render"}, {"--unit", "mm", "--size", "64x64", "-o", out + ".png"});
+    on({"render"}, {"--unit", "mm", "--pixels", "64", "-o", out + ".png"});
     on({"measure"}, {"--unit", "mm", "--point", "5,5"});
     on({"fill"}, {"--unit", "mm", "--holes", "interpolate:5", "-o", out + "-f.tif"});
     on({"touch"}, {"--unit", "mm", "--stroke", test::kFlatStroke, "-o", out + ".csv"});

@@ -60,7 +60,7 @@ TEST_F(Programs, VerbsThatDrawNothingNeedNoOther) {
   const std::vector<std::string> commands{"info " + scan,
                                           "depthmap " + scan + "-o " + map,
                                           "pyramid " + scan + "-o " + path("levels"),
-                                          "convert " + scan + "-o " + path("map.asc"),
+                                          "convert " + scan + path("map.asc"),
                                           "measure " + scan + "--report json --profile 1,1,5,5",
                                           "devices --report json"};
   for (const std::string& words : commands) {

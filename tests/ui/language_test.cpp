@@ -381,18 +381,29 @@ TEST(Translations, AreWholeAndKeepTheirPlaceholders) {
       }
       EXPECT_EQ(text.contains('&'), source.contains('&')) << code << ": " << source.toStdString();
     };
+    constexpr int kForms = 2;  // One, and others.
+    int forms = kForms;        // Of the text before, if it has any.
     while (!xml.atEnd()) {
       xml.readNext();
       if (!xml.isStartElement()) continue;
-      if (xml.name() == QLatin1String("source")) source = xml.readElementText();
-      if (xml.name() == QLatin1String("numerusform")) check(xml.readElementText());
+      if (xml.name() == QLatin1String("source")) {
+        EXPECT_EQ(forms, kForms) << code << ": " << source.toStdString();
+        forms = kForms;
+        source = xml.readElementText();
+      }
+      if (xml.name() == QLatin1String("numerusform")) {
+        ++forms;
+        check(xml.readElementText());
+      }
       if (xml.name() != QLatin1String("translation")) continue;
+      if (source.contains("%n")) forms = 0;
       ++texts;
       EXPECT_NE(xml.attributes().value("type"), QLatin1String("unfinished"))
           << code << ": " << source.toStdString();
       if (source.contains("%n")) continue;  // Its forms follow.
       check(xml.readElementText());
     }
+    EXPECT_EQ(forms, kForms) << code << ": " << source.toStdString();
     EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
     EXPECT_GT(texts, 800) << code;
   }

@@ -4616,7 +4616,9 @@
     <message numerus="yes">
         <source>%n part(s) of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</source>
         <translation>
-            </translation>
+            <numerusform>%1 का %n भाग वैसा नहीं है जैसा पैक किया गया था। कुछ नहीं खोला गया। &apos;relievo project verify&apos; उसका नाम बताता है।</numerusform>
+            <numerusform>%1 के %n भाग वैसे नहीं हैं जैसे पैक किए गए थे। कुछ नहीं खोला गया। &apos;relievo project verify&apos; उनके नाम बताता है।</numerusform>
+        </translation>
     </message>
     <message>
         <source>&amp;Unpack elsewhere…</source>

@@ -42,7 +42,7 @@ class SelfTest {
  private:
   void next(Phase phase, std::int64_t now_ns);
   Phase afterNudges() const { return options_.wait_for_person_s > 0 ? Phase::person : Phase::done; }
-  void judgeRate();
+  void judgeRate(double measured_s);
   void judgeNudges();
   void judgePerson();
   DeviceN nudge(const DeviceReading& reading, double since_s);

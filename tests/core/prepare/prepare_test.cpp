@@ -237,10 +237,12 @@ TEST(Prepare, StopsWithinAQuarterOfASecond) {
   double asked_s = 0;
   Task task{.stop = stop.get_token(), .progress = {}};
   bool working = false;
+  std::chrono::steady_clock::time_point asked;
   task.progress = [&](std::string_view step, double) {
     if (step != "outliers" || working) return;
     working = true;  // The child is at it.
     asked_s = runningChildrenCpuS();
+    asked = std::chrono::steady_clock::now();
     stop.request_stop();
   };
   EXPECT_THROW(prepare({&scan}, recipe, {}, task), Cancelled);
@@ -248,6 +250,8 @@ TEST(Prepare, StopsWithinAQuarterOfASecond) {
   // Of the child's processor time, which a busy machine makes no longer. The bar of 250 ms is for a
   // machine that does nothing else.
   EXPECT_LT(endedChildrenCpuS() - before_s - asked_s, 2);
+  // Nor does anybody wait for a child that sleeps.
+  EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::minutes(2));
 }
 
 /// A memory file with an answer in it that may be changed.
