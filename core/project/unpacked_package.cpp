@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "core/base/failure.h"
-#include "core/io/file_check.h"
 #include "core/io/text_file.h"
 #include "core/project/package.h"
 #include "core/project/project_files.h"
