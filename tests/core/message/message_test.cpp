@@ -142,6 +142,16 @@ TEST(Message, CrossesProcessesAsBytes) {
   EXPECT_EQ(englishText(messageFromBytes(messageBytes(measured)).value()), englishText(measured));
 }
 
+TEST(Message, CrossesAsDeepAsItNests) {
+  const Message along = said<MessageId::motion_along>(
+      said<MessageId::direction>(NumberArgument{}, NumberArgument{}, NumberArgument{}));
+  const Message refused = said<MessageId::pose_refused>(said<MessageId::pose_undecided>(along));
+  const Message deep = said<MessageId::scan_left_out>("b.ply", WordsArgument::sentences({refused}));
+  const auto received = messageFromBytes(messageBytes(deep));
+  ASSERT_TRUE(received);
+  EXPECT_EQ(englishText(*received), englishText(deep));
+}
+
 TEST(Message, OfBytesThatAreNoMessageIsNone) {
   const std::string whole =
       messageBytes(said<MessageId::state_unreadable>("a", said<MessageId::field_count>("x", 3)));
