@@ -57,7 +57,8 @@ TEST(AlignChild, WhatIsRefusedIsLeftOutAndNamed) {
   two.info.file = "plate.ply";
   const Prepared prepared =
       prepare({&one, &two}, {.scans = {}, .steps = {Align{.method = AlignMethod::automatic}}});
-  EXPECT_THAT(englishText(prepared.notDone()), HasSubstr("plate.ply was left out"));
+  ASSERT_EQ(prepared.notDone().size(), 1U);
+  EXPECT_THAT(englishText(prepared.notDone()[0]), HasSubstr("plate.ply was left out"));
   EXPECT_EQ(prepared.scan.points.size(), 12000U);
 }
 
