@@ -162,9 +162,9 @@ TEST_F(Repeatable, WhatTheImageSaysIsNotSaidTwice) {
   ASSERT_EQ(runRelievo({"render", path("scans/a.xyz"), "--pixels", "64", "-o", first}).exit_code,
             0);
   const CommandResult twice =
-      runRelievo({"render", "--from-image", first, "--gain", "2", "-o", path("b.png")});
+      runRelievo({"render", "--from-image", first, "--unit", "cm", "-o", path("b.png")});
   EXPECT_EQ(twice.exit_code, 1);
-  EXPECT_THAT(twice.err, HasSubstr("--gain"));
+  EXPECT_THAT(twice.err, HasSubstr("--unit"));
   EXPECT_EQ(runRelievo({"render", "-o", path("b.png")}).exit_code, 1);
   cv::imwrite(path("foreign.png"), cv::Mat(4, 4, CV_8UC3));
   const CommandResult foreign =
