@@ -11,8 +11,8 @@
 
 namespace relievo::batch {
 
-/// What needs OpenGL and fonts. Only the program `relievo-draw` has it; `relievo`, which starts
-/// sooner without those libraries, goes on as that program where it is needed (docs/adr/0151).
+/// What needs OpenGL and fonts. Only the program `relievo-draw` has it; `relievo`, which needs none
+/// of those libraries, goes on as that program where it is needed (docs/adr/0151).
 struct Drawing {
   DepthEngine depth_buffer;
   std::vector<LibraryVersion> (*libraries)() = nullptr;

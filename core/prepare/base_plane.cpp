@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/prepare/base_plane.h"
 
-#include <pcl/pcl_config.h>
 #include <pcl/point_types.h>
 #include <pcl/segmentation/sac_segmentation.h>
 
@@ -119,10 +118,6 @@ Pose layingFlat(const BasePlane& plane, const FilePoint& centre) {
   return Pose{{r[0], r[1], r[2], c.x - (r[0] * c.x + r[1] * c.y + r[2] * c.z), r[3], r[4], r[5],
                c.y - (r[3] * c.x + r[4] * c.y + r[5] * c.z), r[6], r[7], r[8],
                c.z - (r[6] * c.x + r[7] * c.y + r[8] * c.z), 0, 0, 0, 1}};
-}
-
-const char* pclVersion() noexcept {
-  return PCL_VERSION_PRETTY;
 }
 
 }  // namespace relievo

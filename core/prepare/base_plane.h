@@ -30,7 +30,4 @@ std::optional<BasePlane> basePlane(std::span<const Point3f> points, double dista
 /// The rotation about the plane's middle that turns its normal to +z, by the shortest way.
 Pose layingFlat(const BasePlane& plane, const FilePoint& centre);
 
-/// "1.13.0"
-const char* pclVersion() noexcept;
-
 }  // namespace relievo

@@ -13,6 +13,7 @@
 #include "core/prepare/normals.h"
 #include "core/prepare/off_surface.h"
 #include "core/prepare/outliers.h"
+#include "core/prepare/pcl_version.h"
 #include "core/prepare/poses.h"
 #include "core/prepare/thin.h"
 

@@ -4,7 +4,7 @@
 #include "core/io/gdal_version.h"
 #include "core/io/png_version.h"
 #include "core/neighbours/point_neighbours.h"
-#include "core/prepare/base_plane.h"
+#include "core/prepare/pcl_version.h"
 #include "core/provenance/parameters_json.h"
 #include "core/recording/hdf5_version.h"
 
