@@ -48,7 +48,8 @@ class Programs : public test::CommandTest {
 TEST_F(Programs, TheCommandLineLoadsNoLibraryOfGraphics) {
   const Said needs = said("ldd " + path("bin") + "/relievo");
   ASSERT_EQ(needs.exit_code, 0);
-  for (const char* library : {"libQt5", "libvtkRendering", "libGL", "libX11", "libqwt", "libpcl_"}) {
+  for (const char* library :
+       {"libQt5", "libvtkRendering", "libGL", "libX11", "libqwt", "libpcl_"}) {
     EXPECT_THAT(needs.text, Not(HasSubstr(library)));
   }
 }
