@@ -1,60 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// relievo: the command line. Goes on as relievo-draw or relievo-window where something is drawn, so
-// that everything else starts without libraries of graphics (docs/adr/0151).
-#include <csignal>
+// relievo: what people start. It loads no library and goes on as the program that does what is
+// asked, so that each loads only what it uses (docs/adr/0151).
 #include <iostream>
+#include <string_view>
 
-#include "app/batch/batch.h"
+#include "app/batch/drawing.h"
 #include "app/batch/other_program.h"
-#include "app/options.h"
 #include "core/base/error.h"
-#include "core/io/reader_guard.h"
+#include "core/provenance/program.h"
 
 namespace {
 
-constexpr int kUsage = 1;
-constexpr int kNoGraphics = 7;
-
-int fail(int exit_code, const std::string& why) {
-  std::cerr << "relievo: " << why << '\n';
-  return exit_code;
+/// The command line's program knows what is wrong with words; only what is plain is decided here.
+relievo::Program programFor(int argc, char** argv) {
+  if (argc < 2) return relievo::Program::window;
+  return relievo::batch::isDrawingVerb(argv[1]) ? relievo::Program::draw
+                                                : relievo::Program::command_line;
 }
 
-/// A verb, misspelt or not, is misuse behind options, too, and never opens a window; a word behind
-/// "--" is a file.
-std::string unknownWord(const relievo::WindowOptions& options) {
-  for (const std::string& word : options.files) {
-    if (options.only_files) break;
-    if (std::string unknown = relievo::unknownVerb(word); !unknown.empty()) return unknown;
-  }
-  return {};
+/// A part that is not installed, or no /proc to find it by.
+int exitCodeOf(const relievo::Error& error) {
+  constexpr int kCannotRead = 2, kNoProgram = 7;
+  return dynamic_cast<const relievo::GraphicsError*>(&error) == nullptr ? kCannotRead : kNoProgram;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  relievo::forbidReaders();
-  // A file that may not grow is met like a full disk: what is written is completed.
-  std::signal(SIGXFSZ, SIG_IGN);
-  if (argc > 1 && relievo::isVerb(argv[1])) return relievo::runBatch(argc, argv);
-  if (const std::string unknown = argc > 1 ? relievo::unknownVerb(argv[1]) : ""; !unknown.empty()) {
-    return fail(kUsage, unknown);
+  if (argc == 2 && argv[1] == std::string_view("--version")) {
+    std::cout << relievo::versionLines();
+    return std::cout.flush() ? 0 : 3;
   }
   try {
-    const relievo::WindowOptions options = relievo::parseWindowOptions({argv + 1, argv + argc});
-    if (const std::string unknown = unknownWord(options); !unknown.empty()) {
-      return fail(kUsage, unknown);
-    }
-    if (options.help || options.version) {
-      std::cout << (options.help ? relievo::windowHelp() + '\n' + relievo::verbHelp()
-                                 : relievo::versionText());
-      return 0;
-    }
-    if (options.libraries) relievo::goOnAs(relievo::Program::draw, argv);
-    relievo::goOnAs(relievo::Program::window, argv);
-  } catch (const relievo::ArgumentError& error) {
-    return fail(kUsage, error.what());
+    relievo::goOnAs(programFor(argc, argv), argv);
   } catch (const relievo::Error& error) {
-    return fail(kNoGraphics, error.what());
+    std::cerr << "relievo: " << error.what() << '\n';
+    return exitCodeOf(error);
   }
 }

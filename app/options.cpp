@@ -114,8 +114,8 @@ const std::vector<WindowOptionRow>& windowOptionRows() {
       {{"--region"}, "X,Y,W,H", "first window, millimetres from the lower left corner"},
       {{"--lang"}, "en|de|hi", "language of the window"},
       {{"--safe-mode"}, "", "ignore and keep no settings"},
-      {{"--version"}, "", "print the version and those of the command line's libraries"},
-      {{"--libraries"}, "", "print the same with the libraries that draw"},
+      {{"--version"}, "", "print the version and the commit it was built from"},
+      {{"--libraries"}, "", "print the same with the libraries it runs with"},
       {{"-h", "--help"}, "", "print this help"},
       {{"--"}, "", "what follows are files, whatever they begin with"}};
   return kRows;

@@ -302,8 +302,7 @@ int runOrGoOn(const batch::Verb& verb, const std::string& format, char** argv) {
 }  // namespace
 
 std::string versionText() {
-  std::string text = "relievo " + std::string(programVersion()) + "\ncommit " +
-                     std::string(programCommit()) + '\n';
+  std::string text = versionLines();
   for (const LibraryVersion& one : batch::libraryVersions()) {
     text += one.name + ' ' + one.version + '\n';
   }

@@ -16,7 +16,7 @@ std::string unknownVerb(const std::string& word);
 /// Every verb with a line about it, and the exit codes.
 std::string verbHelp();
 
-/// For --version: the program's on the first line, its commit, then one library a line.
+/// For --libraries: the program's on the first line, its commit, then one library a line.
 std::string versionText();
 
 /// `relievo VERB ...`: same functions as the window, no window. Same input, same output bytes.

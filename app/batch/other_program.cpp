@@ -8,19 +8,37 @@
 #include <iostream>
 
 #include "core/base/failure.h"
-#include "core/io/worker_process.h"
+#include "core/file/own_program.h"
 
 namespace relievo {
 
-void goOnAs(Program program, char** argv) {
-  const bool draws = program == Program::draw;
-  const std::filesystem::path file =
-      ownProgram(draws ? "relievo-draw" : "relievo-window",
-                 draws ? "Pictures cannot be drawn:" : "The window cannot be opened:");
-  if (file.empty()) {
-    if (draws) throw failure<MessageId::drawing_not_installed>();
-    throw failure<MessageId::window_not_installed>();
+namespace {
+
+std::filesystem::path placeOf(Program program) {
+  switch (program) {
+    case Program::command_line:
+      return ownProgram("relievo-cli", "Commands cannot be run:");
+    case Program::draw:
+      return ownProgram("relievo-draw", "Pictures cannot be drawn:");
+    case Program::window:
+      break;
   }
+  return ownProgram("relievo-window", "The window cannot be opened:");
+}
+
+[[noreturn]] void refuseMissing(Program program) {
+  if (program == Program::draw) throw failure<MessageId::drawing_not_installed>();
+  if (program == Program::window) throw failure<MessageId::window_not_installed>();
+  // No part of a whole installation lacks it.
+  throw failure<MessageId::program_not_started>(PathArgument{"relievo-cli"},
+                                                TextArgument{std::strerror(ENOENT)});
+}
+
+}  // namespace
+
+void goOnAs(Program program, char** argv) {
+  const std::filesystem::path file = placeOf(program);
+  if (file.empty()) refuseMissing(program);
   std::cout.flush();
   std::cerr.flush();
   execv(file.c_str(), argv);

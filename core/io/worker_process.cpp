@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/file/own_program.h"
 #include "core/file/unnamed_file.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
@@ -41,48 +42,16 @@ std::string partsText(const std::vector<int>& parts) {
   return text.empty() ? "-" : text;
 }
 
-/// Where this program lies. @param does  what is not possible without the programs beside it
-std::filesystem::path ownFolder(const std::string& does) {
-  std::error_code error;
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (!error) return self.parent_path();
-  throw FileError(
-      does +
-      " /proc, by which relievo finds its own programs, is not there. Mount it, and try "
-      "again.");
-}
-
-/// Installed; beside the program in the build folder or among its own kind; beside the build's
-/// tests.
-/// @return empty: it is nowhere
-std::filesystem::path programSeenFrom(const std::filesystem::path& folder,
-                                      const std::filesystem::path& name) {
-  for (const char* const place : {RELIEVO_LIBEXECDIR "/relievo", ".", "../bin"}) {
-    std::error_code missing;
-    std::filesystem::path found = (folder / place / name).lexically_normal();
-    if (std::filesystem::is_regular_file(found, missing)) return found;
-  }
-  return {};
-}
-
 /// @param does  what is not possible without it
 std::filesystem::path workerProgram(const std::filesystem::path& name, const std::string& does,
                                     const std::filesystem::path& folder) {
   if (std::filesystem::path found = programSeenFrom(folder, name); !found.empty()) return found;
-  // Programs that relievo goes on as lie among those that they start.
-  const bool among_them = folder.filename() == "relievo";
-  const std::filesystem::path place =
-      among_them ? folder : (folder / RELIEVO_LIBEXECDIR "/relievo").lexically_normal();
   throw FileError(does + " the program " + name.string() +
                   ", which does it, is not where it was installed with relievo (" +
-                  printable(place.string()) + "). Install relievo again.");
+                  printable(placeOfPrograms(folder).string()) + "). Install relievo again.");
 }
 
 }  // namespace
-
-std::filesystem::path ownProgram(const std::string& name, const std::string& does) {
-  return programSeenFrom(ownFolder(does), name);
-}
 
 std::filesystem::path importProgram(ImportProgram program, const std::filesystem::path& folder) {
   constexpr std::array<const char*, 3> kNames{"relievo-import", "relievo-import-pcl",

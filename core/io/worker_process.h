@@ -40,11 +40,6 @@ enum class ImportProgram { own, pcl, libraries };
 /// @throw FileError  nowhere it should be; there is no other way to read
 std::filesystem::path importProgram(ImportProgram program, const std::filesystem::path& folder);
 
-/// Where another program of relievo is. @param does  what is not possible without it
-/// @return empty: it is not installed @throw FileError  /proc is not there, by which it is looked
-/// for
-std::filesystem::path ownProgram(const std::string& name, const std::string& does);
-
 /// A worker that is handed its input as an open file, not by name.
 struct WorkerStart {
   std::string program;                 ///< Its name alone; it lies where the import programs do.

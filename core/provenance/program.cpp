@@ -13,4 +13,9 @@ std::string_view programCommit() noexcept {
   return kCommit;
 }
 
+std::string versionLines() {
+  return "relievo " + std::string(programVersion()) + "\ncommit " + std::string(programCommit()) +
+         '\n';
+}
+
 }  // namespace relievo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace relievo {
@@ -10,5 +11,8 @@ std::string_view programVersion() noexcept;
 /// Commit that the program was built from, 40 hexadecimal digits, "-changed" after them if files
 /// differed from it; "unknown" if it was built outside a repository.
 std::string_view programCommit() noexcept;
+
+/// For `--version`: "relievo 0.1.0" and "commit" with the commit, a line each.
+std::string versionLines();
 
 }  // namespace relievo

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <sstream>
 
 #include "tests/app/command_test.h"
 
@@ -12,8 +13,12 @@ namespace relievo {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::AnyOf;
+using testing::Each;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 struct Said {
   int exit_code = -1;
@@ -25,7 +30,7 @@ class Programs : public test::CommandTest {
   void SetUp() override {
     test::CommandTest::SetUp();
     fs::create_directory(path("bin"));
-    for (const char* name : {"relievo", "relievo-import", "relievo-import-pcl",
+    for (const char* name : {"relievo", "relievo-cli", "relievo-import", "relievo-import-pcl",
                              "relievo-import-libraries", "relievo-prepare"}) {
       fs::copy_file(fs::path(RELIEVO_BINARY_DIR) / "bin" / name, path("bin") + "/" + name);
     }
@@ -46,12 +51,35 @@ class Programs : public test::CommandTest {
 };
 
 TEST_F(Programs, TheCommandLineLoadsNoLibraryOfGraphics) {
-  const Said needs = said("ldd " + path("bin") + "/relievo");
+  const Said needs = said("ldd " + path("bin") + "/relievo-cli");
   ASSERT_EQ(needs.exit_code, 0);
   for (const char* library :
        {"libQt5", "libvtkRendering", "libGL", "libX11", "libqwt", "libpcl_"}) {
     EXPECT_THAT(needs.text, Not(HasSubstr(library)));
   }
+}
+
+// It chooses the program, and answers --version: nothing is loaded for that but the language's own.
+TEST_F(Programs, WhatPeopleStartLoadsNoLibraryOfAnybody) {
+  const Said needs = said("ldd " + path("bin") + "/relievo | grep '=>' | sed 's/[.]so.*//'");
+  ASSERT_EQ(needs.exit_code, 0);
+  std::istringstream lines(needs.text);
+  std::vector<std::string> libraries;
+  for (std::string line; lines >> line;) libraries.push_back(line);
+  EXPECT_THAT(libraries, Each(AnyOf("libstdc++", "libm", "libgcc_s", "libc")));
+  fs::remove(path("bin") + "/relievo-cli");
+  const Said version = alone("--version");
+  EXPECT_EQ(version.exit_code, 0);
+  EXPECT_THAT(version.text, AllOf(StartsWith("relievo "), HasSubstr("\ncommit ")));
+  const Said refused = alone("info '" + plane() + "'");
+  EXPECT_EQ(refused.exit_code, 7) << refused.text;
+  EXPECT_THAT(refused.text, HasSubstr("The program relievo-cli cannot be started"));
+}
+
+TEST_F(Programs, LibrariesAreThoseThatAreThere) {
+  const Said own = alone("--libraries");
+  EXPECT_EQ(own.exit_code, 0) << own.text;
+  EXPECT_THAT(own.text, AllOf(StartsWith("relievo "), HasSubstr("GDAL "), Not(HasSubstr("VTK "))));
 }
 
 TEST_F(Programs, VerbsThatDrawNothingNeedNoOther) {

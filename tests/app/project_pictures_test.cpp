@@ -157,11 +157,8 @@ TEST_F(ProjectPictures, ThatCannotBeComparedAreRefused) {
 
 TEST_F(ProjectPictures, SayTheLibrariesThatDrewThem) {
   project();
-  // The command line loads no library that draws, and names its own alone.
   const CommandResult own = runRelievo({"--version"}, {"DISPLAY"});
   EXPECT_EQ(own.out.rfind("relievo ", 0), 0U) << own.out;
-  EXPECT_NE(own.out.find("\nFLANN "), std::string::npos) << own.out;
-  EXPECT_EQ(own.out.find("VTK"), std::string::npos) << own.out;
   const CommandResult version = runRelievo({"--libraries"}, {"DISPLAY"});
   EXPECT_EQ(version.exit_code, 0);
   EXPECT_EQ(version.out.rfind("relievo ", 0), 0U) << version.out;
