@@ -57,7 +57,7 @@ list(APPEND user_figures
     -o ${figures}/figure_levels.png
   COMMAND relievo figure ${samples}/relief_f.ply --level 0 --region 65,75,50,50 --layout plot
     --recording ${figures}/force_curved.csv --width-mm 160 --dpi 150 -o ${figures}/figure_plot.png)
-foreach(relief IN ITEMS lit height hillshade multi slope local skyview openness)
+foreach(relief IN ITEMS lit height hillshade multi slope local skyview openness multiscale curvature occlusion)
   list(APPEND user_figures COMMAND relievo figure ${panel} --region 110,80,60,60 --layout detail
     --relief ${relief} --without scalebar,heightbar,up,legend --width-mm 42 --dpi 150 --text-pt 6
     -o ${figures}/relief_${relief}.png)

@@ -43,9 +43,11 @@ namespace {
     // Relief images and their colours.
     QT_TRANSLATE_NOOP("Core", "slope"), QT_TRANSLATE_NOOP("Core", "local relief"),
     QT_TRANSLATE_NOOP("Core", "sky-view factor"), QT_TRANSLATE_NOOP("Core", "openness"),
-    QT_TRANSLATE_NOOP("Core", "hillshade"), QT_TRANSLATE_NOOP("Core", "grey"),
-    QT_TRANSLATE_NOOP("Core", "viridis"), QT_TRANSLATE_NOOP("Core", "cividis"),
-    QT_TRANSLATE_NOOP("Core", "batlow"),
+    QT_TRANSLATE_NOOP("Core", "multi-scale deviation"),
+    QT_TRANSLATE_NOOP("Core", "multi-scale curvature"),
+    QT_TRANSLATE_NOOP("Core", "ambient occlusion"), QT_TRANSLATE_NOOP("Core", "hillshade"),
+    QT_TRANSLATE_NOOP("Core", "grey"), QT_TRANSLATE_NOOP("Core", "viridis"),
+    QT_TRANSLATE_NOOP("Core", "cividis"), QT_TRANSLATE_NOOP("Core", "batlow"),
     // Buttons.
     QT_TRANSLATE_NOOP("Core", "Close"), QT_TRANSLATE_NOOP("Core", "Cancel"),
     QT_TRANSLATE_NOOP("Core", "Discard"), QT_TRANSLATE_NOOP("Core", "Save"),

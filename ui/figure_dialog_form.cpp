@@ -44,6 +44,9 @@ constexpr std::array<Words, kReliefKindNames.size()> kReliefs{
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Local relief")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Sky-view factor")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Openness")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Deviation, several scales")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Curvature, several scales")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Stone with ambient occlusion")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Natural colours")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Intensity")}}};
 constexpr std::array<Words, 6> kStereos{
@@ -232,7 +235,7 @@ void FigureDialog::addRelief(QFormLayout* layout) {
                                    tr("Low light brings out worn detail"));
   elevation_->setLimits(0, 90, 0, QStringLiteral("\u00b0"));
   radius_ = field<FigureNumber>(layout, tr("Radius"), "figure_radius",
-                                tr("Of the neighbourhood of local relief, sky view, openness"));
+                                tr("Of the neighbourhood that this relief image looks at"));
   radius_->setLimits(0, kFarMm, 2, QStringLiteral(" mm"));
   radius_->setSpecialValueText(tr("10 samples"));
   shading_ = field<FigureNumber>(layout, tr("Shading"), "figure_shading",

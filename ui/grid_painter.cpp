@@ -11,8 +11,7 @@ namespace relievo {
 GridPainter::GridPainter(QObject* parent) : QObject(parent) {}
 
 bool GridPainter::isSlow(ReliefKind kind) {
-  return kind == ReliefKind::local_relief || kind == ReliefKind::sky_view ||
-         kind == ReliefKind::openness;
+  return hasRadius(kind);
 }
 
 bool GridPainter::canPaint(const HeldGrid& plain, ReliefKind kind) {

@@ -76,6 +76,12 @@ void MainWindow::makeReliefCommands() {
        {ReliefKind::local_relief, tr("Local &relief"), tr("Worn detail without the broad shape")},
        {ReliefKind::sky_view, tr("Sky &view"), tr("How much of the sky each place sees")},
        {ReliefKind::openness, tr("&Openness"), tr("Hollows dark, ridges bright")},
+       {ReliefKind::multi_scale, tr("&Deviation, several scales"),
+        tr("What stands out from its neighbourhood, at the scale where it does so most")},
+       {ReliefKind::curvature, tr("&Curvature, several scales"),
+        tr("Ridges and incisions of several widths, however the ground is tilted")},
+       {ReliefKind::occlusion, tr("Stone with &ambient occlusion"),
+        tr("Lit, and darker where less of the sky is seen")},
        {ReliefKind::natural, tr("&Natural colours"), tr("The colours that the scan has")},
        {ReliefKind::intensity, tr("In&tensity"),
         tr("How strongly the scanner's light came back")}}};

@@ -50,10 +50,10 @@ Verb drawingVerb(std::string_view name) {
 }  // namespace
 
 std::vector<Verb> verbs(const std::vector<std::string>& words) {
-  return {infoVerb(),        prepareVerb(), depthmapVerb(),        fillVerb(),
-          pyramidVerb(),     convertVerb(), drawingVerb("render"), drawingVerb("figure"),
-          measureVerb(),     projectVerb(), devicesVerb(),         touchVerb(words),
-          recordVerb(words), replayVerb(),  drawingVerb("video")};
+  return {infoVerb(),       prepareVerb(),     depthmapVerb(),        fillVerb(),
+          pyramidVerb(),    convertVerb(),     drawingVerb("render"), drawingVerb("figure"),
+          measureVerb(),    suggestVerb(),     projectVerb(),         devicesVerb(),
+          touchVerb(words), recordVerb(words), replayVerb(),          drawingVerb("video")};
 }
 
 namespace {

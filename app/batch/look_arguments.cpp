@@ -17,15 +17,16 @@ namespace {
 void refuseUseless(const LookArguments& a, ReliefKind kind) {
   const bool lamps = isLit(kind) || kind == ReliefKind::hillshade ||
                      kind == ReliefKind::multi_hillshade || showsOwnColours(kind);
-  const std::string coloured = "a --relief with colours: height, slope, local, skyview or openness";
+  const std::string coloured =
+      "a --relief with colours: height, slope, local, skyview, openness, multiscale or curvature";
   requireUse("--colours", !a.colours.empty(), hasLegend(kind), coloured);
   requireUse("--range", !a.range.empty(), hasLegend(kind), coloured);
   requireUse("--light", !a.light.empty(), lamps,
-             "--relief lit, height, hillshade, multi, natural or intensity");
+             "--relief lit, height, hillshade, multi, occlusion, natural or intensity");
   requireUse("--shading", a.shading.has_value(), showsOwnColours(kind),
              "--relief natural or intensity");
   requireUse("--radius", a.radius_mm.has_value(), hasRadius(kind),
-             "--relief local, skyview or openness");
+             "--relief local, skyview, openness, multiscale, curvature or occlusion");
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ void addValueOptions(CLI::App& verb, LookArguments& a) {
   verb.add_option("--relief", a.relief, listOf(kReliefKindNames));
   takesList(verb.add_option("--light", a.light, "AZIMUTH,ELEVATION in degrees; 315,45"), 2,
             {.low = -360, .high = 360, .unit = "degrees"});
-  takes(verb.add_option("--radius", a.radius_mm, "Of local, skyview and openness, mm; 10 samples"),
+  takes(verb.add_option("--radius", a.radius_mm, "Of a --relief that looks around, mm; 10 samples"),
         {.low = 0, .high = 1e6, .unit = "mm"});
 }
 

@@ -41,6 +41,7 @@ Verb pyramidVerb();
 Verb prepareVerb();
 Verb devicesVerb();
 Verb measureVerb();
+Verb suggestVerb();
 Verb projectVerb();
 /// `words`: the command line, which the log keeps.
 Verb touchVerb(std::vector<std::string> words);

@@ -115,6 +115,12 @@ std::string lookText(const ReliefLook& look, double spacing_mm, const ShownLengt
       return "Sky-view factor" + around + "," + colours;
     case ReliefKind::openness:
       return "Positive openness" + around + "," + colours;
+    case ReliefKind::multi_scale:
+      return "Largest deviation from the neighbourhood" + around + " and its halves," + colours;
+    case ReliefKind::curvature:
+      return "Multi-scale curvature (volume within balls)" + around + " and its halves," + colours;
+    case ReliefKind::occlusion:
+      return "Lit relief with ambient occlusion" + around + ", " + light;
     case ReliefKind::natural:
       return "Natural colours of the scan, " + shading;
     case ReliefKind::intensity:

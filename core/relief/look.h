@@ -24,12 +24,15 @@ enum class ReliefKind {
   local_relief,     ///< Height above the smoothed surface, mm.
   sky_view,         ///< Sky-view factor, 0 .. 1 (Zaksek, Ostir, Kokalj 2011).
   openness,         ///< Positive openness, degrees (Yokoyama, Shirasawa, Pike 2002).
+  multi_scale,      ///< Standard deviations above the neighbourhood, at the scale where most.
+  curvature,        ///< Share of a ball that lies above the surface, of several scales.
+  occlusion,        ///< Stone under lamps, darker where less of the sky is seen.
   natural,          ///< The scan's own colours.
   intensity,        ///< The scan's intensities, grey.
 };
-inline constexpr std::array<std::string_view, 10> kReliefKindNames{
-    "lit",   "height",  "hillshade", "multi",   "slope",
-    "local", "skyview", "openness",  "natural", "intensity"};
+inline constexpr std::array<std::string_view, 13> kReliefKindNames{
+    "lit",      "height",     "hillshade", "multi",     "slope",   "local",    "skyview",
+    "openness", "multiscale", "curvature", "occlusion", "natural", "intensity"};
 inline constexpr std::string_view name(ReliefKind kind) noexcept {
   return kReliefKindNames[static_cast<std::size_t>(kind)];
 }
@@ -48,7 +51,7 @@ struct ReliefLook {
   ReliefKind kind = ReliefKind::lit;
   ColourMap colours = ColourMap::viridis;  ///< Not of `lit` and the hillshades, which are grey.
   LightOptions light = {};
-  double radius_mm = 0;  ///< Of local relief, sky view and openness; 0: 10 samples.
+  double radius_mm = 0;  ///< Of the kinds that look around a cell (hasRadius); 0: 10 samples.
   /// Values at the colours' ends; nothing: from the data.
   std::optional<std::array<double, 2>> range = std::nullopt;
   /// Of natural and intensity, 0 ... 1: how much the key light's shading of the relief darkens and

@@ -11,6 +11,7 @@
 #include "core/base/bands.h"
 #include "core/base/failure.h"
 #include "core/relief/horizon.h"
+#include "core/relief/neighbourhood.h"
 #include "core/relief/smooth.h"
 
 namespace relievo {
@@ -153,6 +154,13 @@ std::vector<float> compute(const DepthMap& map, const ReliefLook& look, const Ta
         return static_cast<double>(map.heights_mm[i]) - static_cast<double>(smooth[i]);
       });
     }
+    case ReliefKind::multi_scale:
+      return largestDeviations(map, radiusSamples(map, look), task);
+    case ReliefKind::curvature: {
+      const BallShares balls(map, radiusSamples(map, look));
+      return forEachInside(map, task, [&](int c, int r) { return balls.bulge({c, r}); });
+    }
+    case ReliefKind::occlusion:
     case ReliefKind::sky_view: {
       const HorizonSearch search(map, radiusSamples(map, look));
       return forEachInside(map, task, [&](int c, int r) { return search.skyView({c, r}); });
@@ -177,7 +185,8 @@ std::vector<float> compute(const DepthMap& map, const ReliefLook& look, const Ta
 
 bool hasRadius(ReliefKind kind) {
   return kind == ReliefKind::local_relief || kind == ReliefKind::sky_view ||
-         kind == ReliefKind::openness;
+         kind == ReliefKind::openness || kind == ReliefKind::multi_scale ||
+         kind == ReliefKind::curvature || kind == ReliefKind::occlusion;
 }
 
 double radiusMm(const ReliefLook& look, double spacing_mm) {
@@ -185,7 +194,7 @@ double radiusMm(const ReliefLook& look, double spacing_mm) {
 }
 
 bool isLit(ReliefKind kind) {
-  return kind == ReliefKind::lit || kind == ReliefKind::height;
+  return kind == ReliefKind::lit || kind == ReliefKind::height || kind == ReliefKind::occlusion;
 }
 
 bool showsOwnColours(ReliefKind kind) {
@@ -194,7 +203,8 @@ bool showsOwnColours(ReliefKind kind) {
 
 bool hasLegend(ReliefKind kind) {
   return kind != ReliefKind::lit && kind != ReliefKind::hillshade &&
-         kind != ReliefKind::multi_hillshade && !showsOwnColours(kind);
+         kind != ReliefKind::multi_hillshade && kind != ReliefKind::occlusion &&
+         !showsOwnColours(kind);
 }
 
 bool hasKeyLight(const ReliefLook& look) {
@@ -240,7 +250,7 @@ ReliefValues reliefValues(const DepthMap& map, const ReliefLook& look, const Tas
   struct Kind {
     std::string_view title, unit;
   };
-  constexpr std::array<Kind, 10> kKinds{{{"height", "mm"},
+  constexpr std::array<Kind, 13> kKinds{{{"height", "mm"},
                                          {"height", "mm"},
                                          {"hillshade", ""},
                                          {"hillshade, four lights", ""},
@@ -248,6 +258,9 @@ ReliefValues reliefValues(const DepthMap& map, const ReliefLook& look, const Tas
                                          {"local relief", "mm"},
                                          {"sky-view factor", ""},
                                          {"openness", "\u00b0"},
+                                         {"multi-scale deviation", ""},
+                                         {"multi-scale curvature", ""},
+                                         {"ambient occlusion", ""},
                                          {"natural colours", ""},
                                          {"intensity", ""}}};
   const Kind& kind = kKinds[static_cast<std::size_t>(look.kind)];
@@ -294,11 +307,25 @@ std::vector<std::uint8_t> shadedColours(const ReliefValues& values, const Relief
   return colours;
 }
 
+/// Stone that lamps will light, as dark as little of the sky is seen.
+std::vector<std::uint8_t> occludedStone(const ReliefValues& values) {
+  std::vector<std::uint8_t> colours;
+  colours.reserve(3 * values.values.size());
+  for (const float sky : values.values) {
+    for (const std::uint8_t channel : kStone) {
+      const float seen = std::isfinite(sky) ? sky * static_cast<float>(channel) : channel;
+      colours.push_back(static_cast<std::uint8_t>(seen + 0.5F));
+    }
+  }
+  return colours;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> reliefColours(const ReliefValues& values, const ReliefLook& look,
                                         const GridColours& own) {
   if (look.kind == ReliefKind::lit) return {};
+  if (look.kind == ReliefKind::occlusion) return occludedStone(values);
   if (showsOwnColours(look.kind)) return shadedColours(values, look, own);
   constexpr int kSteps = 1024;
   std::array<Rgb8, kSteps> table{};

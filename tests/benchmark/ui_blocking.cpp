@@ -189,7 +189,8 @@ void run(const QString& scan) {
       "finer", [&] { window.runCommand("finer"); }, [] { return true; });
   for (const char* command :
        {"relief_height", "relief_hillshade", "relief_multi", "relief_slope", "relief_local",
-        "relief_skyview", "relief_openness", "relief_lit", "stereo", "full_screen"}) {
+        "relief_skyview", "relief_openness", "relief_multiscale", "relief_curvature", "relief_lit",
+        "stereo", "full_screen"}) {
     const auto before = window.detailView().sceneState().grid;
     measured((std::string("first use of ") + command).c_str(),
              [&] {

@@ -243,6 +243,18 @@
         <source>Writing the scan</source>
         <translation>Scan wird geschrieben</translation>
     </message>
+    <message>
+        <source>multi-scale deviation</source>
+        <translation>Abweichung in mehreren Maßstäben</translation>
+    </message>
+    <message>
+        <source>multi-scale curvature</source>
+        <translation>Krümmung in mehreren Maßstäben</translation>
+    </message>
+    <message>
+        <source>ambient occlusion</source>
+        <translation>Umgebungsverdeckung</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -2009,10 +2021,6 @@
         <translation>Streiflicht zeigt abgenutzte Einzelheiten</translation>
     </message>
     <message>
-        <source>Of the neighbourhood of local relief, sky view, openness</source>
-        <translation>Der Umgebung für lokales Relief, Himmelssicht, Offenheit</translation>
-    </message>
-    <message>
         <source>10 samples</source>
         <translation>10 Stützstellen</translation>
     </message>
@@ -2311,6 +2319,22 @@
     <message>
         <source>Only natural colours and intensity are mixed with it</source>
         <translation>Nur natürliche Farben und Intensität werden damit gemischt</translation>
+    </message>
+    <message>
+        <source>Deviation, several scales</source>
+        <translation>Abweichung, mehrere Maßstäbe</translation>
+    </message>
+    <message>
+        <source>Curvature, several scales</source>
+        <translation>Krümmung, mehrere Maßstäbe</translation>
+    </message>
+    <message>
+        <source>Stone with ambient occlusion</source>
+        <translation>Stein mit Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>Of the neighbourhood that this relief image looks at</source>
+        <translation>Der Nachbarschaft, die dieses Reliefbild betrachtet</translation>
     </message>
 </context>
 <context>
@@ -4639,6 +4663,30 @@
     <message>
         <source>Level %1 of the pyramid, smoothed by a Gaussian of σ = %2</source>
         <translation>Ebene %1 der Pyramide, geglättet durch eine Gauß-Funktion mit σ = %2</translation>
+    </message>
+    <message>
+        <source>&amp;Deviation, several scales</source>
+        <translation>&amp;Abweichung, mehrere Maßstäbe</translation>
+    </message>
+    <message>
+        <source>What stands out from its neighbourhood, at the scale where it does so most</source>
+        <translation>Was aus seiner Nachbarschaft hervortritt, in dem Maßstab, in dem es das am meisten tut</translation>
+    </message>
+    <message>
+        <source>&amp;Curvature, several scales</source>
+        <translation>&amp;Krümmung, mehrere Maßstäbe</translation>
+    </message>
+    <message>
+        <source>Ridges and incisions of several widths, however the ground is tilted</source>
+        <translation>Grate und Einschnitte verschiedener Breite, wie auch immer der Grund geneigt ist</translation>
+    </message>
+    <message>
+        <source>Stone with &amp;ambient occlusion</source>
+        <translation>Stein mit &amp;Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>Lit, and darker where less of the sky is seen</source>
+        <translation>Beleuchtet und dunkler, wo weniger vom Himmel zu sehen ist</translation>
     </message>
 </context>
 <context>
@@ -7288,6 +7336,14 @@
     <message>
         <source>The program %1 cannot be started: %2. Nothing was done. Install relievo again.</source>
         <translation>Das Programm %1 kann nicht gestartet werden: %2. Es wurde nichts getan. Installieren Sie relievo neu.</translation>
+    </message>
+    <message>
+        <source>Gain, grip factor and number of windows must be above 0. Nothing was made.</source>
+        <translation>Überhöhung, Griff-Faktor und Anzahl der Fenster müssen über 0 liegen. Es wurde nichts gemacht.</translation>
+    </message>
+    <message>
+        <source>Windows are suggested for maps that fit into memory; this one is read by tiles. Nothing was made. Give a level of it, or a map with larger cells.</source>
+        <translation>Fenster werden für Karten vorgeschlagen, die in den Speicher passen; diese wird kachelweise gelesen. Es wurde nichts gemacht. Geben Sie eine Stufe davon oder eine Karte mit größeren Zellen an.</translation>
     </message>
 </context>
 <context>

@@ -243,6 +243,18 @@
         <source>Writing the scan</source>
         <translation>स्कैन लिखा जा रहा है</translation>
     </message>
+    <message>
+        <source>multi-scale deviation</source>
+        <translation>बहु-पैमाना विचलन</translation>
+    </message>
+    <message>
+        <source>multi-scale curvature</source>
+        <translation>बहु-पैमाना वक्रता</translation>
+    </message>
+    <message>
+        <source>ambient occlusion</source>
+        <translation>परिवेशी अवरोधन</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -2009,10 +2021,6 @@
         <translation>नीचा प्रकाश घिसे विवरण उभारता है</translation>
     </message>
     <message>
-        <source>Of the neighbourhood of local relief, sky view, openness</source>
-        <translation>स्थानीय उभार, आकाश-दृश्य और खुलेपन के पड़ोस की</translation>
-    </message>
-    <message>
         <source>10 samples</source>
         <translation>10 नमूने</translation>
     </message>
@@ -2311,6 +2319,22 @@
     <message>
         <source>Only natural colours and intensity are mixed with it</source>
         <translation>केवल प्राकृतिक रंग और तीव्रता इसके साथ मिलाए जाते हैं</translation>
+    </message>
+    <message>
+        <source>Deviation, several scales</source>
+        <translation>विचलन, कई पैमाने</translation>
+    </message>
+    <message>
+        <source>Curvature, several scales</source>
+        <translation>वक्रता, कई पैमाने</translation>
+    </message>
+    <message>
+        <source>Stone with ambient occlusion</source>
+        <translation>परिवेशी अवरोधन के साथ पत्थर</translation>
+    </message>
+    <message>
+        <source>Of the neighbourhood that this relief image looks at</source>
+        <translation>उस पड़ोस का, जिसे यह उभार-चित्र देखता है</translation>
     </message>
 </context>
 <context>
@@ -4639,6 +4663,30 @@
     <message>
         <source>Level %1 of the pyramid, smoothed by a Gaussian of σ = %2</source>
         <translation>पिरामिड का स्तर %1, σ = %2 के गाउसीय से चिकना किया गया</translation>
+    </message>
+    <message>
+        <source>&amp;Deviation, several scales</source>
+        <translation>विचलन, कई पैमाने (&amp;D)</translation>
+    </message>
+    <message>
+        <source>What stands out from its neighbourhood, at the scale where it does so most</source>
+        <translation>जो अपने पड़ोस से उभरता है, उस पैमाने पर जहाँ वह सबसे अधिक उभरता है</translation>
+    </message>
+    <message>
+        <source>&amp;Curvature, several scales</source>
+        <translation>वक्रता, कई पैमाने (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ridges and incisions of several widths, however the ground is tilted</source>
+        <translation>अलग-अलग चौड़ाई की धारियाँ और खाँचे, ज़मीन चाहे जैसे झुकी हो</translation>
+    </message>
+    <message>
+        <source>Stone with &amp;ambient occlusion</source>
+        <translation>परिवेशी अवरोधन के साथ पत्थर (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Lit, and darker where less of the sky is seen</source>
+        <translation>प्रकाशित, और जहाँ आकाश कम दिखे वहाँ गहरा</translation>
     </message>
 </context>
 <context>
@@ -7288,6 +7336,14 @@
     <message>
         <source>The program %1 cannot be started: %2. Nothing was done. Install relievo again.</source>
         <translation>प्रोग्राम %1 शुरू नहीं हो सकता: %2। कुछ नहीं किया गया। relievo फिर से इंस्टॉल करें।</translation>
+    </message>
+    <message>
+        <source>Gain, grip factor and number of windows must be above 0. Nothing was made.</source>
+        <translation>ऊँचाई-गुणक, पकड़-गुणक और खिड़कियों की संख्या 0 से ऊपर होनी चाहिए। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>Windows are suggested for maps that fit into memory; this one is read by tiles. Nothing was made. Give a level of it, or a map with larger cells.</source>
+        <translation>खिड़कियाँ उन नक्शों के लिए सुझाई जाती हैं जो मेमोरी में समाते हैं; यह टाइलों से पढ़ा जाता है। कुछ नहीं बनाया गया। उसका कोई स्तर दें, या बड़ी कोशिकाओं वाला नक्शा।</translation>
     </message>
 </context>
 <context>

@@ -132,6 +132,49 @@ TEST(ReliefImage, OpennessIsARightAngleOnAPlaneLessInAHollowAndMoreOnAPeak) {
   EXPECT_NEAR(valueAt(mapOf(tent), look), 90 + std::atan(0.75) / kDegree, 0.05);
 }
 
+TEST(ReliefImage, MultiScaleCurvatureIsThatOfTheSphereAndNothingOnAnyPlane) {
+  const ReliefLook look{.kind = ReliefKind::curvature, .radius_mm = 8};
+  EXPECT_NEAR(valueAt(mapOf(plane(0, 0)), look), 0, 1e-6);
+  EXPECT_NEAR(valueAt(mapOf(plane(50, 20)), look), 0, 1e-5);
+  EXPECT_NEAR(valueAt(mapOf(plane(50, 20)), look, {.col = 1, .row = 40}), 0, 1e-5) << "at the rim";
+  const double big = 120;
+  const auto ball = [big](double x, double y) { return std::sqrt(big * big - x * x - y * y); };
+  const double expected = 3.0 / 8 / big * (8 + 4 + 2) / 3;
+  EXPECT_NEAR(valueAt(mapOf(ball), look), expected, 0.02 * expected);
+  const auto bowl = [&ball](double x, double y) { return -ball(x, y); };
+  EXPECT_NEAR(valueAt(mapOf(bowl), look), -expected, 0.02 * expected);
+  // Tilted, on the ball's flank.
+  EXPECT_NEAR(valueAt(mapOf(ball), look, {.col = 80, .row = 50}), expected, 0.03 * expected);
+}
+
+TEST(ReliefImage, DeviationOfAWaveIsThatOfTheScaleWhereItIsMost) {
+  const ReliefLook look{.kind = ReliefKind::multi_scale, .radius_mm = 8};
+  EXPECT_NEAR(valueAt(mapOf(plane(25, 10)), look), 0, 0.1) << "a plane's rounding is no relief";
+  // A wave along x, smoothed by sigma, has exp(-k^2 sigma^2 / 2) of its height. What is above the
+  // mean is squared and smoothed likewise: at a crest the ratio is 1 / sqrt((1 + e) / 2), e the
+  // damping of the doubled wave, and it is most at the largest sigma, 4.
+  const double k = 2 * std::numbers::pi / 20;
+  const auto wave = [k](double x, double) { return 0.5 * std::cos(k * x); };
+  const double e = std::exp(-2 * k * k * 16);
+  EXPECT_NEAR(valueAt(mapOf(wave), look), 1 / std::sqrt((1 + e) / 2), 0.01);
+  EXPECT_NEAR(valueAt(mapOf(wave), look, {.col = 70, .row = 50}), -1 / std::sqrt((1 + e) / 2), 0.01)
+      << "half a wave on";
+}
+
+TEST(ReliefImage, OcclusionIsTheSkyOnStoneUnderLamps) {
+  const ReliefLook look{.kind = ReliefKind::occlusion, .radius_mm = 20};
+  EXPECT_TRUE(isLit(look.kind));
+  EXPECT_FALSE(hasLegend(look.kind));
+  const DepthMap map = mapOf(cone);
+  const ReliefValues values = reliefValues(map, look);
+  const std::vector<std::uint8_t> colours = reliefColours(values, look);
+  const std::size_t middle = map.frame.size.index({.col = 50, .row = 50});
+  const double seen = 1 - kConeTangent / std::hypot(1, kConeTangent);
+  EXPECT_NEAR(colours[3 * middle], 204 * seen, 1);
+  const ReliefValues level = reliefValues(mapOf(plane(0, 0)), look);
+  EXPECT_EQ(reliefColours(level, look)[3 * middle], 204);
+}
+
 TEST(ReliefImage, OutsideHasNoValueAndDoesNotDisturbItsNeighbours) {
   DepthMap map = mapOf(plane(20, 0));
   for (int row = 0; row < kSide; ++row) {
@@ -141,8 +184,9 @@ TEST(ReliefImage, OutsideHasNoValueAndDoesNotDisturbItsNeighbours) {
       map.heights_mm[i] = -1000;
     }
   }
-  for (const ReliefKind kind : {ReliefKind::hillshade, ReliefKind::multi_hillshade,
-                                ReliefKind::slope, ReliefKind::openness}) {
+  for (const ReliefKind kind :
+       {ReliefKind::hillshade, ReliefKind::multi_hillshade, ReliefKind::slope, ReliefKind::openness,
+        ReliefKind::multi_scale, ReliefKind::curvature, ReliefKind::occlusion}) {
     const ReliefLook look{.kind = kind};
     const auto values = reliefValues(map, look).values;
     EXPECT_TRUE(std::isnan(values[map.frame.size.index({.col = 60, .row = 50})])) << name(kind);

@@ -22,6 +22,7 @@ BASES = {
     "render": ["map.tif", "-o", "out.png", "--pixels", "32"],
     "figure": ["map.tif", "-o", "out.svg"],
     "measure": ["map.tif", "--point", "30,30"],
+    "suggest": ["map.tif"],
     "touch": ["map.tif", "--stroke", "stroke.csv", "--frame", "device", "-o", "out.csv"],
     "record": ["map.tif", "--device", "virtual", "--seconds", "0.1", "-o", "out.csv"],
     "replay": ["log.csv", "-o", "out.csv"],
