@@ -31,7 +31,8 @@ set(CPACK_COMPONENT_CLI_DESCRIPTION "inspect and touch scans of heritage objects
  This package has all commands and no window. It gives whoever sits at the computer
  access to a Novint Falcon and to a SpaceMouse, by a udev rule.")
 # Pictures are drawn on a screen in memory where there is none, and videos are packed by ffmpeg.
-set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS "libgl1-mesa-dri, xvfb")
+# libusb and hidapi are loaded where they are.
+set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libhidapi-hidraw0, libusb-1.0-0, xvfb")
 set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "ffmpeg, relievo")
 
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME relievo)

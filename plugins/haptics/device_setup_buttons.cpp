@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/origin.h"
 #include "core/message/catalogue.h"
 #include "core/region/hand.h"
@@ -221,7 +221,7 @@ std::unique_ptr<DeviceButtons> makeDeviceButtons(Host& host) {
   try {
     hid = std::make_unique<hid::HidDevices>();
   } catch (const DeviceError& error) {
-    host.announce(QString::fromStdString(error.what()));
+    host.announce(messageText(messageOf(error)));
   }
   return std::make_unique<DeviceButtons>(host, std::move(hid));
 }

@@ -7289,6 +7289,10 @@
         <source>The program %1 cannot be started: %2. Nothing was done. Install relievo again.</source>
         <translation>Das Programm %1 kann nicht gestartet werden: %2. Es wurde nichts getan. Installieren Sie relievo neu.</translation>
     </message>
+    <message>
+        <source>SpaceMouse, foot switches and gamepads cannot be used: %1. Install the library, or go on without them.</source>
+        <translation>SpaceMouse, Fußschalter und Gamepads können nicht benutzt werden: %1. Installieren Sie die Bibliothek, oder arbeiten Sie ohne sie weiter.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

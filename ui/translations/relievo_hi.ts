@@ -7289,6 +7289,10 @@
         <source>The program %1 cannot be started: %2. Nothing was done. Install relievo again.</source>
         <translation>प्रोग्राम %1 शुरू नहीं हो सकता: %2। कुछ नहीं किया गया। relievo फिर से इंस्टॉल करें।</translation>
     </message>
+    <message>
+        <source>SpaceMouse, foot switches and gamepads cannot be used: %1. Install the library, or go on without them.</source>
+        <translation>SpaceMouse, पैर के स्विच और गेमपैड काम में नहीं लिए जा सकते: %1। लाइब्रेरी इंस्टॉल करें, या उनके बिना आगे बढ़ें।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
