@@ -44,6 +44,20 @@ set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS
   "relievo-cli (= ${PROJECT_VERSION}), fonts-dejavu-core, libqt5svg5")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "ffmpeg, fonts-lohit-deva, libgl1-mesa-dri, qttranslations5-l10n")
 
+# For plugins outside of the tree (docs/adr/0144).
+if(RELIEVO_BUILD_UI)
+  list(APPEND CPACK_COMPONENTS_ALL dev)
+  set(CPACK_DEBIAN_DEV_PACKAGE_NAME relievo-dev)
+  set(CPACK_COMPONENT_DEV_DESCRIPTION "build plugins for relievo
+ A plugin of relievo adds panels and commands to its window, hears which part of a
+ scan is shown, and shows where a hand is on it.
+ .
+ This package has the headers, the files for CMake's find_package(), and an example
+ as a project of its own.")
+  set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+  set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "relievo (= ${PROJECT_VERSION}), qtbase5-dev")
+endif()
+
 # What Debian wants of every package: who may do what with it, and what changed.
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} upper)
