@@ -20,8 +20,8 @@
 namespace relievo {
 
 WindowHost::WindowHost(MainWindow& window) : window_(window) {
-  connect(&window_, &MainWindow::windowShown, this, &Host::windowShown);
-  connect(&window_, &MainWindow::closing, this, &Host::closing);
+  connect(&window_, &MainWindow::windowShown, this, &ShownWindow::windowShown);
+  connect(&window_, &MainWindow::closing, this, &ShownWindow::closing);
   connect(&window_, &MainWindow::handMoved, this, [this](const ViewMm& position, bool inside) {
     Q_EMIT handMoved({position, inside});
   });
@@ -29,10 +29,25 @@ WindowHost::WindowHost(MainWindow& window) : window_(window) {
 
 void WindowHost::addPanel(const QString& title, QWidget* panel) {
   window_.addPanel(title, panel);
+  new_panels_.emplace_back(panel);
 }
 
 void WindowHost::addAction(const QString& menu, QAction* action) {
   window_.addToMenu(menu, action);
+  new_actions_.emplace_back(action);
+}
+
+void WindowHost::keepAdditions() {
+  new_panels_.clear();
+  new_actions_.clear();
+}
+
+void WindowHost::takeAdditionsBack() {
+  for (const QPointer<QWidget>& panel : new_panels_) {
+    if (panel) window_.removePanel(panel);
+  }
+  for (const QPointer<QAction>& action : new_actions_) delete action;
+  keepAdditions();
 }
 
 void WindowHost::showProbe(const Probe& probe) {

@@ -1,17 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "plugins/api/plugin.h"
+#include <QAction>
+#include <QPointer>
+#include <vector>
+
+#include "plugins/api/host.h"
 #include "ui/latest_worker.h"
 #include "ui/main_window.h"
 
 namespace relievo {
 
 /// What the window offers a plugin. Outlives no window. [GUI thread]
-class WindowHost : public Host {
+class WindowHost : public ShownWindow,
+                   public Controls,
+                   public TouchDisplay,
+                   public Messages,
+                   public Recordings {
   Q_OBJECT
  public:
   explicit WindowHost(MainWindow& window);
+  Host& parts() { return parts_; }
+  /// Panels and actions that came since the last call of either: they stay, or leave the window.
+  void keepAdditions();
+  void takeAdditionsBack();
 
   void addPanel(const QString& title, QWidget* panel) override;
   void addAction(const QString& menu, QAction* action) override;
@@ -38,6 +50,9 @@ class WindowHost : public Host {
 
  private:
   MainWindow& window_;
+  Host parts_{*this, *this, *this, *this, *this};
+  std::vector<QPointer<QWidget>> new_panels_;
+  std::vector<QPointer<QAction>> new_actions_;
   LatestWorker firmness_worker_, finer_worker_;
 };
 

@@ -7,20 +7,21 @@
 #include <QStringList>
 #include <vector>
 
+#include "app/host.h"
 #include "plugins/api/plugin.h"
 #include "ui/settings.h"
 
 namespace relievo {
 
 /// Finds, loads and attaches the plugins, and detaches them before the program ends. Modules are
-/// never unloaded. [GUI thread]
+/// never unloaded. A plugin that fails, whatever it throws, is left out and named. [GUI thread]
 class PluginLoader {
  public:
   /// Folders in the order they are searched: $RELIEVO_PLUGIN_PATH, ../plugins beside the program's
   /// folder, ../LIBDIR/relievo/plugins.
   static QStringList folders();
 
-  PluginLoader(Host& host, Settings& settings);
+  PluginLoader(WindowHost& host, Settings& settings);
   ~PluginLoader();
   PluginLoader(const PluginLoader&) = delete;
   PluginLoader& operator=(const PluginLoader&) = delete;
@@ -39,8 +40,10 @@ class PluginLoader {
     Plugin* plugin;  ///< Owned by the loader.
   };
   void loadOne(const QString& file);
+  bool attach(const Loaded& loaded);
+  void leaveOut(const Loaded& loaded);
 
-  Host& host_;
+  WindowHost& host_;
   Settings& settings_;
   std::vector<Loaded> loaded_;
   QStringList problems_;

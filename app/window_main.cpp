@@ -89,11 +89,12 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   });
   window.show();
   plugins.load();
-  for (const QString& problem : plugins.problems()) std::cerr << problem.toStdString() << '\n';
+  const QStringList problems = plugins.problems();
+  for (const QString& problem : problems) std::cerr << problem.toStdString() << '\n';
+  if (!problems.isEmpty()) window.showMessage(problems.join(' '));
   if (!plugins.has(QStringLiteral("haptics"))) {
-    window.showTouchMissing(plugins.problems().isEmpty()
-                                ? MainWindow::tr("the haptics plugin was not found.")
-                                : plugins.problems().join(' '));
+    window.showTouchMissing(problems.isEmpty() ? MainWindow::tr("the haptics plugin was not found.")
+                                               : problems.join(' '));
   }
   QStringList files;
   for (const std::string& file : options.files) files << QFile::decodeName(file.c_str());
@@ -110,6 +111,9 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   }
   const int status = QApplication::exec();
   app.tellTo({});  // The window goes first.
+  for (const QString& problem : plugins.problems().mid(problems.size())) {
+    std::cerr << problem.toStdString() << '\n';  // Of its end.
+  }
   return status;
 }
 

@@ -36,7 +36,8 @@ foreach(folder IN LISTS relievo_folders)
 endforeach()
 add_library(check_headers OBJECT EXCLUDE_FROM_ALL ${header_sources})
 target_link_libraries(check_headers PRIVATE relievo_settings Qt5::Widgets Qt5::Test
-  nlohmann_json::nlohmann_json relievo::qwt ${RELIEVO_VTK_LIBRARIES})
+  nlohmann_json::nlohmann_json relievo::qwt PkgConfig::LIBUSB PkgConfig::HIDAPI
+  ${RELIEVO_VTK_LIBRARIES})
 if(RELIEVO_BUILD_TESTS)
   target_link_libraries(check_headers PRIVATE GTest::gtest GTest::gmock)
   target_compile_definitions(check_headers PRIVATE

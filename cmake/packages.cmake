@@ -31,7 +31,8 @@ set(CPACK_COMPONENT_CLI_DESCRIPTION "inspect and touch scans of heritage objects
  This package has all commands and no window. It gives whoever sits at the computer
  access to a Novint Falcon and to a SpaceMouse, by a udev rule.")
 # Pictures are drawn on a screen in memory where there is none, and videos are packed by ffmpeg.
-set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS "libgl1-mesa-dri, xvfb")
+# libusb and hidapi are loaded where they are.
+set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libhidapi-hidraw0, libusb-1.0-0, xvfb")
 set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "ffmpeg, relievo")
 
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME relievo)
@@ -42,6 +43,20 @@ set(CPACK_COMPONENT_WINDOW_DESCRIPTION "feel and see scanned heritage at every s
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS
   "relievo-cli (= ${PROJECT_VERSION}), fonts-dejavu-core, libqt5svg5")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "ffmpeg, fonts-lohit-deva, libgl1-mesa-dri, qttranslations5-l10n")
+
+# For plugins outside of the tree (docs/adr/0144).
+if(RELIEVO_BUILD_UI)
+  list(APPEND CPACK_COMPONENTS_ALL dev)
+  set(CPACK_DEBIAN_DEV_PACKAGE_NAME relievo-dev)
+  set(CPACK_COMPONENT_DEV_DESCRIPTION "build plugins for relievo
+ A plugin of relievo adds panels and commands to its window, hears which part of a
+ scan is shown, and shows where a hand is on it.
+ .
+ This package has the headers, the files for CMake's find_package(), and an example
+ as a project of its own.")
+  set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+  set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "relievo (= ${PROJECT_VERSION}), qtbase5-dev")
+endif()
 
 # What Debian wants of every package: who may do what with it, and what changed.
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)

@@ -125,6 +125,7 @@ class MainWindow : public QMainWindow {
 
   // What a touch module offers and tells; see plugins/api.
   void addPanel(const QString& title, QWidget* panel);
+  void removePanel(QWidget* panel);  ///< And deletes it.
   void addToMenu(const QString& menu, QAction* action);
   void showProbe(const Probe& probe);
   void plot(std::span<const ForcePoint> points);

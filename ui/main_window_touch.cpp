@@ -62,6 +62,10 @@ void MainWindow::addPanel(const QString& title, QWidget* panel) {
   panels_->insert(kAfterWindow, title, panel);
 }
 
+void MainWindow::removePanel(QWidget* panel) {
+  panels_->remove(panel);
+}
+
 void MainWindow::addToMenu(const QString& title, QAction* action) {
   action->setParent(this);
   addAction(action);

@@ -64,6 +64,15 @@ void SidePanels::insert(int index, const QString& title, QWidget* panel) {
   if (window_width_ > 0) fitTo(window_width_);
 }
 
+void SidePanels::remove(QWidget* panel) {
+  const int index = column_->indexOf(panel);
+  if (index < 1) return;
+  const auto header = headers_.begin() + index / 2;
+  delete *header;
+  headers_.erase(header);
+  delete panel;
+}
+
 void SidePanels::reveal(QWidget* panel) {
   const int index = column_->indexOf(panel);
   if (index < 1) return;

@@ -16,6 +16,7 @@ class SidePanels : public QScrollArea {
   explicit SidePanels(QWidget* parent = nullptr);
   void add(const QString& title, QWidget* panel);  ///< Takes ownership; goes to the end.
   void insert(int index, const QString& title, QWidget* panel);
+  void remove(QWidget* panel);  ///< And deletes it, if it is one of these.
   QStringList titles() const;
   /// Unfolds the section of a panel and scrolls to it.
   void reveal(QWidget* panel);

@@ -98,6 +98,9 @@ void listFirmware(Json& json, Outcome& outcome) {
 void listFalcons(Json& json, Outcome& outcome) {
   json["falcons"] = Json::array();
   const std::vector<falcon::SeenFalcon> all = falcon::seenFalcons();
+  if (const std::string problem = falcon::libusbProblem(); !problem.empty()) {
+    tell(englishText(said<MessageId::usb_not_usable>(problem)));
+  }
   for (const falcon::SeenFalcon& seen : all) {
     falcon::UsbBus bus({seen.serial, seen.port});
     const falcon::Opening opening = bus.open();

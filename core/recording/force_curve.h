@@ -5,16 +5,10 @@
 #include <vector>
 
 #include "core/base/task.h"
+#include "core/recording/force_point.h"
 #include "core/recording/touch_row.h"
 
 namespace relievo {
-
-/// One point of the two plots of a touch (paper, force figure).
-struct ForcePoint {
-  double t_s = 0;
-  double hip_z_mm = 0, proxy_z_mm = 0;  ///< View mm.
-  double force_n = 0;                   ///< Norm of the force on the hand.
-};
 
 /// What the plots show of a row. [any thread]
 inline ForcePoint forcePoint(const TouchRow& row) {

@@ -8,19 +8,9 @@
 #include "core/base/vec3.h"
 #include "core/depth/depth_map.h"
 #include "core/pyramid/pyramid.h"
+#include "core/region/square.h"
 
 namespace relievo {
-
-/// What is shown in detail and touched: a square in view millimetres and the level that feeds it.
-struct Region {
-  double x_mm = 0, y_mm = 0;  ///< Lower left corner.
-  double side_mm = 0;
-  Level level;
-  friend bool operator==(const Region&, const Region&) = default;
-
-  double centreX() const noexcept { return x_mm + 0.5 * side_mm; }
-  double centreY() const noexcept { return y_mm + 0.5 * side_mm; }
-};
 
 /// The steps that finer and coarser go through, and the map they stay on.
 /// Detail 1 is the whole map at the coarsest level; Detail k > 1 is a square of 200 cells of

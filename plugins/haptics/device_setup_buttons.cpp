@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/origin.h"
 #include "core/message/catalogue.h"
 #include "core/region/hand.h"
@@ -43,15 +43,16 @@ void DeviceButtons::readHid(double now_s) {
   }
   hid_->poll(news);
   for (const std::string& name : news.arrived) {
-    host_.announce(tr("%1 connected.").arg(QString::fromStdString(name)));
+    host_.messages.announce(tr("%1 connected.").arg(QString::fromStdString(name)));
   }
   for (const std::string& name : news.forbidden) {
-    host_.announce(tr("%1 is plugged in but this account may not use it. Install the rule that "
-                      "'relievo devices rule' prints, once, then replug.")
-                       .arg(QString::fromStdString(name)));
+    host_.messages.announce(
+        tr("%1 is plugged in but this account may not use it. Install the rule that "
+           "'relievo devices rule' prints, once, then replug.")
+            .arg(QString::fromStdString(name)));
   }
   for (const std::string& name : news.left) {
-    host_.announce(tr("%1 disconnected.").arg(QString::fromStdString(name)));
+    host_.messages.announce(tr("%1 disconnected.").arg(QString::fromStdString(name)));
   }
   for (const hid::ButtonEdge& edge : news.edges) commands_.press(edge.button, edge.down, now_s);
   const double dt_s = std::clamp(now_s - polled_s_, 0.0, 0.1);
@@ -64,7 +65,7 @@ void DeviceButtons::pushCap(const hid::CapMotion& motion, double dt_s) {
     const double deg = kFullTurnDegPerS * dt_s;
     // As the turning commands: the near side goes where the cap goes.
     if (motion.right != 0 || motion.up != 0) {
-      host_.turnView(-deg * motion.right, -deg * motion.up);
+      host_.view.turnView(-deg * motion.right, -deg * motion.up);
     }
     return;
   }
@@ -82,7 +83,7 @@ void DeviceButtons::frame(const HapticSample& sample, double now_s) {
   sample_ = sample;
   commands_.setForcesOn(sample.engaged != EngagePhase::off);
   readHid(now_s);
-  if (gate_.on && !host_.shownWindow()) cancelMoving();
+  if (gate_.on && !host_.view.shownWindow()) cancelMoving();
   commands_.hand(sample.hip);
   takeOutcomes(now_s);
 }
@@ -91,7 +92,7 @@ void DeviceButtons::takeOutcomes(double now_s) {
   for (const ButtonOutcome& outcome : commands_.take(now_s)) {
     switch (outcome.kind) {
       case ButtonOutcome::Kind::offer:
-        host_.announce(tr("%1?").arg(messageText(relievo::messageOf(outcome.command))));
+        host_.messages.announce(tr("%1?").arg(messageText(relievo::messageOf(outcome.command))));
         break;
       case ButtonOutcome::Kind::tick:
         Q_EMIT ticked();
@@ -121,41 +122,42 @@ void DeviceButtons::carryOut(ButtonCommand command) {
   if (carryOutMove(command)) return;
   // The window's own command, as by key or menu; it announces its result.
   const std::string_view name = commandName(command);
-  if (!host_.run(QString::fromLatin1(name.data(), static_cast<int>(name.size())))) {
-    host_.announce(
+  if (!host_.controls.run(QString::fromLatin1(name.data(), static_cast<int>(name.size())))) {
+    host_.messages.announce(
         command == ButtonCommand::stop_forces
             ? tr("Forces are off.")
             : tr("%1 is not possible here.").arg(messageText(relievo::messageOf(command))));
   }
   if (!gate_.on) return;
   MoveGate gate = gate_;
-  gate.blocked = host_.edges();
+  gate.blocked = host_.view.edges();
   setGate(gate);
 }
 
 bool DeviceButtons::carryOutMove(ButtonCommand command) {
   switch (command) {
     case ButtonCommand::begin_move: {
-      const std::shared_ptr<const RegionWindow> window = host_.shownWindow();
+      const std::shared_ptr<const RegionWindow> window = host_.view.shownWindow();
       if (!window) {
         commands_.cancelMoving();
-        host_.announce(tr("Nothing is open."));
+        host_.messages.announce(tr("Nothing is open."));
         return true;
       }
       moved_from_ = window->region;
-      setGate({.on = true, .centre = sample_.hip, .blocked = host_.edges()});
-      host_.announce(tr("Move mode. Push the grip to a side; Forward when you are there."));
+      setGate({.on = true, .centre = sample_.hip, .blocked = host_.view.edges()});
+      host_.messages.announce(
+          tr("Move mode. Push the grip to a side; Forward when you are there."));
       return true;
     }
     case ButtonCommand::confirm_move:
       setGate({});
-      host_.announce(tr("Moved. %1").arg(detailText()));
+      host_.messages.announce(tr("Moved. %1").arg(detailText()));
       return true;
     case ButtonCommand::cancel_move:
       if (!gate_.on) return true;  // It never began.
       setGate({});
-      host_.showRegion(moved_from_);
-      host_.announce(tr("Back at the old window. %1").arg(detailText()));
+      host_.view.showRegion(moved_from_);
+      host_.messages.announce(tr("Back at the old window. %1").arg(detailText()));
       return true;
     default:
       return false;
@@ -169,15 +171,15 @@ void DeviceButtons::setGate(const MoveGate& gate) {
 }
 
 void DeviceButtons::whereAmI(bool in_full) {
-  host_.announce(placeText(in_full));
+  host_.messages.announce(placeText(in_full));
 }
 
 void DeviceButtons::sayDetail() {
-  host_.announce(detailText());
+  host_.messages.announce(detailText());
 }
 
 void DeviceButtons::sayHelp() {
-  host_.announce(messageText(commands_.help()));
+  host_.messages.announce(messageText(commands_.help()));
 }
 
 void DeviceButtons::toggleMoving() {
@@ -191,7 +193,7 @@ void DeviceButtons::cancelMoving() {
 }
 
 QString DeviceButtons::placeText(bool in_full) const {
-  if (!host_.shownWindow()) return tr("Nothing is open.");
+  if (!host_.view.shownWindow()) return tr("Nothing is open.");
   const HapticSample& sample = sample_;
   const ViewMm at = sample.contact ? sample.proxy_view : sample.hip_view;
   QString said = sample.contact ? tr("Touching. ") : tr("In the air. ");
@@ -207,7 +209,7 @@ QString DeviceButtons::placeText(bool in_full) const {
 }
 
 QString DeviceButtons::detailText() const {
-  const std::shared_ptr<const RegionWindow> window = host_.shownWindow();
+  const std::shared_ptr<const RegionWindow> window = host_.view.shownWindow();
   if (!window) return tr("Nothing is open.");
   return tr("Detail %1 of %2, window %3 millimetres, one millimetre of hand is %4.")
       .arg(window->levels - window->region.level.value)
@@ -221,7 +223,7 @@ std::unique_ptr<DeviceButtons> makeDeviceButtons(Host& host) {
   try {
     hid = std::make_unique<hid::HidDevices>();
   } catch (const DeviceError& error) {
-    host.announce(QString::fromStdString(error.what()));
+    host.messages.announce(messageText(messageOf(error)));
   }
   return std::make_unique<DeviceButtons>(host, std::move(hid));
 }

@@ -37,17 +37,17 @@ void HapticsPlugin::attach(Host& host) {
   openDevice();
   panel_ = new HapticsPanel;  // The host owns it from addPanel on.
   panel_->setSettings(settings_);
-  host.addPanel(tr("Touch"), panel_);
+  host.controls.addPanel(tr("Touch"), panel_);
   actions_ = addTouchActions(host);
   buttons_ = makeDeviceButtons(host);
   buttons_panel_ = new ButtonsPanel;  // The host owns it from addPanel on.
   buttons_panel_->setSettings(button_settings_);
-  host.addPanel(tr("Buttons"), buttons_panel_);
+  host.controls.addPanel(tr("Buttons"), buttons_panel_);
   connectButtons();
   connectControls();
   connectHost();
   applySettings();
-  if (const auto window = host.shownWindow()) showWindow(*window);
+  if (const auto window = host.view.shownWindow()) showWindow(*window);
   constexpr int kFrameMs = 16;
   connect(&timer_, &QTimer::timeout, this, &HapticsPlugin::frame);
   timer_.start(kFrameMs);
@@ -88,7 +88,7 @@ void HapticsPlugin::showStandIn(const Message& message, bool only_the_plug_helps
   const QString text = tr("%1 The mouse is the hand now.").arg(screenText(message));
   if (text == stand_in_) return;
   stand_in_ = text;
-  host_->announce(tr("%1 The mouse is the hand now.").arg(spokenMessage(message)));
+  host_->messages.announce(tr("%1 The mouse is the hand now.").arg(spokenMessage(message)));
 }
 
 void HapticsPlugin::changeDevice() {
@@ -98,10 +98,10 @@ void HapticsPlugin::changeDevice() {
   fault_ = DeviceFault::none;
   openDevice();
   applySettings();
-  if (const auto window = host_->shownWindow()) showWindow(*window);
+  if (const auto window = host_->view.shownWindow()) showWindow(*window);
   if (opened_ != wish_) return;  // Why not, has been said.
   const QString name = QString::fromStdString(session_->loop().device().name);
-  host_->announce(tr("Device: %1.").arg(name));
+  host_->messages.announce(tr("Device: %1.").arg(name));
 }
 
 void HapticsPlugin::chooseDevice(const std::string& id) {
@@ -115,7 +115,7 @@ void HapticsPlugin::detach() noexcept {
   timer_.stop();
   plugs_.reset();
   sleep_.reset();
-  disconnect(host_, nullptr, this, nullptr);
+  disconnect(&host_->view, nullptr, this, nullptr);
   delete setup_;  // Zero force, joins.
   endRecording();
   buttons_.reset();
@@ -130,20 +130,20 @@ void HapticsPlugin::detach() noexcept {
 }
 
 void HapticsPlugin::connectHost() {
-  connect(host_, &Host::windowShown, this,
+  connect(&host_->view, &ShownWindow::windowShown, this,
           [this](const std::shared_ptr<const RegionWindow>& window) {
             if (window && session_ && window->id != given_window_) showWindow(*window);
           });
-  connect(host_, &Host::handMoved, this, [this](const HandTarget& target) {
+  connect(&host_->view, &ShownWindow::handMoved, this, [this](const HandTarget& target) {
     if (!session_) return;
     // It is over what the host shows, whoever heard first of another window.
-    const auto window = host_->shownWindow();
+    const auto window = host_->view.shownWindow();
     if (window && window->id != given_window_) showWindow(*window);
     session_->moveHand(target.position);
   });
-  connect(host_, &Host::finerHeightsRead, this, &HapticsPlugin::takeFiner);
-  connect(host_, &Host::firmnessRead, this, &HapticsPlugin::takeFirmness);
-  connect(host_, &Host::closing, this, [this] { setForces(false); });
+  connect(&host_->view, &ShownWindow::finerHeightsRead, this, &HapticsPlugin::takeFiner);
+  connect(&host_->view, &ShownWindow::firmnessRead, this, &HapticsPlugin::takeFirmness);
+  connect(&host_->view, &ShownWindow::closing, this, [this] { setForces(false); });
 }
 
 void HapticsPlugin::connectControls() {
@@ -159,7 +159,7 @@ void HapticsPlugin::connectControls() {
     if (!file.isEmpty()) return askFirmness(file, true);
     firmness_awaited_.clear();
     setFirmness(nullptr);
-    host_->announce(tr("The ground is firm where it was measured."));
+    host_->messages.announce(tr("The ground is firm where it was measured."));
   });
   connect(panel_, &HapticsPanel::settingsChanged, this, [this] {
     // What has no control stays.
@@ -179,7 +179,7 @@ void HapticsPlugin::connectControls() {
 void HapticsPlugin::connectButtons() {
   buttons_->setSettings(button_settings_);
   connect(buttons_.get(), &DeviceButtons::handPushed, this, [this](const DeviceMm& by) {
-    if (session_ && host_->shownWindow()) session_->pushHand(by);
+    if (session_ && host_->view.shownWindow()) session_->pushHand(by);
   });
   connect(buttons_.get(), &DeviceButtons::ticked, qApp, &QApplication::beep);
   connect(buttons_.get(), &DeviceButtons::gateChanged, this, [this] {
@@ -208,7 +208,7 @@ void HapticsPlugin::connectButtons() {
 void HapticsPlugin::setForces(bool on) {
   if (!session_) return;
   if (on && !session_->hasWindow()) {
-    host_->announce(tr("Nothing to touch yet. Open a scan first."));
+    host_->messages.announce(tr("Nothing to touch yet. Open a scan first."));
     on = false;
   }
   const bool changed = on != forces_asked_;
@@ -222,7 +222,7 @@ void HapticsPlugin::setForces(bool on) {
   session_->loop().sayAlive();  // Whoever asks is there, though no frame came for a while.
   applySettings();
   if (changed) slowReadouts();  // Escape must know at once that there is something to stop.
-  if (changed) host_->announce(on ? tr("Forces on.") : tr("Forces off."));
+  if (changed) host_->messages.announce(on ? tr("Forces on.") : tr("Forces off."));
 }
 
 void HapticsPlugin::changeStrength(int percent) {
@@ -230,7 +230,7 @@ void HapticsPlugin::changeStrength(int percent) {
   settings_.strength_percent = std::clamp(settings_.strength_percent + percent, 0, 100);
   if (panel_) panel_->setSettings(settings_);
   applySettings();
-  host_->announce(tr("Strength %1 percent.").arg(settings_.strength_percent));
+  host_->messages.announce(tr("Strength %1 percent.").arg(settings_.strength_percent));
 }
 
 void HapticsPlugin::applySettings() {
@@ -249,12 +249,12 @@ void HapticsPlugin::frame() {
     const Probe probe = probeOf(sample);
     if (!looksTheSame(probe, shown_)) {
       shown_ = probe;
-      host_->showProbe(probe);
+      host_->touch.showProbe(probe);
     }
   }
   const std::vector<ForcePoint> plot = session_->takePlot();
   if (!plot.empty()) {
-    host_->plot(plot);
+    host_->touch.plot(plot);
     if (panel_) panel_->plot(plot);
   }
   watchSurface();
@@ -301,7 +301,7 @@ void HapticsPlugin::tellStatus(const LoopReport& report) {
   status.recording = session_->recorder().running();
   status.recorded_samples = session_->recorder().samples();
   status.stiffness_n_per_mm = report.sample.stiffness_n_per_mm;
-  host_->showStatus(status);
+  host_->touch.showStatus(status);
 }
 
 void HapticsPlugin::watchDevice(LoopReport& report) {
@@ -309,7 +309,7 @@ void HapticsPlugin::watchDevice(LoopReport& report) {
   if (status == nullptr) return;
   report.device = spokenMessage(falcon::describe(*status));
   if (status->state != falcon::LinkState::ready) report.not_ready = windowText(*status);
-  for (const QString& words : news_.take(*status)) host_->announce(words);
+  for (const QString& words : news_.take(*status)) host_->messages.announce(words);
 }
 
 void HapticsPlugin::watchSleep(const HapticSample& sample) {
@@ -321,7 +321,7 @@ void HapticsPlugin::watchSleep(const HapticSample& sample) {
       break;
     case SleepWatch::News::woken:
       frames_at_zero_ = -1;
-      host_->announce(tr("Forces are off after the sleep. Press F5 to switch them on."));
+      host_->messages.announce(tr("Forces are off after the sleep. Press F5 to switch them on."));
       break;
     case SleepWatch::News::none:
       break;
@@ -357,7 +357,8 @@ void HapticsPlugin::watchPlugs() {
   if (here && falcon::falconChoice(wish_)) {
     lookAgain();
   } else if (here) {
-    host_->announce(tr("A Falcon was plugged in. Choose it in the panel Touch to use it."));
+    host_->messages.announce(
+        tr("A Falcon was plugged in. Choose it in the panel Touch to use it."));
   }
 }
 
@@ -365,7 +366,7 @@ void HapticsPlugin::watchSurface() {
   const std::string problem = session_->takeProblem();
   if (problem.empty()) return;
   setForces(false);
-  host_->announce(QString::fromStdString(problem));
+  host_->messages.announce(QString::fromStdString(problem));
 }
 
 void HapticsPlugin::watchFault(const HapticSample& sample) {
@@ -373,7 +374,7 @@ void HapticsPlugin::watchFault(const HapticSample& sample) {
   fault_ = sample.fault;
   if (fault_ == DeviceFault::none) return;
   setForces(false);
-  host_->announce(tr("Forces off: %1.").arg(messageText(messageOf(fault_))));
+  host_->messages.announce(tr("Forces off: %1.").arg(messageText(messageOf(fault_))));
 }
 
 /// The loop has ended the forces already; the window follows.
@@ -382,15 +383,17 @@ void HapticsPlugin::watchStop(const HapticSample& sample) {
   const bool silent = sample.stopped == StopReason::window_silent;
   setForces(false);
   if (silent) {
-    host_->announce(tr("Forces went off, because the window did not answer for %1 s. Press F5 to "
-                       "switch them on.")
-                        .arg(settings_.window_silence_s));
+    host_->messages.announce(
+        tr("Forces went off, because the window did not answer for %1 s. Press F5 to "
+           "switch them on.")
+            .arg(settings_.window_silence_s));
   }
 }
 
 void HapticsPlugin::watchEdge(const HapticSample& sample) {
   const bool at_edge = forces_asked_ && sample.frame != 0;
-  if (at_edge && !at_edge_) host_->announce(tr("The hand pushes over the edge of the window."));
+  if (at_edge && !at_edge_)
+    host_->messages.announce(tr("The hand pushes over the edge of the window."));
   at_edge_ = at_edge;
 }
 
@@ -401,12 +404,12 @@ void HapticsPlugin::watchWaiting(const HapticSample& sample) {
     frames_waiting_ = 0;
   } else if (sample.engaged != EngagePhase::waiting) {
     if (std::exchange(frames_waiting_, 0) >= kFramesUntilSaid) {
-      host_->announce(tr("The hand is clear: forces come on."));
+      host_->messages.announce(tr("The hand is clear: forces come on."));
     }
   } else if (++frames_waiting_ == kFramesUntilSaid) {
-    host_->announce(session_->isSteered()
-                        ? tr("Forces wait: the hand is inside. Let go or press Page Up.")
-                        : tr("Forces wait: the hand is inside. Raise the grip."));
+    host_->messages.announce(session_->isSteered()
+                                 ? tr("Forces wait: the hand is inside. Let go or press Page Up.")
+                                 : tr("Forces wait: the hand is inside. Raise the grip."));
   }
 }
 
@@ -414,15 +417,15 @@ void HapticsPlugin::watchSoftening(const HapticSample& sample) {
   const bool again = sample.softened > softened_;
   softened_ = sample.softened;
   if (!again) return;
-  host_->announce(tr("Softened to %1 N/mm: hand and surface had begun to swing.")
-                      .arg(sample.stiffness_n_per_mm, 0, 'f', 2));
+  host_->messages.announce(tr("Softened to %1 N/mm: hand and surface had begun to swing.")
+                               .arg(sample.stiffness_n_per_mm, 0, 'f', 2));
 }
 
 /// E306, in the words for speech; the panel has the numbers.
 void HapticsPlugin::watchRate(const HapticSample& sample) {
   if (sample.engaged == EngagePhase::off) slow_ = false;
   if (sample.slow.rate_hz > 0 && !std::exchange(slow_, true)) {
-    host_->announce(tr("Surface made softer to stay steady."));
+    host_->messages.announce(tr("Surface made softer to stay steady."));
   }
 }
 
@@ -448,7 +451,7 @@ void HapticsPlugin::setUpDevice() {
   setup_ = makeDeviceSetup(falcon::falconChoice(before).value_or(falcon::FalconChoice{}),
                            panel_ ? panel_->window() : nullptr);
   connect(setup_, &DeviceSetupDialog::said, this, [this](const QString& text) {
-    if (host_ != nullptr) host_->announce(text);
+    if (host_ != nullptr) host_->messages.announce(text);
   });
   connect(setup_, &QDialog::finished, this, [this, before](int result) {
     if (!session_) return;

@@ -30,31 +30,35 @@ void HapticsPlugin::setRecording(bool on) {
   }
   try {
     const QDateTime now = QDateTime::currentDateTime();
-    const QString file = proposedRecording(host_->recordingFolder(), host_->scanName(),
-                                           host_->recordingEnding(), now.date());
+    const QString file =
+        proposedRecording(host_->recordings.recordingFolder(), host_->recordings.scanName(),
+                          host_->recordings.recordingEnding(), now.date());
     const DeviceInfo& device = session_->loop().device();
     const HapticOptions asked = hapticOptions(settings_, forces_asked_);
     const QString limited = QString::fromStdString(limitedText(asked, device));
     const QString header = recordingHeaderLines(
-        host_->recordingHeader(file) + (limited.isEmpty() ? QString() : "\nlimits " + limited),
+        host_->recordings.recordingHeader(file) +
+            (limited.isEmpty() ? QString() : "\nlimits " + limited),
         QString::fromStdString(device.name), withinDevice(asked, device), settings_.feel.surface,
         firmness_fits_ ? firmness_.get() : nullptr, now);
-    const auto window = host_->shownWindow();
+    const auto window = host_->view.shownWindow();
     session_->startRecording(QFile::encodeName(file).toStdString(), header.toStdString());
     recorded_in_ = QFileInfo(file).path();
     recorded_windows_ = window ? windowLine(*window) : QString();
     actions_.note->setEnabled(true);
-    host_->announce(tr("Recording to %1").arg(shownFilePath(file)));
+    host_->messages.announce(tr("Recording to %1").arg(shownFilePath(file)));
   } catch (const Error& error) {
     const QSignalBlocker blocker(actions_.record);
     actions_.record->setChecked(false);
     const bool of_file = dynamic_cast<const WriteError*>(&error) != nullptr;
-    host_->showError(messageText(messageOf(error)), of_file ? QStringLiteral("E401") : QString());
+    host_->messages.showError(messageText(messageOf(error)),
+                              of_file ? QStringLiteral("E401") : QString());
   }
 }
 
 QString HapticsPlugin::folderOfRecording() const {
-  return session_ && session_->recorder().running() ? recorded_in_ : host_->recordingFolder();
+  return session_ && session_->recorder().running() ? recorded_in_
+                                                    : host_->recordings.recordingFolder();
 }
 
 void HapticsPlugin::endRecording() {
@@ -78,11 +82,11 @@ QString textOf(const RecordingEnd& failed) {
 
 void HapticsPlugin::watchRecording() {
   if (const std::optional<RecordingEnd> flight = session_->flight().written()) {
-    host_->announce(flight->error.empty()
-                        ? tr("The last %1 before the fault are kept: %2")
-                              .arg(durationText(flight->samples))
-                              .arg(shownFilePath(QFile::decodeName(flight->file.c_str())))
-                        : textOf(*flight));
+    host_->messages.announce(flight->error.empty()
+                                 ? tr("The last %1 before the fault are kept: %2")
+                                       .arg(durationText(flight->samples))
+                                       .arg(shownFilePath(QFile::decodeName(flight->file.c_str())))
+                                 : textOf(*flight));
   }
   const std::optional<RecordingEnd> end = session_->recorder().ended();
   if (!end) return;
@@ -91,16 +95,17 @@ void HapticsPlugin::watchRecording() {
   actions_.note->setEnabled(false);
   if (note_) note_->accept();
   if (!end->error.empty()) {
-    host_->announce(tr("The recording has ended early."));
-    host_->showError(textOf(*end), QStringLiteral("E401"));
-    host_->recordingSaved(QFile::decodeName(end->file.c_str()));  // What is there is complete.
+    host_->messages.announce(tr("The recording has ended early."));
+    host_->messages.showError(textOf(*end), QStringLiteral("E401"));
+    host_->recordings.recordingSaved(
+        QFile::decodeName(end->file.c_str()));  // What is there is complete.
     return;
   }
-  host_->recordingSaved(QFile::decodeName(end->file.c_str()));
-  host_->announce(tr("Recording saved: %1, %2 samples in %3")
-                      .arg(durationText(end->samples))
-                      .arg(end->samples)
-                      .arg(shownFilePath(QFile::decodeName(end->file.c_str()))));
+  host_->recordings.recordingSaved(QFile::decodeName(end->file.c_str()));
+  host_->messages.announce(tr("Recording saved: %1, %2 samples in %3")
+                               .arg(durationText(end->samples))
+                               .arg(end->samples)
+                               .arg(shownFilePath(QFile::decodeName(end->file.c_str()))));
 }
 
 void HapticsPlugin::askNote() {
@@ -126,12 +131,13 @@ void HapticsPlugin::addNote() {
   const QString text = note->text();
   const QString time = QLocale().toString(note->timeS(), 'f', 2);
   if (session_->recorder().note(noteEvent(note->tick(), text.toStdString()))) {
-    host_->announce(tr("Note at %1 s: %2").arg(time, text));
+    host_->messages.announce(tr("Note at %1 s: %2").arg(time, text));
   } else {
-    host_->showError(tr("The recording had ended before the note \"%1\" was added. The note is in "
-                        "no file.")
-                         .arg(text),
-                     {});
+    host_->messages.showError(
+        tr("The recording had ended before the note \"%1\" was added. The note is in "
+           "no file.")
+            .arg(text),
+        {});
   }
 }
 

@@ -23,24 +23,25 @@ void HapticsPlugin::showWindow(const RegionWindow& window) {
 void HapticsPlugin::applySurface() {
   const bool texture_missing = settings_.feel.fields.texture_mm > 0 && !textured_;
   if (!session_ || (surface_ == settings_.feel.surface && !texture_missing)) return;
-  if (const auto window = host_->shownWindow()) showWindow(*window);
+  if (const auto window = host_->view.shownWindow()) showWindow(*window);
 }
 
 SceneMaps HapticsPlugin::mapsUnder(const RegionWindow& window) {
   SceneMaps maps;
-  maps.map_state = host_->mapState(folderOfRecording()).toStdString();
+  maps.map_state = host_->recordings.mapState(folderOfRecording()).toStdString();
   textured_ = settings_.feel.fields.texture_mm > 0;
   if (textured_) {
-    maps.finer_mm = finer_window_ == window.id ? finer_mm_ : host_->finerHeights(window);
+    maps.finer_mm = finer_window_ == window.id ? finer_mm_ : host_->view.finerHeights(window);
   }
   const bool fitted = std::exchange(firmness_fits_, true);
   if (firmness_) {
     try {
-      maps.firmness = host_->firmnessUnder(*firmness_, window);
+      maps.firmness = host_->view.firmnessUnder(*firmness_, window);
       maps.firmness_from = firmness_;
     } catch (const Error& error) {
       firmness_fits_ = false;
-      if (fitted) host_->announce(messageText(messageOf(error)));  // Once, not for every window.
+      if (fitted)
+        host_->messages.announce(messageText(messageOf(error)));  // Once, not for every window.
     }
   }
   if (panel_) panel_->setFirmnessUsed(firmness_fits_);
@@ -49,8 +50,8 @@ SceneMaps HapticsPlugin::mapsUnder(const RegionWindow& window) {
 
 void HapticsPlugin::takeFiner(quint64 window_id, const std::vector<float>& finer_mm,
                               const QString& problem) {
-  if (!problem.isEmpty()) host_->announce(problem);
-  const auto window = host_->shownWindow();
+  if (!problem.isEmpty()) host_->messages.announce(problem);
+  const auto window = host_->view.shownWindow();
   if (!textured_ || finer_mm.empty() || !window || window->id != window_id) return;
   finer_mm_ = finer_mm;
   finer_window_ = window_id;
@@ -60,7 +61,7 @@ void HapticsPlugin::takeFiner(quint64 window_id, const std::vector<float>& finer
 void HapticsPlugin::askFirmness(const QString& file, bool chosen_now) {
   firmness_awaited_ = file;
   firmness_chosen_now_ = chosen_now;
-  host_->readFirmness(file);
+  host_->view.readFirmness(file);
 }
 
 void HapticsPlugin::restoreFirmness() {
@@ -76,10 +77,10 @@ void HapticsPlugin::takeFirmness(const QString& file, std::shared_ptr<const Firm
   if (!session_ || file != firmness_awaited_) return;
   firmness_awaited_.clear();
   QString refusal = problem;
-  const auto window = host_->shownWindow();
+  const auto window = host_->view.shownWindow();
   if (firmness && firmness_chosen_now_ && window) {
     try {
-      host_->firmnessUnder(*firmness, *window);
+      host_->view.firmnessUnder(*firmness, *window);
     } catch (const Error& error) {
       refusal = messageText(messageOf(error));
     }
@@ -88,7 +89,7 @@ void HapticsPlugin::takeFirmness(const QString& file, std::shared_ptr<const Firm
     setFirmness(std::move(firmness));
     if (!firmness_chosen_now_) return;
     const QString name = shownFileName(file);
-    host_->announce(
+    host_->messages.announce(
         settings_.feel.fields.softest_part < 1
             ? tr("Firm ground: %1.").arg(name)
             : tr("Firm ground: %1. Set Not measured below 100 % to feel it.").arg(name));
@@ -96,7 +97,7 @@ void HapticsPlugin::takeFirmness(const QString& file, std::shared_ptr<const Firm
   }
   // What was chosen before stays; a remembered one that cannot be read is forgotten.
   if (!firmness_chosen_now_) setFirmness(nullptr);
-  host_->announce(refusal);
+  host_->messages.announce(refusal);
 }
 
 void HapticsPlugin::setFirmness(std::shared_ptr<const FirmnessMap> firmness) {
@@ -104,7 +105,7 @@ void HapticsPlugin::setFirmness(std::shared_ptr<const FirmnessMap> firmness) {
   firmness_fits_ = true;
   settings_.firmness = firmness_ ? firmness_->file : std::string();
   if (panel_) panel_->setSettings(settings_);
-  if (const auto window = host_->shownWindow()) showWindow(*window);
+  if (const auto window = host_->view.shownWindow()) showWindow(*window);
 }
 
 }  // namespace relievo

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/recording/force_curve.h"
 #include "core/region/hand.h"
 #include "haptics/device_catalog.h"
 #include "haptics/loop/device_limits.h"

@@ -131,10 +131,10 @@ TouchActions addTouchActions(Host& host) {
   for (QAction* action : {actions.forces, actions.forces_off, actions.stronger, actions.weaker,
                           actions.setup, actions.use_mouse, actions.move_mode, actions.move_back,
                           actions.where_am_i, actions.say_detail, actions.button_help}) {
-    host.addAction(touch, action);
+    host.controls.addAction(touch, action);
   }
-  host.addAction(record, actions.record);
-  host.addAction(record, actions.note);
+  host.controls.addAction(record, actions.record);
+  host.controls.addAction(record, actions.note);
   return actions;
 }
 

@@ -52,7 +52,8 @@ TEST(PluginLoading, AMissingFileIsRefusedInWords) {
 }
 
 TEST(PluginLoading, APluginOfAnotherInterfaceShowsItsIidAndIsNoPluginOfOurs) {
-  QPluginLoader loader(QStringLiteral(RELIEVO_BINARY_DIR "/tests/foreign_plugin.so"));
+  QPluginLoader loader(
+      QStringLiteral(RELIEVO_BINARY_DIR "/tests/plugins_foreign_plugin/foreign_plugin.so"));
   EXPECT_NE(loader.metaData()["IID"].toString(), QStringLiteral(RELIEVO_PLUGIN_IID));
   EXPECT_FALSE(loader.metaData()["IID"].toString().isEmpty());
   ASSERT_NE(loader.instance(), nullptr) << loader.errorString().toStdString();

@@ -16,9 +16,15 @@
 
 namespace relievo::test {
 
-/// A second Host: remembers what plugins say.
-class TestHost : public Host {
+/// A second host: remembers what plugins say.
+class TestHost : public ShownWindow,
+                 public Controls,
+                 public TouchDisplay,
+                 public Messages,
+                 public Recordings,
+                 public Host {
  public:
+  TestHost() : Host{*this, *this, *this, *this, *this} {}
   ~TestHost() override {
     for (const auto& [title, panel] : panels) delete panel;
   }

@@ -255,7 +255,7 @@ int run(QApplication& app) {
   MainWindow window(captureDepths);
   WindowHost host(window);
   HapticsPlugin plugin;
-  plugin.attach(host);
+  plugin.attach(host.parts());
   plugin.restoreState(falcon ? R"({"device": "falcon:0", "strength_percent": 100})"
                              : R"({"device": "virtual:firm", "strength_percent": 100})");
   window.resize(900, 600);

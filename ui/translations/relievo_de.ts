@@ -340,21 +340,6 @@
     </message>
 </context>
 <context>
-    <name>PluginLoader</name>
-    <message>
-        <source>%1 is no plugin for this version.</source>
-        <translation>%1 ist kein Plugin für diese Version.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be loaded: %2.</source>
-        <translation>%1 lässt sich nicht laden: %2.</translation>
-    </message>
-    <message>
-        <source>%1 cannot start: %2</source>
-        <translation>%1 kann nicht starten: %2</translation>
-    </message>
-</context>
-<context>
     <name>QShortcut</name>
     <message>
         <source>Return</source>
@@ -7344,6 +7329,38 @@
     <message>
         <source>Windows are suggested for maps that fit into memory; this one is read by tiles. Nothing was made. Give a level of it, or a map with larger cells.</source>
         <translation>Fenster werden für Karten vorgeschlagen, die in den Speicher passen; diese wird kachelweise gelesen. Es wurde nichts gemacht. Geben Sie eine Stufe davon oder eine Karte mit größeren Zellen an.</translation>
+    </message>
+    <message>
+        <source>%1 is no plugin of relievo. It was not loaded. Take it out of the folder of plugins.</source>
+        <translation>%1 ist kein Plugin von relievo. Es wurde nicht geladen. Nehmen Sie es aus dem Ordner der Plugins.</translation>
+    </message>
+    <message>
+        <source>%1 was built for version %2 of the plugin interface, and this relievo has version %3. It was not loaded. Build it again with the headers of this relievo.</source>
+        <translation>%1 wurde für Version %2 der Plugin-Schnittstelle gebaut, und dieses relievo hat Version %3. Es wurde nicht geladen. Bauen Sie es mit den Headern dieses relievo neu.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be loaded: %2. Build or install it again.</source>
+        <translation>%1 lässt sich nicht laden: %2. Bauen oder installieren Sie es neu.</translation>
+    </message>
+    <message>
+        <source>The plugin %1 could not start and was left out: %2. All else works.</source>
+        <translation>Das Plugin %1 konnte nicht starten und wurde weggelassen: %2. Alles andere funktioniert.</translation>
+    </message>
+    <message>
+        <source>The plugin %1 could not take its settings back and was left out: %2. Its settings were kept; all else works.</source>
+        <translation>Das Plugin %1 konnte seine Einstellungen nicht zurücknehmen und wurde weggelassen: %2. Seine Einstellungen wurden behalten; alles andere funktioniert.</translation>
+    </message>
+    <message>
+        <source>The plugin %1 could not tell its settings: %2. Those it had before were kept.</source>
+        <translation>Das Plugin %1 konnte seine Einstellungen nicht nennen: %2. Die bisherigen wurden behalten.</translation>
+    </message>
+    <message>
+        <source>it threw something that says no reason</source>
+        <translation>es warf etwas, das keinen Grund nennt</translation>
+    </message>
+    <message>
+        <source>SpaceMouse, foot switches and gamepads cannot be used: %1. Install the library, or go on without them.</source>
+        <translation>SpaceMouse, Fußschalter und Gamepads können nicht benutzt werden: %1. Installieren Sie die Bibliothek, oder arbeiten Sie ohne sie weiter.</translation>
     </message>
 </context>
 <context>

@@ -340,21 +340,6 @@
     </message>
 </context>
 <context>
-    <name>PluginLoader</name>
-    <message>
-        <source>%1 is no plugin for this version.</source>
-        <translation>%1 इस संस्करण का प्लगइन नहीं है।</translation>
-    </message>
-    <message>
-        <source>%1 cannot be loaded: %2.</source>
-        <translation>%1 लोड नहीं हो सकता: %2।</translation>
-    </message>
-    <message>
-        <source>%1 cannot start: %2</source>
-        <translation>%1 शुरू नहीं हो सकता: %2</translation>
-    </message>
-</context>
-<context>
     <name>QShortcut</name>
     <message>
         <source>Return</source>
@@ -7344,6 +7329,38 @@
     <message>
         <source>Windows are suggested for maps that fit into memory; this one is read by tiles. Nothing was made. Give a level of it, or a map with larger cells.</source>
         <translation>खिड़कियाँ उन नक्शों के लिए सुझाई जाती हैं जो मेमोरी में समाते हैं; यह टाइलों से पढ़ा जाता है। कुछ नहीं बनाया गया। उसका कोई स्तर दें, या बड़ी कोशिकाओं वाला नक्शा।</translation>
+    </message>
+    <message>
+        <source>%1 is no plugin of relievo. It was not loaded. Take it out of the folder of plugins.</source>
+        <translation>%1 relievo का प्लगइन नहीं है। इसे लोड नहीं किया गया। इसे प्लगइनों के फ़ोल्डर से हटा दें।</translation>
+    </message>
+    <message>
+        <source>%1 was built for version %2 of the plugin interface, and this relievo has version %3. It was not loaded. Build it again with the headers of this relievo.</source>
+        <translation>%1 प्लगइन इंटरफ़ेस के संस्करण %2 के लिए बनाया गया था, और इस relievo का संस्करण %3 है। इसे लोड नहीं किया गया। इसे इस relievo की हेडर फ़ाइलों से फिर बनाएँ।</translation>
+    </message>
+    <message>
+        <source>%1 cannot be loaded: %2. Build or install it again.</source>
+        <translation>%1 लोड नहीं हो सकता: %2। इसे फिर बनाएँ या फिर इंस्टॉल करें।</translation>
+    </message>
+    <message>
+        <source>The plugin %1 could not start and was left out: %2. All else works.</source>
+        <translation>प्लगइन %1 शुरू नहीं हो सका और छोड़ दिया गया: %2। बाकी सब काम करता है।</translation>
+    </message>
+    <message>
+        <source>The plugin %1 could not take its settings back and was left out: %2. Its settings were kept; all else works.</source>
+        <translation>प्लगइन %1 अपनी सेटिंग वापस नहीं ले सका और छोड़ दिया गया: %2। उसकी सेटिंग रखी गई हैं; बाकी सब काम करता है।</translation>
+    </message>
+    <message>
+        <source>The plugin %1 could not tell its settings: %2. Those it had before were kept.</source>
+        <translation>प्लगइन %1 अपनी सेटिंग नहीं बता सका: %2। पहले की सेटिंग रखी गई हैं।</translation>
+    </message>
+    <message>
+        <source>it threw something that says no reason</source>
+        <translation>उसने ऐसा कुछ फेंका जो कारण नहीं बताता</translation>
+    </message>
+    <message>
+        <source>SpaceMouse, foot switches and gamepads cannot be used: %1. Install the library, or go on without them.</source>
+        <translation>SpaceMouse, पैर के स्विच और गेमपैड काम में नहीं लिए जा सकते: %1। लाइब्रेरी इंस्टॉल करें, या उनके बिना आगे बढ़ें।</translation>
     </message>
 </context>
 <context>

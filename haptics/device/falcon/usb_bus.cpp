@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/device/falcon/usb_bus.h"
 
-#include <libusb.h>
 #include <poll.h>
 #include <ctime>
 
@@ -13,10 +12,29 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "core/base/late_library.h"
 #include "haptics/device/falcon/last_words.h"
+#include "haptics/device/falcon/libusb_functions.h"
 #include "haptics/rt/realtime_thread.h"
 
 namespace relievo::falcon {
+
+namespace {
+LibusbFunctions loadedLibusb() {
+  LateLibrary library("libusb-1.0.so.0");
+  LibusbFunctions functions;
+#define RELIEVO_FIND(name) library.find("libusb_" #name, functions.name);
+  RELIEVO_LIBUSB_FUNCTIONS(RELIEVO_FIND)
+#undef RELIEVO_FIND
+  functions.problem = library.problem();
+  return functions;
+}
+}  // namespace
+
+const LibusbFunctions& usb() {
+  static const LibusbFunctions kFunctions = loadedLibusb();
+  return kFunctions;
+}
 
 namespace {
 constexpr std::int64_t kMs = 1'000'000;
@@ -30,16 +48,16 @@ timeval timeLeft(std::int64_t until_ns) {
 
 bool isFalcon(libusb_device* device) {
   libusb_device_descriptor descriptor{};
-  return libusb_get_device_descriptor(device, &descriptor) == 0 &&
+  return usb().get_device_descriptor(device, &descriptor) == 0 &&
          descriptor.idVendor == kVendorId && descriptor.idProduct == kProductId;
 }
 
 /// All devices, and none of them lost.
 class DeviceList {
  public:
-  explicit DeviceList(libusb_context* context) : count_(libusb_get_device_list(context, &list_)) {}
+  explicit DeviceList(libusb_context* context) : count_(usb().get_device_list(context, &list_)) {}
   ~DeviceList() {
-    if (count_ >= 0) libusb_free_device_list(list_, 1);
+    if (count_ >= 0) usb().free_device_list(list_, 1);
   }
   DeviceList(const DeviceList&) = delete;
   DeviceList& operator=(const DeviceList&) = delete;
@@ -56,9 +74,9 @@ class DeviceList {
 std::string portOf(libusb_device* device) {
   constexpr int kDeepest = 7;  // Of the standard.
   std::array<std::uint8_t, kDeepest> numbers{};
-  const int depth = libusb_get_port_numbers(device, numbers.data(), kDeepest);
+  const int depth = usb().get_port_numbers(device, numbers.data(), kDeepest);
   if (depth <= 0) return {};
-  std::string port = std::to_string(libusb_get_bus_number(device));
+  std::string port = std::to_string(usb().get_bus_number(device));
   for (int i = 0; i < depth; ++i) {
     port += (i == 0 ? "-" : ".") + std::to_string(numbers.at(static_cast<std::size_t>(i)));
   }
@@ -81,12 +99,12 @@ std::string serialAt(const std::string& port) {
 }
 
 SeenFalcon seen(libusb_device* device) {
-  const int speed = libusb_get_device_speed(device);
+  const int speed = usb().get_device_speed(device);
   const std::string port = portOf(device);
   return {.serial = serialAt(port),
           .port = port,
-          .bus = libusb_get_bus_number(device),
-          .address = libusb_get_device_address(device),
+          .bus = usb().get_bus_number(device),
+          .address = usb().get_device_address(device),
           .speed_mbit = speed == LIBUSB_SPEED_FULL   ? 12
                         : speed == LIBUSB_SPEED_HIGH ? 480
                                                      : 0};
@@ -94,12 +112,12 @@ SeenFalcon seen(libusb_device* device) {
 
 /// The descriptor of the device's node: the one that libusb waits on for room to write.
 int nodeOf(libusb_context* context) {
-  const libusb_pollfd** list = libusb_get_pollfds(context);
+  const libusb_pollfd** list = usb().get_pollfds(context);
   int node = -1;
   for (const libusb_pollfd** fd = list; fd != nullptr && *fd != nullptr; ++fd) {
     if (((*fd)->events & POLLOUT) != 0) node = (*fd)->fd;
   }
-  libusb_free_pollfds(list);
+  usb().free_pollfds(list);
   return node;
 }
 
@@ -124,13 +142,13 @@ class UsbPort : public Port {
   UsbPort(libusb_context* context, libusb_device_handle* handle)
       : context_(context), handle_(handle), last_words_(std::in_place, nodeOf(context)) {
     for (Read& read : transfers_->reads) {
-      read.transfer = libusb_alloc_transfer(0);
+      read.transfer = usb().alloc_transfer(0);
       read.port = this;
       libusb_fill_bulk_transfer(read.transfer, handle_, kEndpointIn, read.bytes.data(),
                                 static_cast<int>(read.bytes.size()), &UsbPort::onRead, &read, 0);
       submit(read);
     }
-    transfers_->out = libusb_alloc_transfer(0);
+    transfers_->out = usb().alloc_transfer(0);
   }
 
   ~UsbPort() override {
@@ -139,28 +157,28 @@ class UsbPort : public Port {
     while (writing_ && !gone_ && monotonicNs() < sent_by) handleEvents(sent_by);
     closing_ = true;
     for (Read& read : transfers_->reads) {
-      if (read.under_way) libusb_cancel_transfer(read.transfer);
+      if (read.under_way) usb().cancel_transfer(read.transfer);
     }
-    if (writing_) libusb_cancel_transfer(transfers_->out);
+    if (writing_) usb().cancel_transfer(transfers_->out);
     const std::int64_t give_up = monotonicNs() + 2000 * kMs;
     while (busy() && monotonicNs() < give_up) handleEvents(monotonicNs() + 100 * kMs);
-    last_words_.reset();                   // The node's number may soon be another file's.
-    libusb_release_interface(handle_, 0);  // And the kernel's driver, if there was one, comes back.
-    libusb_close(handle_);
+    last_words_.reset();                  // The node's number may soon be another file's.
+    usb().release_interface(handle_, 0);  // And the kernel's driver, if there was one, comes back.
+    usb().close(handle_);
     if (busy()) {  // Never freed while the kernel may write to them.
       for (Read& read : transfers_->reads) read.port = nullptr;
       transfers_->out->user_data = nullptr;
       static_cast<void>(transfers_.release());
       return;
     }
-    for (Read& read : transfers_->reads) libusb_free_transfer(read.transfer);
-    libusb_free_transfer(transfers_->out);
+    for (Read& read : transfers_->reads) usb().free_transfer(read.transfer);
+    usb().free_transfer(transfers_->out);
   }
 
   PortResult request(const BridgeRequest& request) override {
     if (gone_) return PortResult::gone;
-    const int result = libusb_control_transfer(handle_, kToChip, request.request, request.value,
-                                               request.index, nullptr, 0, kControlTimeoutMs);
+    const int result = usb().control_transfer(handle_, kToChip, request.request, request.value,
+                                              request.index, nullptr, 0, kControlTimeoutMs);
     if (result == LIBUSB_ERROR_NO_DEVICE) gone_ = true;
     if (gone_) return PortResult::gone;
     return result < 0 ? PortResult::timeout : PortResult::ok;
@@ -179,7 +197,7 @@ class UsbPort : public Port {
     libusb_fill_bulk_transfer(transfers_->out, handle_, kEndpointOut, transfers_->out_bytes.data(),
                               static_cast<int>(bytes.size()), &UsbPort::onWritten, this,
                               kWriteTimeoutMs);
-    const int result = libusb_submit_transfer(transfers_->out);
+    const int result = usb().submit_transfer(transfers_->out);
     if (result == LIBUSB_ERROR_NO_DEVICE) gone_ = true;
     if (gone_) return PortResult::gone;
     if (result != 0) return PortResult::timeout;
@@ -232,14 +250,14 @@ class UsbPort : public Port {
 
   void readAgain(std::int64_t now_ns) {
     if (reads() || now_ns < read_again_ns_) return;
-    if (std::exchange(stalled_, false)) libusb_clear_halt(handle_, kEndpointIn);
+    if (std::exchange(stalled_, false)) usb().clear_halt(handle_, kEndpointIn);
     for (Read& read : transfers_->reads) {
       if (!read.under_way && !failed_ && !gone_) submit(read);
     }
   }
 
   void submit(Read& read) {
-    const int result = libusb_submit_transfer(read.transfer);
+    const int result = usb().submit_transfer(read.transfer);
     read.under_way = result == 0;
     if (result == LIBUSB_ERROR_NO_DEVICE) gone_ = true;
     if (result != 0) failed_ = true;
@@ -247,7 +265,7 @@ class UsbPort : public Port {
 
   void handleEvents(std::int64_t until_ns) {
     timeval left = timeLeft(until_ns);
-    const int result = libusb_handle_events_timeout_completed(context_, &left, nullptr);
+    const int result = usb().handle_events_timeout_completed(context_, &left, nullptr);
     if (result == LIBUSB_ERROR_NO_DEVICE) gone_ = true;
     // Whoever waits for events tries again: not as fast as they fail.
     if (result != 0 && !gone_) sleepUntil(std::min(until_ns, monotonicNs() + kMs));
@@ -323,14 +341,15 @@ struct PlugCounter {
   }
   /// @return what libusb says; 0: it can be used
   int begin() {
-    const int result = libusb_init(&context);
+    if (!usb().problem.empty()) return LIBUSB_ERROR_NOT_SUPPORTED;
+    const int result = usb().init(&context);
     if (result != 0) {
       context = nullptr;
       return result;
     }
     hears_plugs =
-        libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) != 0 &&
-        libusb_hotplug_register_callback(
+        usb().has_capability(LIBUSB_CAP_HAS_HOTPLUG) != 0 &&
+        usb().hotplug_register_callback(
             context, LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT,
             LIBUSB_HOTPLUG_NO_FLAGS, kVendorId, kProductId, LIBUSB_HOTPLUG_MATCH_ANY, &onPlug, this,
             &callback) == 0;
@@ -338,8 +357,8 @@ struct PlugCounter {
   }
   void end() {
     if (context == nullptr) return;
-    if (hears_plugs) libusb_hotplug_deregister_callback(context, callback);
-    libusb_exit(context);
+    if (hears_plugs) usb().hotplug_deregister_callback(context, callback);
+    usb().exit(context);
     context = nullptr;
   }
 };
@@ -359,13 +378,14 @@ PlugWatch::~PlugWatch() {
 bool PlugWatch::changed() {
   if (impl_->context == nullptr) return false;
   timeval at_once{};
-  libusb_handle_events_timeout_completed(impl_->context, &at_once, nullptr);
+  usb().handle_events_timeout_completed(impl_->context, &at_once, nullptr);
   return std::exchange(impl_->plugs_told, impl_->plugs) != impl_->plugs;
 }
 
 UsbBus::UsbBus(FalconChoice choice) : impl_(std::make_unique<Impl>()), search_(std::move(choice)) {
   if (const int result = impl_->begin(); result != 0) {
-    throw failure<MessageId::usb_not_usable>(libusb_strerror(result));
+    throw failure<MessageId::usb_not_usable>(usb().problem.empty() ? usb().strerror(result)
+                                                                   : usb().problem.c_str());
   }
 }
 
@@ -418,16 +438,16 @@ Opening UsbBus::openSeen() {
 
 void UsbBus::open(libusb_device* device, Opening& opening) {
   libusb_device_handle* handle = nullptr;
-  int result = libusb_open(device, &handle);
+  int result = usb().open(device, &handle);
   if (result == 0) {
-    libusb_set_auto_detach_kernel_driver(handle, 1);
-    result = libusb_claim_interface(handle, 0);
+    usb().set_auto_detach_kernel_driver(handle, 1);
+    result = usb().claim_interface(handle, 0);
     if (result == 0) {
       opening.presence = Presence::present;
       opening.port = std::make_unique<UsbPort>(impl_->context, handle);
       return;
     }
-    libusb_close(handle);
+    usb().close(handle);
   }
   switch (result) {
     case LIBUSB_ERROR_ACCESS:
@@ -440,7 +460,7 @@ void UsbBus::open(libusb_device* device, Opening& opening) {
       break;  // Left while we looked.
     default:
       opening.presence = Presence::broken;
-      opening.detail = said<MessageId::quoted>(libusb_strerror(result));
+      opening.detail = said<MessageId::quoted>(usb().strerror(result));
   }
 }
 
@@ -449,7 +469,7 @@ void UsbBus::waitForChange(std::int64_t until_ns) {
   const int before = impl_->plugs;
   do {
     timeval left = timeLeft(until_ns);
-    if (libusb_handle_events_timeout_completed(impl_->context, &left, nullptr) != 0) {
+    if (usb().handle_events_timeout_completed(impl_->context, &left, nullptr) != 0) {
       sleepUntil(std::min(until_ns, monotonicNs() + kMs));
     }
   } while (impl_->plugs == before && monotonicNs() < until_ns);
@@ -475,7 +495,7 @@ FalconChoice settled(const FalconChoice& choice) {
 
 std::vector<SeenFalcon> seenFalcons() {
   libusb_context* context = nullptr;
-  if (libusb_init(&context) != 0) return {};
+  if (!usb().problem.empty() || usb().init(&context) != 0) return {};
   std::vector<SeenFalcon> there;
   {
     const DeviceList list(context);
@@ -483,14 +503,19 @@ std::vector<SeenFalcon> seenFalcons() {
       if (isFalcon(device)) there.push_back(seen(device));
     }
   }
-  libusb_exit(context);
+  usb().exit(context);
   std::sort(there.begin(), there.end(),
             [](const SeenFalcon& a, const SeenFalcon& b) { return a.port < b.port; });
   return there;
 }
 
+std::string libusbProblem() {
+  return usb().problem;
+}
+
 std::string libusbVersion() {
-  const libusb_version* const version = libusb_get_version();
+  if (!usb().problem.empty()) return "not installed";
+  const libusb_version* const version = usb().get_version();
   return std::to_string(version->major) + "." + std::to_string(version->minor) + "." +
          std::to_string(version->micro);
 }

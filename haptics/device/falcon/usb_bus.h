@@ -15,8 +15,10 @@ namespace relievo::falcon {
 /// why.
 std::vector<SeenFalcon> seenFalcons();
 
-/// Of the libusb that this process has loaded: "1.0.26".
+/// Of the libusb that this process has loaded, which this does: "1.0.26" or "not installed".
 std::string libusbVersion();
+/// Why it cannot be loaded, in the system's words; empty: it can.
+std::string libusbProblem();
 
 /// Where any is meant and one is plugged in, that one; so that its own settings can be read.
 FalconChoice settled(const FalconChoice& choice);

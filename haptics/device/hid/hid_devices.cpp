@@ -2,7 +2,6 @@
 #include "haptics/device/hid/hid_devices.h"
 
 #include <fcntl.h>
-#include <hidapi.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,8 +17,27 @@
 #include <set>
 
 #include "core/base/failure.h"
+#include "core/base/late_library.h"
+#include "haptics/device/hid/hidapi_functions.h"
 
 namespace relievo::hid {
+
+namespace {
+HidapiFunctions loadedHidapi() {
+  LateLibrary library("libhidapi-hidraw.so.0");
+  HidapiFunctions functions;
+#define RELIEVO_FIND(name) library.find("hid_" #name, functions.name);
+  RELIEVO_HIDAPI_FUNCTIONS(RELIEVO_FIND)
+#undef RELIEVO_FIND
+  functions.problem = library.problem();
+  return functions;
+}
+}  // namespace
+
+const HidapiFunctions& hidapi() {
+  static const HidapiFunctions kFunctions = loadedHidapi();
+  return kFunctions;
+}
 
 namespace {
 constexpr std::uint16_t kGenericDesktop = 1, kJoystick = 4, kGamepad = 5, kMultiAxis = 8;
@@ -97,19 +115,19 @@ void open(const hid_device_info& info, Sight& sight) {
     for (const ButtonField& field : device.fields) device.button_count += field.count;
     if (device.button_count == 0) return;  // Nothing to press.
   }
-  device.handle = hid_open_path(info.path);
+  device.handle = hidapi().open_path(info.path);
   if (device.handle == nullptr) {
     if (isRefused(info.path)) sight.refused.push_back(std::move(device));
     return;
   }
-  hid_set_nonblocking(device.handle, 1);
+  hidapi().set_nonblocking(device.handle, 1);
   sight.opened.push_back(std::move(device));
 }
 
 /// [worker] @param known  paths of those that are open already
 Sight lookAround(const std::set<std::string>& known) {
   Sight sight;
-  hid_device_info* list = hid_enumerate(0, 0);
+  hid_device_info* list = hidapi().enumerate(0, 0);
   for (const hid_device_info* info = list; info != nullptr; info = info->next) {
     const bool wanted =
         info->usage_page == kGenericDesktop &&
@@ -118,7 +136,7 @@ Sight lookAround(const std::set<std::string>& known) {
     const bool is_new = sight.there.insert(info->path).second && !known.contains(info->path);
     if (is_new) open(*info, sight);
   }
-  hid_free_enumeration(list);
+  hidapi().free_enumeration(list);
   return sight;
 }
 }  // namespace
@@ -131,7 +149,7 @@ struct HidDevices::Impl {
   void close(OpenDevice& device, HidNews& news) {
     tellEdges(device.buttons, 0, news.edges);
     news.left.push_back(device.name);
-    hid_close(device.handle);
+    hidapi().close(device.handle);
   }
   void take(Sight sight, HidNews& news);
   void refuse(const OpenDevice& device, HidNews& news);
@@ -139,13 +157,15 @@ struct HidDevices::Impl {
 };
 
 HidDevices::HidDevices() : impl_(std::make_unique<Impl>()) {
-  if (hid_init() != 0) throw failure<MessageId::hid_unusable>();
+  const std::string& problem = hidapi().problem;
+  if (!problem.empty()) throw failure<MessageId::hid_library_missing>(problem);
+  if (hidapi().init() != 0) throw failure<MessageId::hid_unusable>();
 }
 
 HidDevices::~HidDevices() {
   HidNews ignored;
   if (impl_->looking.valid()) impl_->take(impl_->looking.get(), ignored);
-  for (const OpenDevice& device : impl_->devices) hid_close(device.handle);
+  for (const OpenDevice& device : impl_->devices) hidapi().close(device.handle);
 }
 
 void HidDevices::Impl::refuse(const OpenDevice& device, HidNews& news) {
@@ -189,7 +209,7 @@ void HidDevices::rescan(HidNews& news) {
 bool HidDevices::Impl::read(OpenDevice& device, HidNews& news) {
   std::array<std::uint8_t, kReportBytes> bytes{};
   for (int i = 0; i < kMostReportsPerPoll; ++i) {
-    const int size = hid_read(device.handle, bytes.data(), bytes.size());
+    const int size = hidapi().read(device.handle, bytes.data(), bytes.size());
     if (size < 0) return false;
     if (size == 0) return true;
     const std::span<const std::uint8_t> report(bytes.data(), static_cast<std::size_t>(size));
@@ -237,7 +257,7 @@ std::vector<std::string> HidDevices::forbidden() const {
 }
 
 std::string hidapiVersion() {
-  return hid_version_str();
+  return hidapi().problem.empty() ? hidapi().version_str() : "not installed";
 }
 
 }  // namespace relievo::hid
