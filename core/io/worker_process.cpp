@@ -16,6 +16,7 @@
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/number_text.h"
+#include "core/io/program_folder.h"
 #include "core/io/worker_sandbox.h"
 
 namespace relievo {
@@ -41,8 +42,14 @@ std::string partsText(const std::vector<int>& parts) {
   return text.empty() ? "-" : text;
 }
 
+std::filesystem::path& givenFolder() {
+  static std::filesystem::path folder;
+  return folder;
+}
+
 /// Where this program lies. @param does  what is not possible without the programs beside it
 std::filesystem::path ownFolder(const std::string& does) {
+  if (!givenFolder().empty()) return givenFolder();
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
   if (!error) return self.parent_path();
@@ -79,6 +86,10 @@ std::filesystem::path workerProgram(const std::filesystem::path& name, const std
 }
 
 }  // namespace
+
+void setProgramFolder(const std::filesystem::path& folder) {
+  givenFolder() = folder;
+}
 
 std::filesystem::path ownProgram(const std::string& name, const std::string& does) {
   return programSeenFrom(ownFolder(does), name);
