@@ -31,6 +31,7 @@ py::str textOf(const std::string& bytes) {
 }
 
 void translateErrors() {
+  // The library says how it is called.  NOLINTNEXTLINE(performance-unnecessary-value-param)
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

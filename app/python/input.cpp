@@ -13,12 +13,13 @@ std::shared_ptr<OpenedSurface> openSurface(const batch::MapArguments& arguments,
   const SurfaceOptions options = batch::surfaceOptions(arguments);
   // Python's process has no OpenGL (docs/adr/0148).
   if (options.engine != "cpu") throw failure<MessageId::drawing_not_installed>();
-  if (TiledMap::isOne(arguments.file)) {
-    return std::make_shared<OpenedSurface>(openTiledSurface(arguments.file), arguments);
-  }
-  return std::make_shared<OpenedSurface>(
-      loadSurface(arguments.file, options, rasterize, batch::importOptions(arguments.scan), task),
-      arguments);
+  auto opened = std::make_shared<OpenedSurface>();
+  opened->arguments = arguments;
+  opened->surface = TiledMap::isOne(arguments.file)
+                        ? openTiledSurface(arguments.file)
+                        : loadSurface(arguments.file, options, rasterize,
+                                      batch::importOptions(arguments.scan), task);
+  return opened;
 }
 
 }  // namespace relievo::python

@@ -6,6 +6,7 @@
 #include <future>
 #include <stop_token>
 
+#include "app/python/plain_numbers.h"
 #include "core/base/task.h"
 
 namespace relievo::python {
@@ -20,6 +21,7 @@ auto interruptible(const Work& work) {
   std::stop_source stop;
   const pybind11::gil_scoped_release others_run;
   auto result = std::async(std::launch::async, [&work, token = stop.get_token()] {
+    const PlainNumbers points_in_numbers;
     return work(Task{.stop = token, .progress = {}});
   });
   while (result.wait_for(kLook) != std::future_status::ready) {

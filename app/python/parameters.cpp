@@ -5,12 +5,14 @@
 
 #include "app/batch/number_option.h"
 #include "app/batch/refusal_text.h"
+#include "app/python/plain_numbers.h"
 #include "core/base/error.h"
 
 namespace relievo::python {
 namespace {
 
 void parse(CLI::App& parser, const Words& words) {
+  const PlainNumbers points_in_numbers;
   batch::refuseEmptyTexts(parser);
   try {
     parser.parse(Words(words.rbegin(), words.rend()));  // The parser takes the last one first.

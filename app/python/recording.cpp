@@ -13,6 +13,7 @@
 #include "app/python/input.h"
 #include "app/python/interruptible.h"
 #include "app/python/numbers.h"
+#include "app/python/plain_numbers.h"
 #include "core/provenance/name_text.h"
 #include "core/recording/force_curve.h"
 #include "core/recording/log_table.h"
@@ -94,6 +95,7 @@ Recorded touch(const OpenedSurface& opened, const Words& words, const py::object
 }
 
 py::str plotOf(const Recording& recording) {
+  const PlainNumbers points_in_numbers;
   std::vector<ForcePoint> points;
   points.reserve(recording.rows.size());
   for (const TouchRow& row : recording.rows) points.push_back(forcePoint(row));

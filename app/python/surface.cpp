@@ -30,7 +30,7 @@ struct Grid {
 
 using Opened = std::shared_ptr<OpenedSurface>;
 
-Grid gridOf(std::shared_ptr<const DepthMap> map, int level, double sigma_mm) {
+Grid gridOf(const std::shared_ptr<const DepthMap>& map, int level, double sigma_mm) {
   Grid grid{.owner = map, .frame = map->frame, .level = level, .sigma_mm = sigma_mm};
   grid.heights_mm = map->heights_mm.data();
   grid.origins = map->origins.data();

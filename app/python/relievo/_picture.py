@@ -61,6 +61,7 @@ def draw(words: Sequence[bytes], known: Sequence[str]) -> "npt.NDArray[np.uint8]
     with tempfile.TemporaryDirectory(prefix="relievo-") as folder:
         file = os.fsencode(os.path.join(folder, "picture.png"))
         _, said = _run([b"render", *words, b"--output=" + file])
-        for sentence in set(said) - set(known):
-            warnings.warn(sentence, RuntimeWarning, stacklevel=3)
+        for sentence in said:
+            if sentence not in known:
+                warnings.warn(sentence, RuntimeWarning, stacklevel=3)
         return _pixels(file)

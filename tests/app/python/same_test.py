@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Python and the command line give the same numbers, to the last bit."""
 
+import locale
 import re
 import struct
 import unittest
@@ -9,8 +10,6 @@ import zlib
 import numpy as np
 import relievo
 from case import CURVED, DRAWS, FLAT, RELIEF, SQUARES, Case, command
-
-OUTSIDE = relievo.ORIGINS.index("outside")
 
 
 def pixels_of_png(data):
@@ -81,6 +80,19 @@ class SameBits(Case):
             self.assertEqual(grid.level, level)
             self.assertSameBits(grid.heights_mm, relievo.open(file).depth_map.heights_mm)
 
+    def test_map_by_tiles(self):
+        command("pyramid", RELIEF, "--memory", "200", "-o", self.path("tiles.tif"))
+        tiled = relievo.open(self.path("tiles.L0.tif"))
+        self.assertTrue(tiled.by_tiles)
+        self.assertEqual(tiled.levels, self.surface.levels)
+        region = {"level": 1, "region_mm": (65, 75, 90, 90)}
+        self.assertSameBits(tiled.window(**region).heights_mm, self.surface.window(**region).heights_mm)
+        self.assertSameBits(tiled.depth_map.heights_mm, self.surface.depth_map.heights_mm)
+        self.assertSameBits(tiled.level(2).heights_mm, self.surface.level(2).heights_mm)
+        touched = tiled.touch(CURVED, level=0, region_mm=SQUARES[CURVED])
+        same = self.surface.touch(CURVED, level=0, region_mm=SQUARES[CURVED])
+        self.assertSameBits(touched.force_n, same.force_n)
+
     def test_window(self):
         command("touch", RELIEF, "--level=0", "--region=65,75,50,50", "--gain=1.5", f"--stroke={CURVED}",
                 "-o", self.path("w.csv"), "--window-out", self.path("window.tif"))  # fmt: skip
@@ -127,7 +139,25 @@ class SameBits(Case):
         ours = self.surface.touch(CURVED, level=0, region_mm=(65, 75, 50, 50), log=log)
         self.assertEqual(log.read_bytes(), theirs)
         self.assertEqual(ours.plot_svg(), re.sub(r"\n<metadata>.*</metadata>", "", drawn, flags=re.S))
-        self.assertEqual(len(command("replay", log, "--verify", "--report", "json")) > 0, True)
+        command("replay", log, "--verify")
+
+    def test_another_language_changes_no_number(self):
+        """Under a locale that writes numbers with a comma; ./test makes it."""
+        here = locale.setlocale(locale.LC_ALL)
+        try:
+            locale.setlocale(locale.LC_ALL, "de_DE.UTF-8")
+        except locale.Error:
+            self.skipTest("There is no German locale.")
+        self.addCleanup(locale.setlocale, locale.LC_ALL, here)
+        how = {"level": 0, "region_mm": (65.5, 75.25, 50, 50), "stiffness_n_per_mm": 0.75}
+        logs = []
+        for name in ("de_DE.UTF-8", "C"):
+            locale.setlocale(locale.LC_ALL, name)
+            log = self.path("language.csv")
+            surface = relievo.open(RELIEF, spacing_mm=0.75)
+            touched = surface.touch(CURVED, **how, log=log)
+            logs.append((log.read_bytes(), touched.plot_svg(), surface.messages))
+        self.assertEqual(logs[0], logs[1])
 
     def test_recordings(self):
         for ending in ("csv", "h5"):
