@@ -28,6 +28,9 @@ add_custom_target(tidy
 set(header_sources)
 foreach(folder IN LISTS relievo_folders)
   file(GLOB_RECURSE headers RELATIVE ${CMAKE_SOURCE_DIR} CONFIGURE_DEPENDS ${folder}/*.h)
+  if(NOT RELIEVO_PYTHON)
+    list(FILTER headers EXCLUDE REGEX "^app/python/")
+  endif()
   foreach(header IN LISTS headers)
     set(source ${CMAKE_BINARY_DIR}/check_headers/${header}.cpp)
     file(CONFIGURE OUTPUT ${source} CONTENT "#include \"${header}\"\n")
@@ -38,6 +41,9 @@ add_library(check_headers OBJECT EXCLUDE_FROM_ALL ${header_sources})
 target_link_libraries(check_headers PRIVATE relievo_settings Qt5::Widgets Qt5::Test
   nlohmann_json::nlohmann_json relievo::qwt PkgConfig::LIBUSB PkgConfig::HIDAPI
   ${RELIEVO_VTK_LIBRARIES})
+if(RELIEVO_PYTHON)
+  target_link_libraries(check_headers PRIVATE pybind11::module)
+endif()
 if(RELIEVO_BUILD_TESTS)
   target_link_libraries(check_headers PRIVATE GTest::gtest GTest::gmock)
   target_compile_definitions(check_headers PRIVATE

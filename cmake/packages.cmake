@@ -58,6 +58,26 @@ if(RELIEVO_BUILD_UI)
   set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "relievo (= ${PROJECT_VERSION}), qtbase5-dev")
 endif()
 
+# The Python package, where it is built (docs/adr/0148).
+if(RELIEVO_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-relievo)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "scans of heritage objects as NumPy arrays
+ Opens scans of coins, reliefs and sites as depth maps, makes Gaussian
+ pyramids and windows of them, touches them along strokes with the force of
+ a haptic device, reads recordings and draws pictures: the numbers of the
+ command line relievo, to the last bit.")
+  # The extension is built for one Python, and starts the programs of one version.
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "relievo-cli (= ${PROJECT_VERSION}), python3-numpy, python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_minor}~)")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-ipykernel, jupyter-notebook")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/app/python/package/postinst
+    ${CMAKE_SOURCE_DIR}/app/python/package/prerm)
+endif()
+
 # What Debian wants of every package: who may do what with it, and what changed.
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} upper)

@@ -20,6 +20,7 @@
 #include "app/batch/library_versions.h"
 #include "app/batch/number_option.h"
 #include "app/batch/other_program.h"
+#include "app/batch/refusal_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/depth/rasterize.h"
@@ -204,25 +205,11 @@ std::string withCode(const std::exception& error) {
 
 namespace {
 
-/// What the parser refuses, in a sentence of ours.
+/// What the parser refuses, and where to look.
 std::string sentenceOf(const CLI::ParseError& error, const CLI::App& app) {
-  std::string sentence = error.what();
-  const auto replace = [&sentence](std::string_view from, std::string_view to) {
-    const std::size_t at = sentence.find(from);
-    if (at != std::string::npos) sentence.replace(at, from.size(), to);
-    return at != std::string::npos;
-  };
-  if (replace("Could not convert: ", "") && replace(" = ", ": '")) {
-    sentence += "' is not a number that it takes";
-  } else if (replace(": Value ", ": ")) {
-    replace(" not in range ", " is not from ");
-  } else if (replace(" not in {", "' is none of ")) {
-    replace(": ", ": '");
-    sentence.pop_back();
-  }
   const auto chosen = app.get_subcommands();
   const std::string verb = chosen.empty() ? "" : " " + chosen.front()->get_name();
-  return sentence + ". Nothing was done. 'relievo" + verb + " --help' says what there is.";
+  return batch::refusalText(error.what()) + " 'relievo" + verb + " --help' says what there is.";
 }
 
 /// Letters that are put in, taken out or changed to make one word of the other (Levenshtein).

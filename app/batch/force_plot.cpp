@@ -6,6 +6,7 @@
 
 #include "app/batch/svg.h"
 #include "core/base/failure.h"
+#include "haptics/device/falcon/link.h"
 
 namespace relievo::batch {
 namespace {
@@ -92,6 +93,10 @@ Axis rangeOf(const std::vector<ForcePoint>& rows,
 }
 
 }  // namespace
+
+ForceLimit falconLimit() {
+  return {"Falcon", falcon::LinkLimits{}.max_force_n};
+}
 
 std::string forcePlotSvg(const std::vector<ForcePoint>& rows, const std::string& title,
                          const ForceLimit& limit) {

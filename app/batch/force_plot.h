@@ -14,6 +14,9 @@ struct ForceLimit {
   double force_n = 0;  ///< 0: none is drawn.
 };
 
+/// The Falcon's, which a hand might hold where there is no device.
+ForceLimit falconLimit();
+
 /// The paper's force figure as SVG: z of HIP (red) and proxy (blue) above, force below, against
 /// time. Text stays text, lines stay lines.
 /// @param limit  a dashed line, where the forces reach it

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +15,7 @@
 #include "core/session/surface.h"
 #include "haptics/loop/haptic_core.h"
 #include "haptics/loop/surface_preset.h"
+#include "haptics/record/sample_log.h"
 #include "haptics/record/stroke.h"
 
 namespace relievo::batch {
@@ -52,9 +55,12 @@ SurfaceFeel feelOf(const TouchArguments& arguments);
 void addFeelOptions(CLI::App& verb, TouchArguments& arguments);
 /// The same in words for headers and reports: JSON, every value written out.
 std::string feelJson(const TouchArguments& arguments);
+/// Options that have no use together. @throw ArgumentError
+void checkTouch(const TouchArguments& arguments);
+
 /// What is touched, and how.
 struct TouchSetup {
-  Surface surface;
+  Surface surface;  ///< Empty if the caller has it.
   RegionWindow window;
   std::unique_ptr<HapticSpace> space;  ///< On the heap: 900 kB by value.
   StrokeOptions options;
@@ -64,8 +70,21 @@ struct TouchSetup {
 };
 /// @throw ArgumentError, FileError, DeviceError (no such device)
 TouchSetup prepareTouch(const TouchArguments& arguments, const Task& task);
+/// The same on a surface that is open; it says nothing on stderr. @throw as above
+TouchSetup prepareTouch(const TouchArguments& arguments, const Surface& surface, const Task& task);
 
 /// Comment lines of the log: enough to repeat it, and where it comes from in one line.
 std::string touchHeader(const TouchArguments& arguments, const TouchSetup& setup, const Task& task);
+std::string touchHeader(const TouchArguments& arguments, const TouchSetup& setup,
+                        const Surface& surface, const Task& task);
+
+/// What stands above a plot of it.
+std::string touchTitle(const TouchArguments& arguments, const Surface& surface);
+
+/// Leads the hand along a stroke; each tick goes to `each`, then into the log, if there is one.
+/// @return ticks @throw as runStroke and SampleLog::write
+std::uint64_t touchAlong(const Stroke& stroke, const TouchSetup& setup, SampleLog* log,
+                         const std::function<void(const HapticSample&, double t_s)>& each,
+                         const Task& task);
 
 }  // namespace relievo::batch

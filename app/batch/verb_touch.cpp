@@ -24,7 +24,6 @@
 #include "core/session/finer_heights.h"
 #include "core/session/firmness.h"
 #include "core/session/tiled_surface.h"
-#include "haptics/device/falcon/link.h"
 #include "haptics/device_catalog.h"
 #include "haptics/loop/device_limits.h"
 #include "haptics/proxy/surface.h"
@@ -115,12 +114,13 @@ ForceLimit limitOf(const Device* device) {
   if (device != nullptr && device->info().max_force_n > 0) {
     return {device->info().name, device->info().max_force_n};
   }
-  return {"Falcon", falcon::LinkLimits{}.max_force_n};
+  return falconLimit();
 }
 
 /// Where the log comes from, in one line; what decides the force stands in the header's parameters.
-std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
-  Provenance provenance = provenanceOfVerb(a.map, setup.surface, a.out, task);
+std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Surface& surface,
+                         const Task& task) {
+  Provenance provenance = provenanceOfVerb(a.map, surface, a.out, task);
   provenance.view = ViewState{.region = setup.window.region, .gain = a.region.gain};
   Json touch = Json::parse(feelJson(a));
   if (!a.stroke.empty()) {
@@ -139,11 +139,7 @@ std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const
 }
 
 Outcome runTouch(const TouchArguments& a, const Task& task) {
-  requireUse("--magnet-reach", a.magnet_reach_mm.has_value(), feelOf(a).fields.magnet_n > 0,
-             "--magnet");
-  if (a.stiffness_n_per_mm && !a.detail_stiffness_n_per_mm.empty()) {
-    throw failure<MessageId::option_stiffness_of_levels>();
-  }
+  checkTouch(a);
   const Stroke stroke = readStroke(a.stroke);
   TouchSetup setup = prepareTouch(a, task);
   const RegionWindow& window = setup.window;
@@ -165,22 +161,18 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   const std::unique_ptr<SampleLog> log = openLog(a.out, header, setup.space.get());
   const ForceLimit limit = limitOf(device.get());
   StrokeFindings findings{window, *setup.space, limit.force_n};
-  std::optional<HapticSample> before;
   std::vector<ForcePoint> plot;
-  const std::uint64_t ticks = runStroke(
-      *setup.space, setup.options, stroke,
+  const std::uint64_t ticks = touchAlong(
+      stroke, setup, log.get(),
       [&](const HapticSample& sample, double t_s) {
         findings.add(sample);
         if (!a.plot.empty()) plot.push_back(forcePoint(touchRow(sample, t_s)));
-        log->write(sample, t_s, before ? eventBetween(*before, sample) : eventAtStart(sample));
-        before = sample;
       },
       task);
   if (!a.plot.empty()) {
-    const std::string title =
-        escapedName(setup.surface.info.file.filename().string()) + ", proxy " + proxyName(a);
-    writeTextFile(beside.file(a.plot), withState(forcePlotSvg(plot, title, limit),
-                                                 headerLine(header, std::string(kStateKey) + " ")));
+    writeTextFile(beside.file(a.plot),
+                  withState(forcePlotSvg(plot, touchTitle(a, setup.surface), limit),
+                            headerLine(header, std::string(kStateKey) + " ")));
   }
   log->close();
   beside.commit();
@@ -226,7 +218,37 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
 
 }  // namespace
 
-TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
+void checkTouch(const TouchArguments& a) {
+  requireUse("--magnet-reach", a.magnet_reach_mm.has_value(), feelOf(a).fields.magnet_n > 0,
+             "--magnet");
+  if (a.stiffness_n_per_mm && !a.detail_stiffness_n_per_mm.empty()) {
+    throw failure<MessageId::option_stiffness_of_levels>();
+  }
+}
+
+std::string touchTitle(const TouchArguments& a, const Surface& surface) {
+  return escapedName(surface.info.file.filename().string()) + ", proxy " + proxyName(a);
+}
+
+std::uint64_t touchAlong(const Stroke& stroke, const TouchSetup& setup, SampleLog* log,
+                         const std::function<void(const HapticSample&, double t_s)>& each,
+                         const Task& task) {
+  std::optional<HapticSample> before;
+  return runStroke(
+      *setup.space, setup.options, stroke,
+      [&](const HapticSample& sample, double t_s) {
+        each(sample, t_s);
+        if (log == nullptr) return;
+        log->write(sample, t_s, before ? eventBetween(*before, sample) : eventAtStart(sample));
+        before = sample;
+      },
+      task);
+}
+
+namespace {
+
+/// What is felt, and with which limits, whatever is touched.
+TouchSetup setupWithoutSurface(const TouchArguments& a) {
   TouchSetup setup;
   setup.options = strokeOptions(a);
   setup.core = strokeHapticOptions(setup.options);
@@ -237,10 +259,12 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
     setup.core = withinDevice(setup.core, device);
     if (a.lift_n) setup.core.force.lift_n = *a.lift_n;
   }
-  setup.surface = openForVerb(a.map, task);
-  const Surface& surface = setup.surface;
+  return setup;
+}
+
+void layUnderTheHand(TouchSetup& setup, const TouchArguments& a, const Surface& surface,
+                     const Task& task) {
   const Region region = chosenRegion(surface, a.region);
-  warnIfAliased(surface, region);
   setup.window = windowOf(surface, region, a.region.gain);
   setup.space = std::make_unique<HapticSpace>();
   std::vector<float> firmness;
@@ -253,11 +277,30 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
   if (setup.options.fields.texture_mm > 0) {
     fillTexture(*setup.space, finerHeights(surface, region, a.region.gain));
   }
+}
+
+}  // namespace
+
+TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
+  TouchSetup setup = setupWithoutSurface(a);
+  setup.surface = openForVerb(a.map, task);
+  warnIfAliased(setup.surface, chosenRegion(setup.surface, a.region));
+  layUnderTheHand(setup, a, setup.surface, task);
+  return setup;
+}
+
+TouchSetup prepareTouch(const TouchArguments& a, const Surface& surface, const Task& task) {
+  TouchSetup setup = setupWithoutSurface(a);
+  layUnderTheHand(setup, a, surface, task);
   return setup;
 }
 
 std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
-  const Surface& surface = setup.surface;
+  return touchHeader(a, setup, setup.surface, task);
+}
+
+std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const Surface& surface,
+                        const Task& task) {
   const std::string stroke =
       a.stroke.empty()
           ? "by hand"
@@ -282,7 +325,7 @@ std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const 
               ? "\n" + std::string(kLiftWords) + Json(setup.core.force.lift_n).dump() + " N upward"
               : "") +
          (setup.limited.empty() ? "" : "\nlimits " + setup.limited) + "\nparameters " +
-         parameters.dump() + "\n" + stateLine(stateOfTouch(a, setup, task));
+         parameters.dump() + "\n" + stateLine(stateOfTouch(a, setup, surface, task));
 }
 
 void addTouchOptions(CLI::App& verb, TouchArguments& arguments) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// relievo-draw: the whole command line in a program that draws. `relievo` goes on as it.
+// relievo-draw: the whole command line in a program that draws. `relievo` goes on as it. Programs
+// that want the pixels of what it drew ask it for them.
 #include <algorithm>
 #include <csignal>
 #include <iostream>
@@ -8,6 +9,7 @@
 
 #include "app/batch/batch.h"
 #include "app/draw/drawing_verbs.h"
+#include "app/draw/hand_back.h"
 #include "core/io/reader_guard.h"
 
 int main(int argc, char** argv) {
@@ -16,6 +18,9 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   // The fonts of a PDF stand in the order of a hash: the same figure has the same bytes.
   qSetGlobalQHashSeed(0);
+  if (argc == 3 && argv[1] == std::string_view(relievo::kPixelsArgument)) {
+    return relievo::handBackPixels(argv[2]);
+  }
   relievo::batch::setDrawing(relievo::batch::ownDrawing());
   const bool libraries = std::any_of(argv + 1, argv + argc,
                                      [](std::string_view word) { return word == "--libraries"; });

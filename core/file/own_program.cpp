@@ -4,8 +4,21 @@
 #include "core/base/error.h"
 
 namespace relievo {
+namespace {
+
+std::filesystem::path& givenFolder() {
+  static std::filesystem::path folder;
+  return folder;
+}
+
+}  // namespace
+
+void setProgramFolder(const std::filesystem::path& folder) {
+  givenFolder() = folder;
+}
 
 std::filesystem::path ownFolder(const std::string& does) {
+  if (!givenFolder().empty()) return givenFolder();
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
   if (!error) return self.parent_path();
