@@ -18,10 +18,12 @@ require_debian_12() {
   fi
 }
 
-# Prints the packages of .ci/packages.txt that are not installed.
+# Prints the packages of .ci/packages.txt that are not installed; for_run: but for what only pages and
+# tests need.
 missing_packages() {
-  local wanted
-  wanted=$(sed -e 's/#.*//' .ci/packages.txt | xargs)
+  local wanted left_out='^$'
+  if [ "${1:-}" = for_run ]; then left_out='# not for ./run'; fi
+  wanted=$(grep -v -e "$left_out" .ci/packages.txt | sed -e 's/#.*//' | xargs)
   # shellcheck disable=SC2086  # one word per package
   comm -23 <(printf '%s\n' $wanted | sort -u) \
     <(dpkg-query -W -f='${db:Status-Abbrev} ${Package}\n' $wanted 2>/dev/null |
@@ -46,7 +48,7 @@ install_packages() {
 
 install_what_is_missing() {
   local missing
-  missing=$(missing_packages)
+  missing=$(missing_packages "$@")
   # shellcheck disable=SC2086  # one word per package
   if [ -n "$missing" ]; then install_packages $missing; fi
 }

@@ -2,11 +2,13 @@
 // The window's commands: every one is an action with a name, found by keys, menus and plugins.
 #include <array>
 #include <QAction>
+#include <QDesktopServices>
 #include <QDoubleSpinBox>
 
 #include "ui/command_search.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
+#include "ui/manual.h"
 #include "ui/message_strip.h"
 #include "ui/reference_view.h"
 #include "ui/side_panels.h"
@@ -136,6 +138,23 @@ void MainWindow::makeCommands() {
           search->show();
         },
         {}});
+  // At the page about what the keyboard is in.
+  const auto show_manual = [this](const QWidget* about) {
+    const ManualOpening manual =
+        openManual(manualTopic(about), manualFolders(), &QDesktopServices::openUrl);
+    if (manual.opened) {
+      announce(manual.sentence);
+    } else {
+      strip_->show(manual.sentence);
+    }
+  };
+  make({"manual",
+        tr("&Manual"),
+        {QKeySequence(ManualKey::kKey)},
+        tr("Help in the browser, at the page for what has the keyboard; guide, documentation"),
+        [this, show_manual] { show_manual(this->focusWidget()); },
+        {}});
+  new ManualKey(show_manual, this);
   make({"introduction",
         tr("&Introduction"),
         {},

@@ -95,7 +95,7 @@ void MainWindow::makeMenus() {
        "replay_close", "-", "video", "video_live", "-", "key_view", "path_play", "path_clear"});
   makeRecordingKinds();
   add(menu(QStringLiteral("help"), tr("&Help")),
-      {"search_commands", "keys", "introduction", "about"});
+      {"manual", "search_commands", "keys", "introduction", "about"});
 }
 
 void MainWindow::makeThemeMenu(QMenu* view) {

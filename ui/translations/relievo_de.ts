@@ -4673,6 +4673,29 @@
         <source>Lit, and darker where less of the sky is seen</source>
         <translation>Beleuchtet und dunkler, wo weniger vom Himmel zu sehen ist</translation>
     </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>Help in the browser, at the page for what has the keyboard; guide, documentation</source>
+        <translation>Handbuch im Browser, auf der Seite zu dem, wo die Tastatur ist; Hilfe, Anleitung, Dokumentation</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::Manual</name>
+    <message>
+        <source>The manual is not here. The package relievo brings it, unless the system leaves out what belongs in /usr/share/doc; in the sources &quot;cmake --build --preset release --target site&quot; makes it, and docs/user has the same as text.</source>
+        <translation>Das Handbuch ist nicht hier. Das Paket relievo bringt es mit, falls das System nicht weglässt, was nach /usr/share/doc gehört; in den Quellen erstellt es &quot;cmake --build --preset release --target site&quot;, und in docs/user steht dasselbe als Text.</translation>
+    </message>
+    <message>
+        <source>No browser could be started. Install one, or open this file elsewhere: %1</source>
+        <translation>Kein Browser ließ sich starten. Installieren Sie einen, oder öffnen Sie diese Datei anderswo: %1</translation>
+    </message>
+    <message>
+        <source>The manual opens in the browser: %1</source>
+        <translation>Das Handbuch öffnet sich im Browser: %1</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>

@@ -4673,6 +4673,29 @@
         <source>Lit, and darker where less of the sky is seen</source>
         <translation>प्रकाशित, और जहाँ आकाश कम दिखे वहाँ गहरा</translation>
     </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>पुस्तिका (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Help in the browser, at the page for what has the keyboard; guide, documentation</source>
+        <translation>ब्राउज़र में पुस्तिका, उस भाग के पृष्ठ पर जहाँ कुंजीपटल है; सहायता, मार्गदर्शिका, दस्तावेज़</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::Manual</name>
+    <message>
+        <source>The manual is not here. The package relievo brings it, unless the system leaves out what belongs in /usr/share/doc; in the sources &quot;cmake --build --preset release --target site&quot; makes it, and docs/user has the same as text.</source>
+        <translation>पुस्तिका यहाँ नहीं है। पैकेज relievo उसे लाता है, जब तक तंत्र /usr/share/doc की चीज़ें छोड़ न दे; स्रोतों में &quot;cmake --build --preset release --target site&quot; उसे बनाता है, और docs/user में वही पाठ के रूप में है।</translation>
+    </message>
+    <message>
+        <source>No browser could be started. Install one, or open this file elsewhere: %1</source>
+        <translation>कोई ब्राउज़र शुरू नहीं हो सका। एक स्थापित करें, या यह फ़ाइल कहीं और खोलें: %1</translation>
+    </message>
+    <message>
+        <source>The manual opens in the browser: %1</source>
+        <translation>पुस्तिका ब्राउज़र में खुलती है: %1</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
