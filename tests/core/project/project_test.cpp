@@ -140,7 +140,7 @@ Project fullestProject() {
           DrawnHand{.proxy = {1, 2, 3}, .hip = {1, 2, 2}, .force = {0, 0, 1}, .force_limit_n = 8}};
   p.recordings = {{"touch.csv", std::string(64, 'a'), 12}};
   p.paths = {{"path", {{0, viewOf(p)}, {3, viewOf(p)}}}};
-  p.saved_as = "/home/p.relievo.json";
+  p.saved_as = "elsewhere/p.relievo.json";
   p.others = "{\"later\":{\"deep\":[1,2]}}";
   return p;
 }
