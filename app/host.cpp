@@ -159,7 +159,7 @@ bool WindowHost::showRegion(const Region& region) {
 
 std::uint8_t WindowHost::edges() const {
   const Document& document = window_.document();
-  return document.isOpen() ? edgesOf(document.surface()->ladder, document.state().region)
+  return document.isOpen() ? edgesOf(document.surface()->ladder, document.project().region)
                            : std::uint8_t{0};
 }
 
@@ -190,14 +190,9 @@ void WindowHost::recordingSaved(const QString& file) {
 QString WindowHost::mapState(const QString& folder) const {
   const Document& document = window_.document();
   if (!document.isOpen()) return {};
-  const DocumentState& state = document.state();
-  Provenance made = provenanceOf(*state.surface, state.options);
-  made.input = {relativePath(QFile::encodeName(document.file()).toStdString(),
-                             QFile::encodeName(folder).toStdString()),
-                document.fileSha256().toStdString(),
-                static_cast<std::uint64_t>(QFileInfo(document.file()).size())};
+  Provenance made = document.provenanceIn(folder + QLatin1String("/."));
   // A state without a view shows nothing, and a recording has its own.
-  made.view = ViewState{.region = wholeRegion(state.surface->ladder)};
+  made.view = ViewState{.region = wholeRegion(document.surface()->ladder)};
   return QString::fromStdString(toJson(made, -1));
 }
 

@@ -118,7 +118,7 @@ struct DepthMapDialog::Made {
 DepthMapDialog::DepthMapDialog(Document& document, QWidget* parent)
     : QDialog(parent),
       document_(document),
-      form_(new DepthMapForm(document.source(), *document.surface(), document.state().options)),
+      form_(new DepthMapForm(document.source(), *document.surface(), document.project().options)),
       preview_(new DepthMapPreview),
       histogram_(new HeightHistogram),
       shares_(wordsLabel("depth_shares", tr("Shares of the cells"))),

@@ -56,7 +56,7 @@ Widget* DepthMapForm::field(QFormLayout* layout, const QString& title, const cha
   return widget;
 }
 
-DepthMapForm::DepthMapForm(SurfaceSource source, const Surface& present,
+DepthMapForm::DepthMapForm(OpenedInput source, const Surface& present,
                            const SurfaceOptions& options, QWidget* parent)
     : QWidget(parent),
       source_(std::move(source)),

@@ -20,7 +20,7 @@ namespace relievo {
 class DepthMapForm : public QWidget {
   Q_OBJECT
  public:
-  DepthMapForm(SurfaceSource source, const Surface& present, const SurfaceOptions& options,
+  DepthMapForm(OpenedInput source, const Surface& present, const SurfaceOptions& options,
                QWidget* parent = nullptr);
 
   SurfaceOptions options() const;
@@ -38,7 +38,7 @@ class DepthMapForm : public QWidget {
   template <class Widget>
   Widget* field(QFormLayout* layout, const QString& title, const char* name, const QString& tip);
 
-  const SurfaceSource source_;
+  const OpenedInput source_;
   const SurfaceOptions first_;    ///< What has no field stays as it was.
   const LengthUnit unit_before_;  ///< Of the present map.
   const double spacing_mm_;       ///< Of the present map: offered when cells are chosen by size.

@@ -47,6 +47,7 @@ DetailView::DetailView(Document& document, QuietTurns& turns, QWidget* parent)
          "turns, right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up."));
   setCursor(Qt::CrossCursor);
   connect(&document_, &Document::windowChanged, this, &DetailView::showWindow);
+  connect(&document_, &Document::turnChanged, this, &DetailView::showTurn);
   showWindow();
 }
 
@@ -75,27 +76,31 @@ void DetailView::keepHand() {
 }
 
 void DetailView::fitCamera() {
-  const Region& r = document_.state().region;
+  const Region& r = document_.project().region;
   ReliefCamera next = camera();
   next.rect = {r.x_mm, r.y_mm, r.side_mm, r.side_mm};
   setCamera(next);
 }
 
 bool DetailView::isTurned() const {
-  return camera().azimuth_deg != 0 || camera().elevation_deg != 0;
+  const Project& shown = document_.project();
+  return shown.azimuth_deg != 0 || shown.elevation_deg != 0;
 }
 
 void DetailView::straighten() {
-  ReliefCamera next = camera();
-  next.azimuth_deg = next.elevation_deg = 0;
-  setCamera(next);
-  Q_EMIT turned(false);
+  document_.setTurn(0, 0);
 }
 
 void DetailView::turnBy(double azimuth_deg, double elevation_deg) {
+  const Project& shown = document_.project();
+  document_.setTurn(std::remainder(shown.azimuth_deg + azimuth_deg, 360.0),
+                    std::clamp(shown.elevation_deg + elevation_deg, -kMostTiltDeg, kMostTiltDeg));
+}
+
+void DetailView::showTurn() {
   ReliefCamera next = camera();
-  next.azimuth_deg = std::remainder(next.azimuth_deg + azimuth_deg, 360.0);
-  next.elevation_deg = std::clamp(next.elevation_deg + elevation_deg, -kMostTiltDeg, kMostTiltDeg);
+  next.azimuth_deg = document_.project().azimuth_deg;
+  next.elevation_deg = document_.project().elevation_deg;
   setCamera(next);
   Q_EMIT turned(isTurned());
 }
@@ -169,7 +174,7 @@ void DetailView::placeHand(double x_mm, double y_mm) {
 void DetailView::mousePressEvent(QMouseEvent* event) {
   if (!document_.isOpen() || drag_ != Drag::none) return;
   drag_point_ = event->localPos();
-  drag_start_ = document_.state().region;
+  drag_start_ = document_.project().region;
   switch (event->button()) {
     case Qt::LeftButton:
       if (picking_) {
@@ -272,7 +277,7 @@ void DetailView::wheelEvent(QWheelEvent* event) {
 
 void DetailView::zoomAbout(const QPointF& point, int notches) {
   const DetailLadder& ladder = document_.surface()->ladder;
-  const Region& from = document_.state().region;
+  const Region& from = document_.project().region;
   const ViewMm p = onSurface(point);
   const double least = std::min(kLeastCells * ladder.spacings_mm.front(), from.side_mm);
   const double side = std::max(from.side_mm * std::pow(kZoomStep, -notches), least);

@@ -59,6 +59,7 @@ class DetailView : public SurfaceView {
   enum class Drag { none, turn, pan };
 
   void showWindow();
+  void showTurn();
   void fitCamera();
   /// Where the sight line through a point first meets the surface.
   ViewMm onSurface(const QPointF& point) const;

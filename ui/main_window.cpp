@@ -22,7 +22,6 @@
 
 #include "core/region/smoothing.h"
 #include "core/session/map_facts.h"
-#include "core/session/surface_colours.h"
 #include "ui/detail_view.h"
 #include "ui/file_names.h"
 #include "ui/first_view.h"
@@ -103,7 +102,6 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
   for (const char* key : {"theme", "text_percent", "size_unit", "stereo_kind", "recording_kind"}) {
     applyPreference(QString::fromLatin1(key));
   }
-  noted_ = shownWork();  // What preferences say is no step.
   restoreLayout();
   start_->setFocus();
   qApp->installEventFilter(this);
@@ -193,7 +191,7 @@ void MainWindow::layOut() {
   panels_->add(tr("Stereo"), stereo_panel_);
   measure_panel_ = new MeasurePanel(document_);
   panels_->add(tr("Measure"), measure_panel_);
-  places_panel_ = new PlacesPanel;
+  places_panel_ = new PlacesPanel(document_);
   panels_->add(tr("Places"), places_panel_);
   row->addWidget(panels_);
   pages_->addWidget(work);
@@ -250,16 +248,9 @@ void MainWindow::connectParts() {
   });
   connect(view_panel_, &ViewPanel::useThisViewAsked, this, &MainWindow::useThisView);
   connect(view_panel_, &ViewPanel::straightenAsked, detail_, &DetailView::straighten);
-  connect(view_panel_, &ViewPanel::lightChanged, this, [this](const LightOptions& light) {
-    reference_->setLight(light);
-    detail_->setLight(light);
-  });
-  connect(stereo_panel_, &StereoPanel::changed, this, [this](const StereoOptions& stereo) {
-    reference_->setStereo(stereo_panel_->optionsFor(whole_shown_));
-    detail_->setStereo(stereo);
-    command("stereo")->setChecked(stereo.mode != StereoMode::off);
-    warnOfRivalry();
-  });
+  connect(&document_, &Document::lookChanged, this, &MainWindow::showLook);
+  connect(&document_, &Document::lookRefused, this, &MainWindow::tellLookRefused);
+  connect(&document_, &Document::stereoChanged, this, &MainWindow::showStereo);
 
   for (SurfaceView* view :
        {static_cast<SurfaceView*>(reference_), static_cast<SurfaceView*>(detail_)}) {
@@ -333,11 +324,6 @@ void MainWindow::showSurface() {
   whole_shown_.low_mm = heights.min_mm;
   whole_shown_.high_mm = heights.max_mm;
   view_panel_->showView(QString::fromStdString(surface.view_name));
-  if (const ReliefLook look = detail_->sceneState().look; !canShow(surface, look.kind)) {
-    showLook(look);
-    noted_.look = shownWork().look;  // No step of the user's.
-  }
-  detail_->straighten();
   showTitle();
   reference_title_->setText(tr("REFERENCE"));
   reference_note_->setText(sizeText({surface.ladder.width_mm, surface.ladder.height_mm}));
@@ -405,8 +391,10 @@ void MainWindow::showFailure(const QString& message, const QString& code, const 
   if (code == QLatin1String("E101") && !file.isEmpty()) {
     buttons.push_back({tr("&Load what is there"), [this, file] {
                          OpenRequest request;
+                         if (restoring_ && restoring_->file == file) request = *restoring_;
                          request.file = file;
                          request.accept_incomplete = true;
+                         if (request.project) request.project->accept_incomplete = true;
                          open(request);
                        }});
   }

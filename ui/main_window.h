@@ -54,15 +54,6 @@ struct PrepareStart;
 
 enum class ImageSource { reference, detail, window };
 
-/// What a step of the history can change beside region and surface.
-struct ShownWork {
-  ReliefLook look;  ///< With its light.
-  StereoOptions stereo;
-  std::vector<NamedRegion> places;
-  std::vector<Measurement> measurements;
-  friend bool operator==(const ShownWork&, const ShownWork&) = default;
-};
-
 /// Which files a recording needs to be repeated, beside its scan. [worker] @param scans  also other
 /// scans that were touched
 using CompanionsOf = std::function<std::vector<InputFile>(const std::filesystem::path& recording,
@@ -91,13 +82,13 @@ class MainWindow : public QMainWindow {
   /// What was dropped or named when the program started: a folder, a file, or several.
   void openPaths(const QStringList& paths);
   /// The present state, as projects and figures keep it.
-  Project project();
+  Project project() const { return document_.stored(); }
   /// Brings a state back; `from` is the project or picture it came from. Files elsewhere are asked
   /// about before they are read.
   void restore(const Project& project, const QString& from);
   void saveProject(const QString& file);
   /// Places, measurements, camera paths or, in a project, settings that no file holds.
-  bool hasUnsavedWork();
+  bool hasUnsavedWork() const { return document_.hasUnsavedWork(); }
   /// PNG of a view or the window, exactly `pixels` large, drawn and written in the background; the
   /// strip says what went wrong.
   void saveImage(ImageSource source, const QSize& pixels, const QString& file);
@@ -277,12 +268,6 @@ class MainWindow : public QMainWindow {
   void noteFigure(const QString& file);
   void choosePackage();
 
-  // main_window_steps.cpp
-  ShownWork shownWork() const;
-  /// A step of the history, if something has changed since the last one.
-  void noteStep(const QString& name, int merge_id = -1);
-  void showWork(const ShownWork& work);
-
   // main_window_project.cpp
   void chooseFigure();
   void saveProject();
@@ -295,18 +280,21 @@ class MainWindow : public QMainWindow {
   void showRestored();
   bool restoreFromFile(const QString& file);
   void showDamaged(const QString& text);
-  Project keptWork();  ///< For an automatic copy.
-  void showTitle();    ///< Which project or scan, and whether a file holds all of the work.
-  /// As lit stone, and says so, where the open scan lacks what the look shows.
-  void showLook(const ReliefLook& wanted);
+  Project keptWork() const;  ///< For an automatic copy.
+  void showTitle();          ///< Which project or scan, and whether a file holds all of the work.
+  void showLook();
+  void tellLookRefused(ReliefKind wanted);
+  /// One step that changes how the relief is painted.
+  void chooseLook(const QString& name, const std::function<void(ReliefLook&)>& change,
+                  int merge_id = -1);
   void warnOfRivalry();
-  void showStereo(const StereoOptions& stereo);
+  void chooseStereo(const StereoOptions& stereo);
+  void showStereo();
   void showParallax();
   /// The same colour for the same value in both views.
   void shareRange();
 
   // main_window_unsaved.cpp
-  void noteSaved();
   /// Asks whether to save, if there is something; `then` comes after Save and Discard.
   void whenNothingIsUnsaved(const std::function<void()>& then);
   void restart();
@@ -320,7 +308,8 @@ class MainWindow : public QMainWindow {
   void goToPlace(const NamedRegion& place);
   void copyView();
   void pasteView();
-  void showView(const ViewState& view);
+  /// One step to a view's look and stereo; its turn comes with it.
+  void showView(const ViewState& view, const QString& name);
   void offerLeftWork();
 
   // main_window_measure.cpp
@@ -398,16 +387,13 @@ class MainWindow : public QMainWindow {
   QComboBox* detail_choice_ = nullptr;
   QMenu* recent_menu_ = nullptr;
 
-  Project project_;  ///< What of the state no other part holds.
   /// Files that the project names and that nobody wanted read.
   std::vector<std::filesystem::path> withheld_;
   /// How the view looked when the figure's look was chosen; nothing: not chosen yet.
   std::optional<ReliefLook> figure_view_;
   LatestWorker face_worker_, foreign_work_;
   std::vector<std::function<void()>> questions_;  ///< Not yet asked, the next one first.
-  std::optional<Project> restoring_;              ///< Until its file is open.
-  QString project_file_;
-  std::string saved_work_;  ///< What a file holds of the work; see hasUnsavedWork.
+  std::optional<OpenRequest> restoring_;          ///< With a project, until its file is open.
   bool closes_anyway_ = false;
   bool ends_at_once_ = false;
   bool title_due_ = false;
@@ -417,9 +403,7 @@ class MainWindow : public QMainWindow {
   bool touch_present_ = false;
   QByteArray layout_before_full_screen_;
   bool closes_when_saved_ = false;
-  ShownWork noted_;  ///< As of the last step.
   std::shared_ptr<const Surface> warned_of_rivalry_;
-  bool stepping_ = false;  ///< Through the history: no new steps.
   CompanionsOf companions_;
   WorkQueue image_work_, package_work_, unpack_work_, record_work_, export_work_;
 };

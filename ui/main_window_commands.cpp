@@ -224,7 +224,7 @@ void MainWindow::makeSurfaceCommands() {
               announce(tr("Edge"));
               return;
             }
-            const Region& region = document_.state().region;
+            const Region& region = document_.project().region;
             announce(tr("%1. Window at %2, %3 mm")
                          .arg(moved)
                          .arg(region.x_mm, 0, 'f', 1)

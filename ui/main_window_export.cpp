@@ -45,7 +45,7 @@ void MainWindow::connectExports() {
 void MainWindow::chooseExport() {
   if (!document_.isOpen()) return;
   auto* dialog =
-      new ExportDialog(document_.surface(), document_.state().region,
+      new ExportDialog(document_.surface(), document_.project().region,
                        stemOf(document_.file(), QStringLiteral("-heights.origin.tif")), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ExportDialog::chosen, this,
@@ -66,7 +66,8 @@ void MainWindow::exportMap(const MapExport& choice, const QString& file) {
   const auto work = std::make_shared<Work>();
   work->surface = document_.surface();
   work->raster = document_.source().raster;
-  work->provenance = provenanceOf(*work->surface, document_.state().options);
+  work->provenance = document_.provenanceIn(file);
+  work->provenance.view.reset();  // Of the map, whatever is shown of it.
   work->choice = choice;
   work->scan = pathOf(document_.file());
   work->file = pathOf(file);

@@ -96,7 +96,7 @@ void MainWindow::closeIfAwaited(bool written) {
 PictureOrder MainWindow::pictureOrder(ImageSource source, const QSize& pixels,
                                       const QString& file) {
   const SceneState& detail = detail_->sceneState();
-  PictureOrder order{.project = project(),
+  PictureOrder order{.project = document_.stored(),
                      .surface = document_.surface(),
                      .window = document_.window(),
                      .reference = {},

@@ -148,20 +148,22 @@ void MainWindow::applyPreference(const QString& key) {
     command(recordingEnding() == QLatin1String("h5") ? "record_h5" : "record_csv")
         ->setChecked(true);
   } else if (key.startsWith(QLatin1String("stereo_"))) {
-    StereoOptions stereo = detail_->sceneState().stereo;
     const auto mode =
         stereoMode(settings_.choice(QStringLiteral("stereo_kind"), QStringLiteral("anaglyph"))
                        .toString()
                        .toStdString());
-    const bool on = stereo.mode != StereoMode::off;
-    stereo.mode = mode.value_or(StereoMode::anaglyph);
+    StereoOptions stereo = document_.project().stereo;
+    stereo_panel_->setKind(mode.value_or(StereoMode::anaglyph));
+    if (stereo.mode != StereoMode::off) stereo.mode = mode.value_or(StereoMode::anaglyph);
     stereo.eye_angle_deg =
         settings_.choice(QStringLiteral("stereo_angle"), StereoOptions{}.eye_angle_deg).toDouble();
     stereo.automatic_depth = settings_.choice(QStringLiteral("stereo_automatic"), true).toBool();
     stereo.swap_eyes = settings_.choice(QStringLiteral("stereo_swap"), false).toBool();
     stereo_panel_->setComfort(settings_.choice(QStringLiteral("stereo_comfort"), true).toBool());
-    stereo_panel_->show(stereo);
-    stereo_panel_->setOn(on);
+    document_.edit(tr("Stereo"), [&](Project& p) {
+      p.stereo = stereo;
+      p.chosen_eye_angle_deg.reset();
+    });
   }
 }
 

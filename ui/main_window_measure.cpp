@@ -93,11 +93,10 @@ void MainWindow::makeReliefCommands() {
                             {},
                             e.tip,
                             [this, kind = e.kind] {
-                              ReliefLook look = detail_->sceneState().look;
-                              look.kind = kind;
-                              look.range.reset();  // They were values of another kind.
-                              showLook(look);
-                              noteStep(tr("Relief image"));
+                              chooseLook(tr("Relief image"), [kind](ReliefLook& look) {
+                                look.kind = kind;
+                                look.range.reset();  // They were values of another kind.
+                              });
                             },
                             {},
                             true});
@@ -109,10 +108,9 @@ void MainWindow::makeReliefCommands() {
         {},
         tr("Cells that were interpolated in colour, with a legend; holes are always hatched"),
         [this] {
-          ReliefLook look = detail_->sceneState().look;
-          look.unmeasured = command("show_unmeasured")->isChecked();
-          showLook(look);
-          noteStep(tr("Unmeasured cells"));
+          chooseLook(tr("Unmeasured cells"), [this](ReliefLook& look) {
+            look.unmeasured = command("show_unmeasured")->isChecked();
+          });
         },
         {},
         true});
@@ -122,18 +120,16 @@ void MainWindow::makeReliefCommands() {
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const auto map = static_cast<ColourMap>(i);
     const std::string name = "colours_" + std::string(relievo::name(map));
-    QAction* action = make({name.c_str(),
-                            maps[i],
-                            {},
-                            tr("Colours that grow lighter in even steps"),
-                            [this, map] {
-                              ReliefLook look = detail_->sceneState().look;
-                              look.colours = map;
-                              showLook(look);
-                              noteStep(tr("Relief image"));
-                            },
-                            {},
-                            true});
+    QAction* action =
+        make({name.c_str(),
+              maps[i],
+              {},
+              tr("Colours that grow lighter in even steps"),
+              [this, map] {
+                chooseLook(tr("Relief image"), [map](ReliefLook& look) { look.colours = map; });
+              },
+              {},
+              true});
     action->setChecked(map == ReliefLook{}.colours);
     colours->addAction(action);
   }
@@ -187,10 +183,6 @@ void MainWindow::showParallax() {
   whole_shown_.screen_per_mm = screen_mm / reference_->mmPerPixel();
   stereo_panel_->setShown({window->min_mm, window->max_mm, screen_mm / detail_->mmPerPixel()});
   reference_->setStereo(stereo_panel_->optionsFor(whole_shown_));
-}
-
-void MainWindow::showStereo(const StereoOptions& stereo) {
-  stereo_panel_->show(stereo);
 }
 
 }  // namespace relievo

@@ -249,7 +249,7 @@ void MainWindow::enableCommands() {
     }
     return;
   }
-  const Region& region = document_.state().region;
+  const Region& region = document_.project().region;
   const DetailLadder& ladder = document_.surface()->ladder;
   const StepAbout centre = document_.aboutCentre();
   command("finer")->setEnabled(finer(ladder, region, centre).has_value());

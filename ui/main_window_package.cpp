@@ -83,36 +83,36 @@ void MainWindow::noteRecording(const QString& file) {
       },
       [this, known, scan] {
         if (known->sha256.empty() || scan != document_.fileSha256()) return;
-        std::vector<InputFile>& all = project_.recordings;
-        all.erase(std::remove_if(all.begin(), all.end(),
-                                 [&](const InputFile& one) { return one.file == known->file; }),
-                  all.end());
-        all.push_back(*known);
-        keepWork();
+        document_.amend([&](Project& p) {
+          std::erase_if(p.recordings,
+                        [&](const InputFile& one) { return one.file == known->file; });
+          p.recordings.push_back(*known);
+        });
       });
 }
 
 void MainWindow::noteFigure(const QString& file) {
   const std::string path = bytesOfPath(QFileInfo(file).absoluteFilePath());
-  std::vector<std::string>& all = project_.figures;
-  all.erase(std::remove(all.begin(), all.end(), path), all.end());
-  all.push_back(path);
-  keepWork();
+  document_.amend([&](Project& p) {
+    std::erase(p.figures, path);
+    p.figures.push_back(path);
+  });
 }
 
 void MainWindow::choosePackage() {
   if (!document_.isOpen() || document_.busy() || package_work_.busy()) return;
-  const QFileInfo near(project_file_.isEmpty() ? document_.file() : project_file_);
+  const QString& project = document_.projectFile();
+  const QFileInfo near(project.isEmpty() ? document_.file() : project);
   const QString more = QStringLiteral("-package.zip");
   const QString stem = stemOf(near.fileName().section('.', 0, 0) + '.', more);
   QStringList figures;
-  for (const std::string& figure : project_.figures) {
+  for (const std::string& figure : document_.project().figures) {
     if (isWithheld(figure)) continue;
     const QString file = pathFromBytes(figure);
     if (QFileInfo::exists(file)) figures << file;
   }
   QStringList recordings;
-  for (const InputFile& recording : project_.recordings) {
+  for (const InputFile& recording : document_.project().recordings) {
     if (!isWithheld(recording.file)) recordings << pathFromBytes(recording.file);
   }
   auto* dialog = new PackageDialog(
@@ -126,7 +126,8 @@ void MainWindow::writePackage(const PackageChoice& choice) {
   const auto error = std::make_shared<QString>();
   const auto files = std::make_shared<std::uint64_t>(0);
   package_work_.add(
-      [choice, error, files, project = project(), companions = companions_](const Task& task) {
+      [choice, error, files, project = document_.stored(),
+       companions = companions_](const Task& task) {
         try {
           Project packed = project;
           packed.recordings.clear();

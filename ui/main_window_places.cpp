@@ -28,7 +28,7 @@ namespace {
 
 constexpr int kMostBeacons = 9;
 // Of steps that merge while a slider is dragged; the document's own ids are below.
-constexpr int kMergeStereo = 101, kMergeLight = 102, kMergeShading = 103;
+constexpr int kMergeLight = 102, kMergeShading = 103;
 constexpr double kSameBeaconMm = 5;  // Of hand: nearer than that is the same beacon.
 
 QString beaconName(int number) {
@@ -97,19 +97,18 @@ void MainWindow::connectPlaces() {
   connect(places_panel_, &PlacesPanel::addAsked, this, &MainWindow::namePlace);
   connect(places_panel_, &PlacesPanel::goAsked, this, &MainWindow::goToPlace);
   connect(places_panel_, &PlacesPanel::said, this, &MainWindow::announce);
-  connect(places_panel_, &PlacesPanel::changed, this, [this] { noteStep(tr("Places")); });
-  connect(measure_panel_, &MeasurePanel::changed, this, [this] { noteStep(tr("Measurements")); });
-  connect(stereo_panel_, &StereoPanel::changed, this,
-          [this] { noteStep(tr("Stereo"), kMergeStereo); });
-  connect(view_panel_, &ViewPanel::lightChanged, this,
-          [this] { noteStep(tr("Light"), kMergeLight); });
-  connect(view_panel_, &ViewPanel::shadingChanged, this, [this](double shading) {
-    ReliefLook look = detail_->sceneState().look;
-    look.shading = shading;
-    showLook(look);
-    noteStep(tr("Shading of colours"), kMergeShading);
+  connect(stereo_panel_, &StereoPanel::changed, this, &MainWindow::chooseStereo);
+  // The window may be another one before the panel has heard of another stereo.
+  connect(stereo_panel_, &StereoPanel::drawnChanged, this, &MainWindow::showStereo);
+  connect(view_panel_, &ViewPanel::lightChanged, this, [this](const LightOptions& light) {
+    chooseLook(
+        tr("Light"), [&](ReliefLook& look) { look.light = light; }, kMergeLight);
   });
-  connect(detail_, &DetailView::turned, this, &MainWindow::keepWork);
+  connect(view_panel_, &ViewPanel::shadingChanged, this, [this](double shading) {
+    chooseLook(
+        tr("Shading of colours"), [&](ReliefLook& look) { look.shading = shading; }, kMergeShading);
+  });
+  connect(&document_, &Document::amended, this, &MainWindow::keepWork);
   connect(&document_.history(), &QUndoStack::indexChanged, this, &MainWindow::keepWork);
   connect(keeper_, &WorkKeeper::failed, this, &MainWindow::showMessage);
 }
@@ -130,9 +129,9 @@ void MainWindow::namePlace() {
   command("show_panels")->setChecked(true);
   panels_->reveal(places_panel_);
   NamedRegion place{.name = places_panel_->freeName().toStdString(),
-                    .region = document_.state().region,
-                    .gain = document_.state().gain};
-  if (places_panel_->withView()) place.view = viewOf(project());
+                    .region = document_.project().region,
+                    .gain = document_.project().gain};
+  if (places_panel_->withView()) place.view = viewOf(document_.project());
   places_panel_->add(std::move(place));
 }
 
@@ -158,8 +157,8 @@ void MainWindow::toggleBeacon() {
     return;
   }
   NamedRegion place{.name = name.toStdString(),
-                    .region = document_.state().region,
-                    .gain = document_.state().gain};
+                    .region = document_.project().region,
+                    .gain = document_.project().gain};
   place.region.x_mm = here.x_mm - 0.5 * place.region.side_mm;
   place.region.y_mm = here.y_mm - 0.5 * place.region.side_mm;
   places_panel_->put(std::move(place));
@@ -176,16 +175,14 @@ void MainWindow::goToPlace(const NamedRegion& place) {
   }
   Region to = place.region;
   if (isBeacon(place)) to = moved(document_.surface()->ladder, to, 0, 0).value_or(to);
-  if (place.view) {
-    showView(*place.view);
-    noteStep(tr("Go to %1").arg(name));
-  }
+  if (place.view) showView(*place.view, tr("Go to %1").arg(name));
   document_.goTo(to, place.gain, tr("Go to %1").arg(name));
   announce(tr("%1. Detail %2 of %3").arg(name).arg(document_.detail()).arg(document_.details()));
 }
 
 void MainWindow::copyView() {
-  QGuiApplication::clipboard()->setText(QString::fromStdString(toText(viewOf(project()))));
+  QGuiApplication::clipboard()->setText(
+      QString::fromStdString(toText(viewOf(document_.project()))));
   announce(tr("The view is copied as text"));
 }
 
@@ -201,8 +198,7 @@ void MainWindow::pasteView() {
              "scan that it was copied from."));
       return;
     }
-    showView(view);
-    noteStep(tr("Paste view"));
+    showView(view, tr("Paste view"));
     document_.goTo(view.region, view.gain, tr("Paste view"));
     announce(tr("The copied view is shown. Detail %1 of %2")
                  .arg(document_.detail())
@@ -210,14 +206,6 @@ void MainWindow::pasteView() {
   } catch (const Error& error) {
     strip_->show(shownError(error));
   }
-}
-
-void MainWindow::showView(const ViewState& view) {
-  showStereo(view.stereo);
-  showLook(view.look);
-  view_panel_->showLight(view.look.light);
-  detail_->straighten();
-  detail_->turnBy(view.azimuth_deg, view.elevation_deg);
 }
 
 void MainWindow::offerLeftWork() {

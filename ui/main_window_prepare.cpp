@@ -130,10 +130,9 @@ void MainWindow::openTogether(const QStringList& files) {
 
 void MainWindow::choosePrepare() {
   if (document_.busy() || !document_.canRemake() || !document_.source().scan) return;
-  const OpenedFile& opened = document_.openedFile();
-  PrepareInput input{.file = pathOf(opened.name),
-                     .read = opened.scan,
-                     .accept_incomplete = opened.accept_incomplete};
+  const Project& opened = document_.project();
+  PrepareInput input{
+      .file = opened.file, .read = opened.scan, .accept_incomplete = opened.accept_incomplete};
   // What the window takes the coordinates for; a recipe has to say so where the file does not.
   const Surface& surface = *document_.surface();
   if (surface.unit_source != UnitSource::assumed && surface.unit_source != UnitSource::file) {
@@ -141,14 +140,14 @@ void MainWindow::choosePrepare() {
   }
   showPrepare({.inputs = {input},
                .scan = document_.source().scan,
-               .sha256 = opened.sha256.toStdString(),
+               .sha256 = opened.sha256,
                .view = rotationOf(surface.view_from_file)},
               [this](const QString& file) {
                 OpenRequest request;
                 request.file = file;
                 request.step = tr("Prepare");
                 // The prepared file says its unit.
-                request.options = document_.state().options;
+                request.options = document_.project().options;
                 request.options->unit.reset();
                 request.options->unit_source = UnitSource::given;
                 open(request);

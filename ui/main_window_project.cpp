@@ -6,14 +6,12 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QScopedValueRollback>
 #include <QStandardPaths>
 
 #include "core/base/error.h"
 #include "core/io/input_facts.h"
 #include "core/project/carried_state.h"
 #include "core/project/project_files.h"
-#include "core/relief/relief_image.h"
 #include "core/session/surface_colours.h"
 #include "ui/detail_view.h"
 #include "ui/figure_dialog.h"
@@ -21,11 +19,9 @@
 #include "ui/main_window.h"
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
-#include "ui/places_panel.h"
 #include "ui/reference_view.h"
 #include "ui/replay_control.h"
 #include "ui/spoken_error.h"
-#include "ui/view_panel.h"
 #include "ui/work_keeper.h"
 
 namespace relievo {
@@ -65,46 +61,17 @@ QString freeFigureName(const QString& model) {
 
 }  // namespace
 
-Project MainWindow::project() {
-  Project p = project_;
-  p.file = bytesOfPath(document_.file());
-  p.sha256 = document_.fileSha256().toStdString();
-  p.bytes = static_cast<std::uint64_t>(QFileInfo(document_.file()).size());
-  p.accept_incomplete = document_.openedFile().accept_incomplete;
-  p.scan = document_.openedFile().scan;
-  p.picture.reset();
-  p.saved_as.clear();
-  p.options = document_.state().options;
-  // A later version may choose otherwise.
-  if (document_.source().scan && document_.surface() &&
-      (!p.options.view || p.options.view->name == "auto")) {
-    const std::string& seen = document_.surface()->view_name;
-    if (namedRotation(seen)) p.options.view = ViewChoice{.name = seen, .rotation = std::nullopt};
-  }
-  p.region = document_.state().region;
-  p.gain = document_.state().gain;
-  p.look = detail_->sceneState().look;
-  p.look.light = detail_->sceneState().light;
-  p.stereo = detail_->sceneState().stereo;
-  p.azimuth_deg = detail_->sceneState().camera.azimuth_deg;
-  p.elevation_deg = detail_->sceneState().camera.elevation_deg;
-  p.measurements = measure_panel_->measurements();
-  p.places = places_panel_->places();
-  p.history = document_.stepNames();
-  p.undo = document_.undoSteps();
-  return p;
-}
-
-Project MainWindow::keptWork() {
-  Project p = project();
-  p.saved_as = bytesOfPath(QFileInfo(project_file_).absoluteFilePath());
-  if (project_file_.isEmpty()) p.saved_as.clear();
+Project MainWindow::keptWork() const {
+  Project p = document_.stored();
+  const QString& file = document_.projectFile();
+  if (!file.isEmpty()) p.saved_as = bytesOfPath(QFileInfo(file).absoluteFilePath());
   return p;
 }
 
 void MainWindow::showTitle() {
   if (!document_.isOpen()) return;
-  const QString shown = project_file_.isEmpty() ? document_.file() : project_file_;
+  const QString& project = document_.projectFile();
+  const QString shown = project.isEmpty() ? document_.file() : project;
   // Qt puts a star at the first [*] where something is unsaved.
   const QString name = shownName(shown).replace(QLatin1String("[*]"), QLatin1String("[*][*]"));
   setWindowTitle(tr("%1[*] \u2013 relievo").arg(name));
@@ -145,13 +112,8 @@ void MainWindow::restoreOnChosen(const Project& project, const QString& from) {
 void MainWindow::restoreNow(const Project& project, const QString& from) {
   OpenRequest request;
   request.file = pathFromBytes(project.file);
-  request.options = project.options;
-  request.exact_region = project.region;
-  request.gain = project.gain;
-  request.history = project.history;
-  request.undo = project.undo;
-  request.accept_incomplete = project.accept_incomplete;
-  request.scan = project.scan;
+  request.project = project;
+  request.project_file = endsIn(from, {".json"}) ? from : pathFromBytes(project.saved_as);
   if (!QFileInfo::exists(request.file)) {
     strip_->show(tr("%1 needs %2, which has moved. Nothing was changed. Find it, or choose another "
                     "file. (E501)")
@@ -160,8 +122,7 @@ void MainWindow::restoreNow(const Project& project, const QString& from) {
                   {tr("&Choose another\u2026"), [this] { chooseFile(); }}});
     return;
   }
-  restoring_ = project;
-  project_file_ = endsIn(from, {".json"}) ? from : pathFromBytes(project.saved_as);
+  restoring_ = request;
   strip_->close();
   open(request);
 }
@@ -180,45 +141,32 @@ void MainWindow::relink(const Project& project, const QString& from) {
   dialog->open();
 }
 
-// What belongs to the state but not to the surface, once the file is read.
+// What a file that was opened begins, beside the state that the document has of it.
 void MainWindow::showRestored() {
-  const QScopedValueRollback<bool> no_steps(stepping_, true);
   figure_view_.reset();
+  if (measure_panel_->measuring()) measure_panel_->cancel();
+  keeper_->forget();
+  showTitle();
   if (!restoring_) {
-    project_ = Project{};
     withheld_.clear();
-    project_file_.clear();
-    measure_panel_->setMeasurements({});
-    places_panel_->setPlaces({});
-    keeper_->forget();
-    noteSaved();
-    noted_ = shownWork();
     return;
   }
-  const Project stored = *std::exchange(restoring_, std::nullopt);
-  project_ = stored;
-  measure_panel_->setMeasurements(stored.measurements);
-  places_panel_->setPlaces(stored.places);
-  showView(viewOf(stored));
-  if (stored.figure.look != ReliefLook{}) figure_view_ = project().look;
-  noted_ = shownWork();
-  keeper_->forget();
-  noteSaved();
+  const Project stored = *std::exchange(restoring_, std::nullopt)->project;
+  if (stored.figure.look != ReliefLook{}) figure_view_ = document_.project().look;
   if (!recovered_copy_.isEmpty()) {
     WorkKeeper::discard(std::exchange(recovered_copy_, QString()));
-    saved_work_ = "recovered";  // Equal to no work:
-    keeper_->changed();         // it is still in no file of the user's.
+    document_.noteUnsaved();
+    keeper_->changed();
     showTitle();
   }
   if (!stored.sha256.empty() && stored.sha256 != document_.fileSha256().toStdString()) {
-    strip_->show(
-        tr("%1 has changed since this was saved (its checksum differs). It is shown as it "
-           "is now; results may differ. (E501)")
-            .arg(shownName(document_.file())),
-        {{tr("&Find it\u2026"),
-          [this, stored, from = project_file_.isEmpty() ? document_.file() : project_file_] {
-            relink(stored, from);
-          }}});
+    strip_->show(tr("%1 has changed since this was saved (its checksum differs). It is shown as it "
+                    "is now; results may differ. (E501)")
+                     .arg(shownName(document_.file())),
+                 {{tr("&Find it\u2026"), [this, stored] {
+                     const QString& project = document_.projectFile();
+                     relink(stored, project.isEmpty() ? document_.file() : project);
+                   }}});
   }
 }
 
@@ -252,10 +200,10 @@ void MainWindow::showDamaged(const QString& text) {
 }
 
 void MainWindow::saveProject() {
-  if (project_file_.isEmpty()) {
+  if (document_.projectFile().isEmpty()) {
     saveProjectAs();
   } else {
-    saveProject(project_file_);
+    saveProject(document_.projectFile());
   }
 }
 
@@ -277,9 +225,9 @@ void MainWindow::saveProjectAs(const std::function<void()>& then) {
 
 void MainWindow::saveProject(const QString& file) {
   try {
-    writeProject(pathOf(file), project());
-    project_file_ = file;
-    noteSaved();
+    writeProject(pathOf(file), document_.stored());
+    document_.noteSaved(file);
+    showTitle();
     keeper_->forget();
     settings_.addRecentFile(file);
     showRecent();
@@ -291,7 +239,7 @@ void MainWindow::saveProject(const QString& file) {
 
 void MainWindow::chooseFigure() {
   if (!document_.isOpen() || document_.busy()) return;
-  Project now = project();
+  Project now = document_.stored();
   const std::string plotted = isWithheld(now.figure.recording) ? now.figure.recording : "";
   if (!plotted.empty()) now.figure.recording.clear();
   // A figure starts as the view is painted and lit; a look that was chosen for it stays until the
@@ -305,10 +253,11 @@ void MainWindow::chooseFigure() {
   dialog->setModal(true);  // The state must not change below a preview of it.
   connect(dialog, &FigureDialog::requestChanged, this,
           [this, plotted](const FigureRequest& request) {
-            project_.figure = request;
-            if (request.recording.empty()) project_.figure.recording = plotted;  // Not lost.
-            figure_view_ = project().look;
-            keepWork();
+            document_.amend([&](Project& p) {
+              p.figure = request;
+              if (request.recording.empty()) p.figure.recording = plotted;  // Not lost.
+            });
+            figure_view_ = document_.project().look;
           });
   connect(dialog, &FigureDialog::written, this, [this](const QString& file) {
     noteFigure(file);
@@ -322,7 +271,7 @@ void MainWindow::chooseFigure() {
 void MainWindow::warnOfRivalry() {
   const auto window = document_.window();
   if (!document_.isOpen() || !window || document_.surface() == warned_of_rivalry_) return;
-  const SceneState& shown = detail_->sceneState();
+  const Project& shown = document_.project();
   const double share =
       rivalShare(*document_.surface(), *window, shown.look.kind, printed(shown.stereo.mode));
   if (share <= kMostRivalShare) return;
@@ -334,32 +283,8 @@ void MainWindow::warnOfRivalry() {
 
 void MainWindow::shareRange() {
   // Heights that are exaggerated have values of their own.
-  const bool alike = document_.isOpen() && document_.state().gain == 1;
+  const bool alike = document_.isOpen() && document_.project().gain == 1;
   detail_->setRange(alike ? reference_->shownRange() : std::nullopt);
-}
-
-void MainWindow::showLook(const ReliefLook& wanted) {
-  ReliefLook look = wanted;
-  if (document_.isOpen() && !canShow(*document_.surface(), look.kind)) {
-    announce(look.kind == ReliefKind::natural
-                 ? tr("This scan has no colours; it is shown as lit stone")
-                 : tr("This scan has no intensities; it is shown as lit stone"));
-    look.kind = ReliefKind::lit;
-  }
-  view_panel_->showShading(look.shading, showsOwnColours(look.kind));
-  command("show_unmeasured")->setChecked(look.unmeasured);
-  reference_->setLook(look);
-  detail_->setLook(look);
-  shareRange();
-  warnOfRivalry();
-  for (std::size_t i = 0; i < kReliefKindNames.size(); ++i) {
-    const std::string name = "relief_" + std::string(kReliefKindNames[i]);
-    command(name.c_str())->setChecked(static_cast<std::size_t>(look.kind) == i);
-  }
-  for (std::size_t i = 0; i < kColourMapNames.size(); ++i) {
-    const std::string name = "colours_" + std::string(kColourMapNames[i]);
-    command(name.c_str())->setChecked(static_cast<std::size_t>(look.colours) == i);
-  }
 }
 
 }  // namespace relievo

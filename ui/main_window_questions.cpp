@@ -47,7 +47,7 @@ void MainWindow::askQuestions() {
   if (surface.unit_source == UnitSource::assumed || surface.unit_source == UnitSource::guessed) {
     questions_.emplace_back([this] { askUnit(); });
   }
-  const auto& view = document_.state().options.view;
+  const auto& view = document_.project().options.view;
   const bool automatic = !view || view->name == "auto";
   if (surface.view_is_weak && automatic && !restoring_) drawFaces();
   askNext();
@@ -71,7 +71,7 @@ void MainWindow::askStrays() {
   const QString all = countText(strays.all);
   const QString share = shareText(strays.share_of_box);
   // What was said of groups stays.
-  const bool without_groups = document_.state().options.strays == StrayRule::drop_groups;
+  const bool without_groups = document_.project().options.strays == StrayRule::drop_groups;
   const StrayRule without = without_groups ? StrayRule::drop_groups : StrayRule::drop;
   const MessageStrip::Button keep{tr("&Keep them"), [this] { answerStrays(StrayRule::keep); }};
   const MessageStrip::Button drop{tr("&Leave them out"),
@@ -124,7 +124,7 @@ void MainWindow::drawFaces() {
   if (!scan) return;
   using Faces = std::vector<std::pair<std::string, QImage>>;
   const auto faces = std::make_shared<Faces>();
-  SurfaceOptions options = document_.state().options;
+  SurfaceOptions options = document_.project().options;
   options.cells = kFaceCells;
   options.spacing_mm.reset();
   options.engine = "cpu";

@@ -1,79 +1,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Steps of the history that change no region: how the relief is painted and lit, stereo, places,
-// measurements.
-#include <functional>
-#include <QScopedValueRollback>
-#include <QUndoCommand>
-#include <utility>
+// Edits of how the relief is painted, lit and seen, and showing them.
+#include <QAction>
 
+#include "core/relief/relief_image.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
-#include "ui/measure_panel.h"
-#include "ui/places_panel.h"
+#include "ui/reference_view.h"
+#include "ui/stereo_panel.h"
 #include "ui/view_panel.h"
 
 namespace relievo {
 namespace {
 
-class WorkCommand : public QUndoCommand {
- public:
-  using Show = std::function<void(const ShownWork&)>;
-  /// @param merge_id  -1: a step of its own; else one step with those of the same id before it
-  WorkCommand(Show show, ShownWork before, ShownWork after, const QString& name, int merge_id)
-      : QUndoCommand(name),
-        show_(std::move(show)),
-        before_(std::move(before)),
-        after_(std::move(after)),
-        merge_id_(merge_id) {}
-
-  void undo() override { show_(before_); }
-  void redo() override {
-    if (std::exchange(done_, false)) return;  // When it is noted it has just happened.
-    show_(after_);
-  }
-  int id() const override { return merge_id_; }
-  bool mergeWith(const QUndoCommand* later) override {
-    after_ = static_cast<const WorkCommand*>(later)->after_;
-    return true;
-  }
-
- private:
-  Show show_;
-  ShownWork before_, after_;
-  int merge_id_;
-  bool done_ = true;
-};
+// Of steps that merge while a slider is dragged; the document's own ids are below.
+constexpr int kMergeStereo = 101;
 
 }  // namespace
 
-ShownWork MainWindow::shownWork() const {
-  ShownWork work{.look = detail_->sceneState().look,
-                 .stereo = detail_->sceneState().stereo,
-                 .places = places_panel_->places(),
-                 .measurements = measure_panel_->measurements()};
-  work.look.light = detail_->sceneState().light;
-  // It follows the heights: nobody chose it.
-  if (work.stereo.automatic_depth) work.stereo.eye_angle_deg = StereoOptions{}.eye_angle_deg;
-  return work;
+void MainWindow::tellLookRefused(ReliefKind wanted) {
+  announce(wanted == ReliefKind::natural
+               ? tr("This scan has no colours; it is shown as lit stone")
+               : tr("This scan has no intensities; it is shown as lit stone"));
 }
 
-void MainWindow::noteStep(const QString& name, int merge_id) {
-  if (stepping_ || !document_.isOpen()) return;
-  ShownWork now = shownWork();
-  if (now == noted_) return;
-  document_.history().push(new WorkCommand([this](const ShownWork& work) { showWork(work); },
-                                           std::exchange(noted_, now), now, name, merge_id));
+void MainWindow::chooseLook(const QString& name, const std::function<void(ReliefLook&)>& change,
+                            int merge_id) {
+  document_.edit(
+      name, [&](Project& p) { change(p.look); }, merge_id);
+  showLook();  // Also where nothing has changed: the command that was chosen may be another one.
 }
 
-void MainWindow::showWork(const ShownWork& work) {
-  const QScopedValueRollback<bool> no_steps(stepping_, true);
-  showStereo(work.stereo);
-  showLook(work.look);
-  view_panel_->showLight(work.look.light);
-  places_panel_->setPlaces(work.places);
-  measure_panel_->setMeasurements(work.measurements);
-  showMeasurements();
-  noted_ = work;
+void MainWindow::showLook() {
+  const ReliefLook& look = document_.project().look;
+  view_panel_->showLight(look.light);
+  view_panel_->showShading(look.shading, showsOwnColours(look.kind));
+  command("show_unmeasured")->setChecked(look.unmeasured);
+  for (SurfaceView* view :
+       {static_cast<SurfaceView*>(reference_), static_cast<SurfaceView*>(detail_)}) {
+    view->setLight(look.light);
+    view->setLook(look);
+  }
+  shareRange();
+  warnOfRivalry();
+  for (std::size_t i = 0; i < kReliefKindNames.size(); ++i) {
+    const std::string name = "relief_" + std::string(kReliefKindNames[i]);
+    command(name.c_str())->setChecked(static_cast<std::size_t>(look.kind) == i);
+  }
+  for (std::size_t i = 0; i < kColourMapNames.size(); ++i) {
+    const std::string name = "colours_" + std::string(kColourMapNames[i]);
+    command(name.c_str())->setChecked(static_cast<std::size_t>(look.colours) == i);
+  }
+}
+
+void MainWindow::showView(const ViewState& view, const QString& name) {
+  document_.edit(name, [&](Project& p) {
+    p.look = view.look;
+    p.stereo = view.stereo;
+    p.chosen_eye_angle_deg.reset();
+  });
+  document_.setTurn(view.azimuth_deg, view.elevation_deg);
+}
+
+void MainWindow::chooseStereo(const StereoOptions& stereo) {
+  const std::optional<double> chosen_deg = stereo_panel_->chosenAngleDeg();
+  document_.edit(
+      tr("Stereo"),
+      [&](Project& p) {
+        p.stereo = stereo;
+        p.chosen_eye_angle_deg = chosen_deg;
+      },
+      kMergeStereo);
+  document_.setDrawnEyeAngle(stereo.eye_angle_deg, chosen_deg);  // By the limit alone: no step.
+}
+
+void MainWindow::showStereo() {
+  const Project& p = document_.project();
+  stereo_panel_->show(p.stereo, p.chosen_eye_angle_deg);
+  document_.setDrawnEyeAngle(stereo_panel_->options().eye_angle_deg,
+                             stereo_panel_->chosenAngleDeg());
+  reference_->setStereo(stereo_panel_->optionsFor(whole_shown_));
+  detail_->setStereo(document_.project().stereo);
+  command("stereo")->setChecked(document_.project().stereo.mode != StereoMode::off);
+  warnOfRivalry();
 }
 
 }  // namespace relievo

@@ -219,27 +219,13 @@ bool MainWindow::stopForces() {
 }
 
 std::string MainWindow::carriedState(const QString& file) const {
-  const DocumentState& state = document_.state();
-  Provenance provenance = provenanceOf(*state.surface, state.options);
-  const QFileInfo input(document_.file());
-  provenance.input = {relativePath(QFile::encodeName(document_.file()).toStdString(),
-                                   QFile::encodeName(QFileInfo(file).absolutePath()).toStdString()),
-                      document_.fileSha256().toStdString(),
-                      static_cast<std::uint64_t>(input.size())};
-  const SceneState& scene = detail_->sceneState();
-  provenance.view = ViewState{state.region,
-                              state.gain,
-                              scene.look,
-                              scene.stereo,
-                              scene.camera.azimuth_deg,
-                              scene.camera.elevation_deg};
-  return toJson(provenance, -1);
+  return toJson(document_.provenanceIn(file), -1);
 }
 
 QString MainWindow::recordingHeader(const QString& file) const {
   if (!document_.isOpen()) return {};
   const Surface& s = *document_.surface();
-  const DocumentState& state = document_.state();
+  const Project& state = document_.project();
   const auto word = [](std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
   };

@@ -20,36 +20,7 @@ namespace {
 
 constexpr int kPatienceMs = 5000, kTurnMs = 20;
 
-/// What of a state cost somebody work, as text. Where the window stands is not work: to look about
-/// must not end in a question; recordings are files already. @param settings  also how the surface
-/// is made and looked at: of a state that a project file holds
-std::string workIn(const Project& state, bool settings) {
-  Project work;
-  work.places = state.places;
-  work.measurements = state.measurements;
-  work.paths = state.paths;
-  if (settings) {
-    work.options = state.options;
-    work.figures = state.figures;
-    work.look = state.look;
-    work.stereo = state.stereo;
-    if (work.stereo.automatic_depth) work.stereo.eye_angle_deg = StereoOptions{}.eye_angle_deg;
-  }
-  return projectJson(work);
-}
-
 }  // namespace
-
-bool MainWindow::hasUnsavedWork() {
-  // While the first file is being opened nothing has been noted yet, and there is no work.
-  return document_.isOpen() && !saved_work_.empty() &&
-         workIn(project(), !project_file_.isEmpty()) != saved_work_;
-}
-
-void MainWindow::noteSaved() {
-  saved_work_ = workIn(project(), !project_file_.isEmpty());
-  showTitle();
-}
 
 void MainWindow::whenNothingIsUnsaved(const std::function<void()>& then) {
   if (!hasUnsavedWork()) {
@@ -60,7 +31,8 @@ void MainWindow::whenNothingIsUnsaved(const std::function<void()>& then) {
     asked->raise();
     return;
   }
-  const QString name = shownName(project_file_.isEmpty() ? document_.file() : project_file_);
+  const QString& project = document_.projectFile();
+  const QString name = shownName(project.isEmpty() ? document_.file() : project);
   auto* box = new QMessageBox(
       QMessageBox::Warning, tr("Unsaved work"),
       tr("Work on %1 is in no file yet: places, measurements, camera paths or settings.").arg(name),
@@ -76,10 +48,10 @@ void MainWindow::whenNothingIsUnsaved(const std::function<void()>& then) {
   connect(box, &QDialog::finished, this, [this, then](int answer) {
     if (answer == QMessageBox::Discard) then();
     if (answer != QMessageBox::Save) return;
-    if (project_file_.isEmpty()) {
+    if (document_.projectFile().isEmpty()) {
       saveProjectAs(then);
     } else {
-      saveProject(project_file_);
+      saveProject(document_.projectFile());
       if (!hasUnsavedWork()) then();
     }
   });
@@ -88,7 +60,8 @@ void MainWindow::whenNothingIsUnsaved(const std::function<void()>& then) {
 
 // The new one reads the settings, so it speaks the language that was chosen.
 void MainWindow::restart() {
-  const QString shown = project_file_.isEmpty() ? document_.file() : project_file_;
+  const QString& project = document_.projectFile();
+  const QString shown = project.isEmpty() ? document_.file() : project;
   if (!QProcess::startDetached(QCoreApplication::applicationFilePath(),
                                shown.isEmpty() ? QStringList() : QStringList{shown})) {
     showMessage(

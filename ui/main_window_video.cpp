@@ -73,9 +73,8 @@ void MainWindow::makeVideoCommands() {
         {},
         tr("Begin a new camera path"),
         [this] {
-          project_.paths.clear();
+          document_.amend([](Project& p) { p.paths.clear(); });
           enableVideo();
-          keepWork();
           announce(tr("The camera path is empty"));
         },
         {}});
@@ -106,7 +105,7 @@ void MainWindow::connectVideo() {
 }
 
 bool MainWindow::hasPath() const {
-  return !project_.paths.empty() && project_.paths.front().keys.size() >= 2;
+  return !document_.project().paths.empty() && document_.project().paths.front().keys.size() >= 2;
 }
 
 void MainWindow::enableVideo() {
@@ -115,7 +114,7 @@ void MainWindow::enableVideo() {
   command("video_live")->setEnabled(is_open);
   command("key_view")->setEnabled(is_open);
   command("path_play")->setEnabled(is_open && hasPath());
-  command("path_clear")->setEnabled(!project_.paths.empty());
+  command("path_clear")->setEnabled(!document_.project().paths.empty());
 }
 
 void MainWindow::chooseVideo() {
@@ -128,10 +127,10 @@ void MainWindow::chooseVideo() {
   start.can_pack = can_pack;
   start.recording = replay_->showing();
   start.duration_s =
-      start.recording ? replay_->player().durationS() : project_.paths.front().endS();
+      start.recording ? replay_->player().durationS() : document_.project().paths.front().endS();
   if (start.recording) start.request.speed = replay_->player().speed();
-  if (hasPath()) start.request.path = project_.paths.front();
-  const StereoOptions& stereo = detail_->sceneState().stereo;
+  if (hasPath()) start.request.path = document_.project().paths.front();
+  const StereoOptions& stereo = document_.project().stereo;
   start.request.eye_angle_deg = stereo.eye_angle_deg;
   start.request.swap_eyes = stereo.swap_eyes;
   auto* dialog = new VideoDialog(start, this);
@@ -170,21 +169,16 @@ void MainWindow::writeVideo(const VideoRequest& chosen, const QString& file) {
   VideoControl::Order order;
   order.surface = document_.surface();
   order.request = chosen;
-  order.request.look = detail_->sceneState().look;
-  order.request.look.light = detail_->sceneState().light;
+  order.request.look = document_.project().look;
   if (replay_->showing()) {
     order.recording = replay_->player().shared();
     order.recording_file = replay_->file();
   } else if (hasPath()) {
-    order.request.path = project_.paths.front();
+    order.request.path = document_.project().paths.front();
     order.request.overview = false;
   }
-  order.provenance = provenanceOf(*order.surface, document_.state().options);
-  const QFileInfo input(document_.file());
-  order.provenance.input = {
-      relativePath(QFile::encodeName(input.filePath()).toStdString(),
-                   QFile::encodeName(QFileInfo(file).absolutePath()).toStdString()),
-      document_.fileSha256().toStdString(), static_cast<std::uint64_t>(input.size())};
+  order.provenance = document_.provenanceIn(file);
+  order.provenance.view.reset();  // The video goes its own way.
   order.file = QFileInfo(file).absoluteFilePath();
   video_->write(order);
 }
@@ -237,16 +231,18 @@ void MainWindow::setLiveVideo(bool on) {
 }
 
 void MainWindow::addKeyView() {
-  if (project_.paths.empty()) project_.paths.push_back({tr("Camera path").toStdString(), {}});
-  std::vector<KeyView>& keys = project_.paths.front().keys;
-  const SceneState& scene = detail_->sceneState();
-  const DocumentState& state = document_.state();
-  keys.push_back({keys.empty() ? 0 : keys.back().t_s + kKeyStepS,
-                  {state.region, state.gain, scene.look, scene.stereo, scene.camera.azimuth_deg,
-                   scene.camera.elevation_deg}});
+  const ViewState view = viewOf(document_.project());
+  double at_s = 0;
+  document_.amend([&](Project& p) {
+    if (p.paths.empty()) p.paths.push_back({tr("Camera path").toStdString(), {}});
+    std::vector<KeyView>& keys = p.paths.front().keys;
+    if (!keys.empty()) at_s = keys.back().t_s + kKeyStepS;
+    keys.push_back({at_s, view});
+  });
   enableVideo();
-  keepWork();
-  announce(tr("Key view %1 at %2 s").arg(keys.size()).arg(numberText(keys.back().t_s, 0)));
+  announce(tr("Key view %1 at %2 s")
+               .arg(document_.project().paths.front().keys.size())
+               .arg(numberText(at_s, 0)));
 }
 
 void MainWindow::previewPath() {
@@ -257,7 +253,7 @@ void MainWindow::previewPath() {
   if (!hasPath() || !document_.isOpen()) return;
   replay_->close();
   try {
-    path_preview_->play(project_.paths.front(), document_.surface()->ladder);
+    path_preview_->play(document_.project().paths.front(), document_.surface()->ladder);
   } catch (const Error& error) {
     strip_->show(shownError(error));
   }
@@ -266,8 +262,7 @@ void MainWindow::previewPath() {
 void MainWindow::showPathView(const ViewState& view) {
   document_.preview(view.region);
   document_.previewGain(view.gain);
-  const ReliefCamera& camera = detail_->sceneState().camera;
-  detail_->turnBy(view.azimuth_deg - camera.azimuth_deg, view.elevation_deg - camera.elevation_deg);
+  document_.setTurn(view.azimuth_deg, view.elevation_deg);
 }
 
 }  // namespace relievo

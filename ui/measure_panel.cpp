@@ -8,6 +8,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QScopedValueRollback>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -146,6 +147,7 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
     if (!showing_) showPlane();
   });
   connect(&document_, &Document::surfaceChanged, this, &MeasurePanel::showList);
+  connect(&document_, &Document::measurementsChanged, this, &MeasurePanel::showOthers);
   connect(readings_, &MeasureReadings::changed, this, &MeasurePanel::showReadings);
   tellNext();
   showList();
@@ -172,7 +174,7 @@ void MeasurePanel::makePlaneRow() {
 /// Of the selected measurement, if it has one.
 void MeasurePanel::showPlane() {
   const auto row = selected();
-  const Measurement* m = row ? &measurements_[static_cast<std::size_t>(*row)] : nullptr;
+  const Measurement* m = row ? &measurements()[static_cast<std::size_t>(*row)] : nullptr;
   const bool shown = m != nullptr && hasPlane(m->kind);
   plane_row_->setVisible(shown);
   if (!shown) return;
@@ -189,17 +191,28 @@ void MeasurePanel::showPlane() {
 }
 
 void MeasurePanel::setPlane(int row, double plane_mm) {
-  Measurement& m = measurements_[static_cast<std::size_t>(row)];
-  if (!hasPlane(m.kind) || m.plane_mm == plane_mm) return;
-  m.plane_mm = plane_mm;
-  showList();
+  const auto at = static_cast<std::size_t>(row);
+  if (!hasPlane(measurements()[at].kind)) return;
+  change([&](Measurements& all) { all[at].plane_mm = plane_mm; });
 }
 
 void MeasurePanel::setMeasurements(std::vector<Measurement> measurements) {
-  measurements_ = std::move(measurements);
-  making_.reset();
-  by_touch_ = false;
-  tellNext();
+  document_.edit(tr("Measurements"), [&](Project& p) { p.measurements = std::move(measurements); });
+}
+
+void MeasurePanel::change(const std::function<void(Measurements&)>& change) {
+  const QScopedValueRollback<bool> ours(asking_, true);
+  document_.edit(tr("Measurements"), [&](Project& p) { change(p.measurements); });
+}
+
+// Those of a step back or of another file end what is being made.
+void MeasurePanel::showOthers() {
+  if (renaming_) return Q_EMIT changed();
+  if (!asking_) {
+    making_.reset();
+    by_touch_ = false;
+    tellNext();
+  }
   showList();
 }
 
@@ -235,8 +248,8 @@ void MeasurePanel::follow(const TouchSample& sample) {
 }
 
 void MeasurePanel::keep(Measurement done) {
-  done.name = tr("%1").arg(measurements_.size() + 1).toStdString();
-  measurements_.push_back(std::move(done));
+  done.name = tr("%1").arg(measurements().size() + 1).toStdString();
+  change([&](Measurements& all) { all.push_back(std::move(done)); });
   tell_last_ = true;
   showReadings();
   list_->setCurrentCell(list_->rowCount() - 1, 0);
@@ -262,9 +275,9 @@ QString MeasurePanel::readingText(const Measurement& m) const {
 
 void MeasurePanel::showReadings() {
   showList();
-  if (!tell_last_ || measurements_.empty() || !readings_->of(measurements_.back())) return;
+  if (!tell_last_ || measurements().empty() || !readings_->of(measurements().back())) return;
   tell_last_ = false;
-  Q_EMIT said(readingText(measurements_.back()).section('\n', 0, 0));
+  Q_EMIT said(readingText(measurements().back()).section('\n', 0, 0));
 }
 
 void MeasurePanel::addPlace(double x_mm, double y_mm) {
@@ -385,11 +398,11 @@ void MeasurePanel::tellNext() {
 
 void MeasurePanel::showList() {
   showing_ = true;
-  readings_->keepOnly(measurements_);
+  readings_->keepOnly(measurements());
   const int selected_row = list_->currentRow();
-  list_->setRowCount(static_cast<int>(measurements_.size()));
+  list_->setRowCount(static_cast<int>(measurements().size()));
   for (int row = 0; row < list_->rowCount(); ++row) {
-    const Measurement& m = measurements_[static_cast<std::size_t>(row)];
+    const Measurement& m = measurements()[static_cast<std::size_t>(row)];
     list_->setItem(row, 0, new QTableWidgetItem(QString::fromStdString(m.name)));
     const QString text = document_.isOpen() ? readingText(m) : QString();
     auto* reads = new QTableWidgetItem(text);
@@ -400,15 +413,15 @@ void MeasurePanel::showList() {
   list_->resizeRowsToContents();
   list_->setCurrentCell(std::min(selected_row, list_->rowCount() - 1), 0);
   showPlane();
-  remove_->setEnabled(!measurements_.empty());
-  save_->setEnabled(!measurements_.empty());
+  remove_->setEnabled(!measurements().empty());
+  save_->setEnabled(!measurements().empty());
   showing_ = false;
   Q_EMIT changed();
 }
 
 void MeasurePanel::rename(int row, const QString& name) {
-  measurements_[static_cast<std::size_t>(row)].name = name.toStdString();
-  Q_EMIT changed();
+  const QScopedValueRollback<bool> has_it(renaming_, true);  // The list; it must not be made anew.
+  change([&](Measurements& all) { all[static_cast<std::size_t>(row)].name = name.toStdString(); });
 }
 
 std::optional<int> MeasurePanel::selected() const {
@@ -419,8 +432,7 @@ std::optional<int> MeasurePanel::selected() const {
 void MeasurePanel::removeSelected() {
   const int row = selected().value_or(list_->rowCount() - 1);
   if (row < 0) return;
-  measurements_.erase(measurements_.begin() + row);
-  showList();
+  change([&](Measurements& all) { all.erase(all.begin() + row); });
 }
 
 std::vector<std::vector<ViewMm>> MeasurePanel::lines() const {
@@ -438,13 +450,13 @@ std::vector<std::vector<ViewMm>> MeasurePanel::lines() const {
     std::vector<ViewMm> line;
     for (const PlaceMm& place : m.places) {
       const auto point = point_at(place);
-      const double gain = document_.state().gain;
+      const double gain = document_.project().gain;
       line.push_back({place.x, place.y, point ? gain * point->at.z : 0});
     }
     if (m.kind == MeasureKind::area && line.size() > 2) line.push_back(line.front());
     lines.push_back(line);
   };
-  for (const Measurement& m : measurements_) {
+  for (const Measurement& m : measurements()) {
     if (m.kind != MeasureKind::section) add(m);
   }
   if (making_) add(*making_);
@@ -454,12 +466,12 @@ std::vector<std::vector<ViewMm>> MeasurePanel::lines() const {
 std::vector<std::vector<ViewMm>> MeasurePanel::curves() const {
   std::vector<std::vector<ViewMm>> curves;
   if (!document_.isOpen()) return curves;
-  for (const Measurement& m : measurements_) {
+  for (const Measurement& m : measurements()) {
     if (m.kind != MeasureKind::section) continue;
     const auto entry = readings_->of(m);
     if (!entry || !entry->reading) continue;
     for (std::vector<ViewMm>& curve : drawnCurves(entry->reading->curves)) {
-      for (ViewMm& p : curve) p.z *= document_.state().gain;
+      for (ViewMm& p : curve) p.z *= document_.project().gain;
       curves.push_back(std::move(curve));
     }
   }

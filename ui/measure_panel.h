@@ -16,14 +16,14 @@ class QTableWidget;
 
 namespace relievo {
 
-/// The list of measurements with what each reads on the present map; and the one being made, place
-/// by place. [GUI thread]
+/// The document's measurements with what each reads on the present map; and the one being made,
+/// place by place. [GUI thread]
 class MeasurePanel : public QWidget {
   Q_OBJECT
  public:
   explicit MeasurePanel(Document& document, QWidget* parent = nullptr);
 
-  const std::vector<Measurement>& measurements() const { return measurements_; }
+  const std::vector<Measurement>& measurements() const { return document_.project().measurements; }
   void setMeasurements(std::vector<Measurement> measurements);
 
   /// Starts one; places are then added until there are enough, or until finish().
@@ -63,6 +63,10 @@ class MeasurePanel : public QWidget {
   std::vector<std::vector<ViewMm>> curves() const;
 
  private:
+  using Measurements = std::vector<Measurement>;
+  /// Asks for the edit; what is being made goes on.
+  void change(const std::function<void(Measurements&)>& change);
+  void showOthers();
   void showList();
   void showReadings();
   std::string stateFor(const QString& file) const;
@@ -83,7 +87,6 @@ class MeasurePanel : public QWidget {
   std::optional<int> selected() const;
 
   Document& document_;
-  std::vector<Measurement> measurements_;
   std::optional<Measurement> making_;
   bool by_touch_ = false;
   bool tell_last_ = false;  ///< What the last one reads is said as soon as it is known.
@@ -95,7 +98,7 @@ class MeasurePanel : public QWidget {
   QWidget* plane_row_;
   QLabel* plane_label_;
   QDoubleSpinBox* plane_;
-  bool showing_ = false;
+  bool showing_ = false, asking_ = false, renaming_ = false;
 };
 
 }  // namespace relievo

@@ -25,12 +25,8 @@ std::shared_ptr<const MeasureReadings::Entry> MeasurePanel::readEntry(const Meas
 /// What a file was measured on: in words, and as the line that brings the map back.
 /// @throw ArgumentError  it would take the scan's place
 std::string MeasurePanel::stateFor(const QString& file) const {
-  const DocumentState& state = document_.state();
-  Provenance made = provenanceOf(*state.surface, state.options);
-  const QFileInfo input(document_.file());
-  made.input = {relativePath(QFile::encodeName(document_.file()).toStdString(),
-                             QFile::encodeName(QFileInfo(file).absolutePath()).toStdString()),
-                document_.fileSha256().toStdString(), static_cast<std::uint64_t>(input.size())};
+  Provenance made = document_.provenanceIn(file);
+  made.view.reset();  // Of the map, whatever is shown of it.
   return toJson(made, -1);
 }
 
@@ -44,7 +40,7 @@ QString MeasurePanel::sourceText(const QString& file) const {
 
 QString MeasurePanel::csv(const QString& file) const {
   std::vector<Measured> list;
-  for (const Measurement& m : measurements_) {
+  for (const Measurement& m : measurements()) {
     const auto entry = readEntry(m);
     list.push_back(
         {.measurement = m, .reading = entry->reading, .problem = entry->problem.toStdString()});
@@ -55,7 +51,7 @@ QString MeasurePanel::csv(const QString& file) const {
 void MeasurePanel::writeSelected(const QString& file) const {
   using enum MeasureKind;
   const auto row = selected();
-  const Measurement* m = row ? &measurements_[static_cast<std::size_t>(*row)] : nullptr;
+  const Measurement* m = row ? &measurements()[static_cast<std::size_t>(*row)] : nullptr;
   if (m == nullptr || (m->kind != profile && m->kind != section)) {
     throw failure<MessageId::no_profile_selected>();
   }

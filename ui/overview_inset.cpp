@@ -27,7 +27,7 @@ OverviewInset::OverviewInset(Document& document, QWidget* parent)
 void OverviewInset::paintEvent(QPaintEvent* /*event*/) {
   if (!document_.isOpen()) return;
   const DetailLadder& map = document_.surface()->ladder;
-  const Region& region = document_.state().region;
+  const Region& region = document_.project().region;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), QColor(0, 0, 0, 150));

@@ -11,8 +11,9 @@
 
 namespace relievo {
 
-PlacesPanel::PlacesPanel(QWidget* parent)
+PlacesPanel::PlacesPanel(Document& document, QWidget* parent)
     : QWidget(parent),
+      document_(document),
       list_(new QListWidget),
       with_view_(new QCheckBox(tr("With light and view"))),
       add_(new QPushButton(tr("Name this place"))),
@@ -63,6 +64,9 @@ PlacesPanel::PlacesPanel(QWidget* parent)
   connect(list_, &QListWidget::itemActivated, this, &PlacesPanel::goToSelected);
   connect(list_, &QListWidget::itemChanged, this, &PlacesPanel::rename);
   connect(list_, &QListWidget::currentRowChanged, this, &PlacesPanel::enableButtons);
+  connect(&document_, &Document::placesChanged, this, [this] {
+    if (!asking_) showList(places().empty() ? -1 : 0);
+  });
   enableButtons();
 }
 
@@ -70,15 +74,17 @@ bool PlacesPanel::withView() const {
   return with_view_->isChecked();
 }
 
-void PlacesPanel::setPlaces(std::vector<NamedRegion> places) {
-  places_ = std::move(places);
-  showList(places_.empty() ? -1 : 0);
+void PlacesPanel::change(const std::function<void(Places&)>& change, int row) {
+  {
+    const QScopedValueRollback<bool> ours(asking_, true);
+    document_.edit(tr("Places"), [&](Project& p) { change(p.places); });
+  }
+  showList(row);
 }
 
 void PlacesPanel::put(NamedRegion place) {
-  places_.push_back(std::move(place));
-  showList(static_cast<int>(places_.size()) - 1);
-  Q_EMIT changed();
+  const int row = static_cast<int>(places().size());
+  change([&](Places& all) { all.push_back(std::move(place)); }, row);
 }
 
 void PlacesPanel::add(NamedRegion place) {
@@ -88,10 +94,10 @@ void PlacesPanel::add(NamedRegion place) {
 }
 
 QString PlacesPanel::freeName() const {
-  for (std::size_t n = places_.size() + 1;; ++n) {
+  for (std::size_t n = places().size() + 1;; ++n) {
     QString name = tr("Place %1").arg(n);
     const auto is = [&](const NamedRegion& p) { return p.name == name.toStdString(); };
-    if (std::none_of(places_.begin(), places_.end(), is)) return name;
+    if (std::none_of(places().begin(), places().end(), is)) return name;
   }
 }
 
@@ -108,19 +114,21 @@ void PlacesPanel::step(int direction) {
 
 void PlacesPanel::goToSelected() {
   const int row = list_->currentRow();
-  if (row >= 0) Q_EMIT goAsked(places_[static_cast<std::size_t>(row)]);
+  if (row >= 0) Q_EMIT goAsked(NamedRegion(places()[static_cast<std::size_t>(row)]));
 }
 
 void PlacesPanel::rename(const QListWidgetItem* item) {
   if (showing_) return;
-  NamedRegion& place = places_[static_cast<std::size_t>(list_->row(item))];
+  const int row = list_->row(item);
   const QString name = item->text().trimmed();
   if (name.isEmpty()) {  // A place without a name could not be chosen by it.
-    showList(list_->row(item));
+    showList(row);
     return;
   }
-  place.name = name.toStdString();
-  Q_EMIT changed();
+  const QScopedValueRollback<bool> ours(asking_, true);  // The list has the name already.
+  document_.edit(tr("Places"), [&](Project& p) {
+    p.places[static_cast<std::size_t>(row)].name = name.toStdString();
+  });
 }
 
 void PlacesPanel::removeSelected() {
@@ -132,15 +140,15 @@ void PlacesPanel::removeSelected() {
 }
 
 void PlacesPanel::removeAt(std::size_t row) {
-  places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(row));
-  showList(static_cast<int>(std::min(row + 1, places_.size())) - 1);
-  Q_EMIT changed();
+  const std::size_t left = places().size() - 1;
+  change([&](Places& all) { all.erase(all.begin() + static_cast<std::ptrdiff_t>(row)); },
+         static_cast<int>(std::min(row + 1, left)) - 1);
 }
 
 void PlacesPanel::showList(int row) {
   const QScopedValueRollback<bool> quiet(showing_, true);
   list_->clear();
-  for (const NamedRegion& place : places_) {
+  for (const NamedRegion& place : places()) {
     auto* item = new QListWidgetItem(QString::fromStdString(place.name), list_);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
     item->setToolTip(place.view ? tr("With light and view") : tr("The place alone"));

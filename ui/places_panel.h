@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/project/project.h"
+#include "ui/document.h"
 
 class QCheckBox;
 class QListWidget;
@@ -13,15 +14,14 @@ class QPushButton;
 
 namespace relievo {
 
-/// Places of the object that have names: gone to by Enter or a double click, renamed by F2, deleted
-/// by Delete. What is shown now comes from whoever answers addAsked. [GUI thread]
+/// The document's places that have names: gone to by Enter or a double click, renamed by F2,
+/// deleted by Delete. What is shown now comes from whoever answers addAsked. [GUI thread]
 class PlacesPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit PlacesPanel(QWidget* parent = nullptr);
+  explicit PlacesPanel(Document& document, QWidget* parent = nullptr);
 
-  const std::vector<NamedRegion>& places() const { return places_; }
-  void setPlaces(std::vector<NamedRegion> places);
+  const std::vector<NamedRegion>& places() const { return document_.project().places; }
   /// Adds one after the others, selects it, and lets its name be typed.
   void add(NamedRegion place);
   /// Adds one and selects it; its name is final, the keyboard stays where it is.
@@ -36,7 +36,6 @@ class PlacesPanel : public QWidget {
   bool withView() const;
 
  Q_SIGNALS:
-  void changed();
   void addAsked();
   void goAsked(const relievo::NamedRegion& place);
   void said(const QString& text);
@@ -45,17 +44,20 @@ class PlacesPanel : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  using Places = std::vector<NamedRegion>;
+  /// Asks for the edit, and shows the list with this row selected.
+  void change(const std::function<void(Places&)>& change, int row);
   void showList(int row);
   void rename(const QListWidgetItem* item);
   void goToSelected();
   void removeSelected();
   void enableButtons();
 
-  std::vector<NamedRegion> places_;
+  Document& document_;
   QListWidget* list_;
   QCheckBox* with_view_;
   QPushButton *add_, *go_, *rename_, *remove_;
-  bool showing_ = false;
+  bool showing_ = false, asking_ = false;
 };
 
 }  // namespace relievo

@@ -123,7 +123,7 @@ void ReferenceView::placePink() {
     pink_->setFrame({});
     return;
   }
-  const Region& r = document_.state().region;
+  const Region& r = document_.project().region;
   pink_->setFrame(QRectF(pointOf(r.x_mm, r.y_mm + r.side_mm), pointOf(r.x_mm + r.side_mm, r.y_mm)));
 }
 
@@ -139,7 +139,7 @@ void ReferenceView::showWindow() {
     placePink();
     return;
   }
-  const Region& r = document_.state().region;
+  const Region& r = document_.project().region;
   setPink(RectMm{r.x_mm, r.y_mm, r.side_mm, r.side_mm});
   placePink();
   setWhereAmI(tr("Detail %1 of %2, window %3 wide, lower left corner at x %4, y %5")
@@ -165,7 +165,7 @@ void ReferenceView::mousePressEvent(QMouseEvent* event) {
   if (key_draw_) document_.revert();
   key_draw_.reset();
   const ViewMm p = at(event->localPos(), 0);
-  const Region& region = document_.state().region;
+  const Region& region = document_.project().region;
   PinkPart part = pinkPartAt(region, p.x, p.y, toleranceMm());
   // A window around the whole object cannot be moved: a drag in it draws.
   if (part == PinkPart::inside && region.side_mm >= document_.surface()->ladder.sideMm(1)) {
@@ -223,7 +223,7 @@ void ReferenceView::previewDrawn(double x_mm, double y_mm, double to_x_mm, doubl
 
 bool ReferenceView::drawByKey(int key, bool both_corners) {
   if (key == Qt::Key_Space && !key_draw_ && !drag_) {
-    const Region& r = document_.state().region;
+    const Region& r = document_.project().region;
     key_draw_ = KeyDraw{r.centreX(), r.centreY(), r.centreX(), r.centreY()};
     setWhereAmI(tr("Drawing a window from x %1, y %2. Arrows carry the other corner, Enter ends, "
                    "Escape returns")
@@ -257,7 +257,7 @@ void ReferenceView::showCursor(const QPointF& point) {
     return;
   }
   const ViewMm p = at(point, 0);
-  const Region& region = document_.state().region;
+  const Region& region = document_.project().region;
   PinkPart part = pinkPartAt(region, p.x, p.y, toleranceMm());
   if (part == PinkPart::inside && region.side_mm >= document_.surface()->ladder.sideMm(1)) {
     part = PinkPart::outside;
@@ -278,7 +278,7 @@ void ReferenceView::wheelEvent(QWheelEvent* event) {
 
 void ReferenceView::resizeBy(double factor) {
   const DetailLadder& ladder = document_.surface()->ladder;
-  const Region& r = document_.state().region;
+  const Region& r = document_.project().region;
   const double least = kLeastCells * ladder.spacings_mm.front();
   const double side =
       std::clamp(r.side_mm * factor, std::min(least, ladder.sideMm(1)), ladder.sideMm(1));

@@ -133,17 +133,39 @@ StereoPanel::StereoPanel(QWidget* parent)
   layout->addRow(QString(), plane_);
   layout->addRow(swap_);
   layout->addRow(glasses);
-  connect(angle_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
-    const QSignalBlocker once(depth_);
-    depth_->setChecked(false);
+  wanted_.automatic_depth = true;
+  const auto take = [this](auto* control, auto signal, void (*part)(StereoPanel&)) {
+    connect(control, signal, this, [this, part] {
+      part(*this);
+      tell();
+    });
+  };
+  const auto mode = [](StereoPanel& p) {
+    p.wanted_.mode =
+        p.on_->isChecked() ? static_cast<StereoMode>(1 + p.kind_->currentIndex()) : StereoMode::off;
+  };
+  const auto plane = [](StereoPanel& p) {
+    p.wanted_.zero_plane_mm.reset();
+    if (!p.automatic_->isChecked()) p.wanted_.zero_plane_mm = p.plane_->value();
+  };
+  const auto spun = QOverload<double>::of(&QDoubleSpinBox::valueChanged);
+  take(on_, &QCheckBox::toggled, mode);
+  take(kind_, QOverload<int>::of(&QComboBox::currentIndexChanged), mode);
+  take(automatic_, &QCheckBox::toggled, plane);
+  take(plane_, spun, plane);
+  take(swap_, &QCheckBox::toggled,
+       [](StereoPanel& p) { p.wanted_.swap_eyes = p.swap_->isChecked(); });
+  take(comfort_, &QCheckBox::toggled, [](StereoPanel&) {});
+  take(depth_, &QCheckBox::toggled, [](StereoPanel& p) {
+    p.wanted_.automatic_depth = p.depth_->isChecked();
+    p.wanted_.eye_angle_deg = p.angle_->value();
   });
-  for (QCheckBox* box : {on_, automatic_, swap_, comfort_, depth_}) {
-    connect(box, &QCheckBox::toggled, this, &StereoPanel::tell);
-  }
-  connect(kind_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &StereoPanel::tell);
-  for (QDoubleSpinBox* box : {angle_, plane_}) {
-    connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &StereoPanel::tell);
-  }
+  take(angle_, spun, [](StereoPanel& p) {
+    p.wanted_.automatic_depth = false;
+    p.wanted_.eye_angle_deg = p.angle_->value();
+    const QSignalBlocker once(p.depth_);
+    p.depth_->setChecked(false);
+  });
   connect(glasses, &QPushButton::clicked, this, [this] {
     auto* dialog = new GlassesDialog(swap_->isChecked(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -159,18 +181,18 @@ void StereoPanel::tell() {
 }
 
 double StereoPanel::farthestMm(const Shown& shown) const {
-  const double zero =
-      automatic_->isChecked() ? 0.5 * (shown.low_mm + shown.high_mm) : plane_->value();
+  const double zero = wanted_.zero_plane_mm.value_or(0.5 * (shown.low_mm + shown.high_mm));
   return std::max(std::abs(shown.high_mm - zero), std::abs(shown.low_mm - zero));
 }
 
 double StereoPanel::drawnDeg(const Shown& shown) const {
   const double farthest = farthestMm(shown);
-  if (depth_->isChecked()) {
+  if (wanted_.automatic_depth) {
     return automaticEyeAngle(farthest, shown.screen_per_mm, kScreenDistanceMm);
   }
-  if (!comfort_->isChecked()) return angle_->value();
-  return comfortableEyeAngle(farthest, shown.screen_per_mm, angle_->value(), kScreenDistanceMm);
+  if (!comfort_->isChecked()) return wanted_.eye_angle_deg;
+  return comfortableEyeAngle(farthest, shown.screen_per_mm, wanted_.eye_angle_deg,
+                             kScreenDistanceMm);
 }
 
 void StereoPanel::showMeter() {
@@ -201,13 +223,21 @@ StereoOptions StereoPanel::options() const {
 }
 
 StereoOptions StereoPanel::optionsFor(const Shown& shown) const {
-  StereoOptions o;
-  o.mode = on_->isChecked() ? static_cast<StereoMode>(1 + kind_->currentIndex()) : StereoMode::off;
+  StereoOptions o = wanted_;
   o.eye_angle_deg = std::max(drawnDeg(shown), 0.01);
-  o.automatic_depth = depth_->isChecked();
-  if (!automatic_->isChecked()) o.zero_plane_mm = plane_->value();
-  o.swap_eyes = swap_->isChecked();
   return o;
+}
+
+std::optional<double> StereoPanel::chosenAngleDeg() const {
+  if (wanted_.automatic_depth || options().eye_angle_deg == wanted_.eye_angle_deg) {
+    return std::nullopt;
+  }
+  return wanted_.eye_angle_deg;
+}
+
+void StereoPanel::setKind(StereoMode kind) {
+  const QSignalBlocker quiet(kind_);
+  kind_->setCurrentIndex(std::max(0, static_cast<int>(kind) - 1));
 }
 
 void StereoPanel::setComfort(bool keep) {
@@ -222,20 +252,24 @@ void StereoPanel::setOn(bool on) {
   on_->setChecked(on);
 }
 
-void StereoPanel::show(const StereoOptions& options) {
-  {
-    const QSignalBlocker quiet(this);
-    automatic_->setChecked(!options.zero_plane_mm.has_value());
-    if (options.zero_plane_mm) plane_->setValue(*options.zero_plane_mm);
-    angle_->setValue(options.eye_angle_deg);
-    depth_->setChecked(options.automatic_depth);
-    swap_->setChecked(options.swap_eyes);
-    if (options.mode != StereoMode::off) {
-      kind_->setCurrentIndex(static_cast<int>(options.mode) - 1);
-    }
-    on_->setChecked(options.mode != StereoMode::off);
-  }
-  tell();
+void StereoPanel::show(const StereoOptions& options, const std::optional<double>& chosen_deg) {
+  wanted_ = options;
+  wanted_.eye_angle_deg = chosen_deg.value_or(options.eye_angle_deg);
+  showControls();
+}
+
+void StereoPanel::showControls() {
+  const QSignalBlocker on(on_), automatic(automatic_), swap(swap_), depth(depth_), angle(angle_),
+      plane(plane_);
+  automatic_->setChecked(!wanted_.zero_plane_mm.has_value());
+  if (wanted_.zero_plane_mm) plane_->setValue(*wanted_.zero_plane_mm);
+  plane_->setEnabled(wanted_.zero_plane_mm.has_value());
+  angle_->setValue(wanted_.eye_angle_deg);
+  depth_->setChecked(wanted_.automatic_depth);
+  swap_->setChecked(wanted_.swap_eyes);
+  if (wanted_.mode != StereoMode::off) setKind(wanted_.mode);
+  on_->setChecked(wanted_.mode != StereoMode::off);
+  showMeter();
 }
 
 void StereoPanel::setHeights(double low_mm, double high_mm) {
@@ -251,7 +285,7 @@ void StereoPanel::setShown(const Shown& shown) {
   shown_ = shown;
   showMeter();
   const bool wanted = on_->isChecked() || depth_->isChecked();
-  if (wanted && drawnDeg(shown_) != before) Q_EMIT changed(options());
+  if (wanted && drawnDeg(shown_) != before) Q_EMIT drawnChanged();
 }
 
 GlassesDialog::GlassesDialog(bool swapped, QWidget* parent) : QDialog(parent) {

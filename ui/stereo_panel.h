@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <QDialog>
 #include <QWidget>
 
@@ -29,20 +30,26 @@ class StereoPanel : public QWidget {
   /// The same for a view that shows something else: automatic depth fills the comfortable range of
   /// each view.
   StereoOptions optionsFor(const Shown& shown) const;
+  /// What was chosen, where options() has less; else nothing.
+  std::optional<double> chosenAngleDeg() const;
   void setOn(bool on);
+  void setKind(StereoMode kind);  ///< That setOn() gives.
   void setComfort(bool keep);
   void setAutomaticDepth(bool on);
-  void show(const StereoOptions& options);
+  /// @param chosen_deg  as chosenAngleDeg()
+  void show(const StereoOptions& options, const std::optional<double>& chosen_deg);
   /// The range the zero plane is chosen from.
   void setHeights(double low_mm, double high_mm);
   /// Of the detail view.
   void setShown(const Shown& shown);
 
  Q_SIGNALS:
-  void changed(const StereoOptions& options);
+  void changed(const StereoOptions& options);  ///< By a control.
+  void drawnChanged();  ///< By what is shown: options() have another eye separation.
 
  private:
   void tell();
+  void showControls();
   void showMeter();
   double farthestMm(const Shown& shown) const;
   double drawnDeg(const Shown& shown) const;
@@ -52,6 +59,9 @@ class StereoPanel : public QWidget {
   QDoubleSpinBox *angle_, *plane_;
   QProgressBar* meter_;
   Shown shown_;
+  /// With the eye separation that was chosen. The controls show it rounded, and take part of it
+  /// over only where they are used.
+  StereoOptions wanted_;
 };
 
 /// A picture that says whether red is at the left eye: an L that only the left eye sees, an R that

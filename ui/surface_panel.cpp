@@ -168,7 +168,7 @@ void SurfacePanel::showSurface() {
   QStringList notes;
   for (const std::string& message : s.messages) notes << QString::fromStdString(message);
   cells_->setToolTip(notes.join('\n'));
-  holes_->setText(holesText(s, document_.state().options.holes.rule));
+  holes_->setText(holesText(s, document_.project().options.holes.rule));
   const QSignalBlocker quiet_unit(unit_);
   const QSignalBlocker quiet_engine(engine_);
   unit_->setCurrentIndex(unit_->findData(static_cast<int>(s.unit)));
@@ -244,7 +244,7 @@ void RegionPanel::typed() {
     const double half = 0.5 * std::pow(10.0, -box->decimals());
     return std::abs(box->value() - exact) <= 1.001 * half ? exact : box->value();
   };
-  const Region& r = document_.state().region;
+  const Region& r = document_.project().region;
   const double side = meant(side_, r.side_mm);
   if (!document_.setRect({meant(x_, r.x_mm), meant(y_, r.y_mm), side, side})) showWindow();
 }

@@ -294,6 +294,7 @@ void SurfaceView::setStereo(const StereoOptions& stereo) {
 }
 
 void SurfaceView::setLight(const LightOptions& light) {
+  if (light == state_.light) return;
   state_.light = light;
   scene_->setLight(light);
   state_.look.light = light;
@@ -305,9 +306,10 @@ void SurfaceView::setLight(const LightOptions& light) {
 }
 
 void SurfaceView::setLook(const ReliefLook& look) {
-  const LightOptions light = state_.look.light;
-  state_.look = look;
-  state_.look.light = light;
+  ReliefLook wanted = look;
+  wanted.light = state_.look.light;
+  if (wanted == state_.look) return;
+  state_.look = wanted;
   scene_->setInterpolated(interpolatedMark(look));
   paintGrid();
 }

@@ -36,8 +36,7 @@ SurfaceOutcome outcomeOf(const std::function<std::shared_ptr<const Surface>()>& 
   return out;
 }
 
-std::shared_ptr<const Surface> makeSurface(const SurfaceSource& source,
-                                           const SurfaceOptions& options,
+std::shared_ptr<const Surface> makeSurface(const OpenedInput& source, const SurfaceOptions& options,
                                            const DepthEngine& depth_buffer, const Task& task) {
   if (source.tiled) return source.tiled;
   if (source.raster) {

@@ -83,13 +83,12 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent), now_(new QLabel) {
   layout->addWidget(azimuth_, 8, 0, 1, 2);
   layout->addWidget(elevation_, 9, 0, 1, 2);
   const auto tell = [this] {
-    light_text_->setText(
-        tr("Light from %1\u00b0, %2\u00b0 high").arg(azimuth_->value()).arg(elevation_->value()));
+    tellLight();
     Q_EMIT lightChanged(light());
   };
   connect(azimuth_, &QSlider::valueChanged, this, tell);
   connect(elevation_, &QSlider::valueChanged, this, tell);
-  tell();
+  tellLight();
   shading_text_ = new QLabel;
   shading_text_->setObjectName(QStringLiteral("shading_text"));
   shading_text_->setAccessibleName(tr("Shading of colours"));
@@ -125,8 +124,15 @@ LightOptions ViewPanel::light() const {
 }
 
 void ViewPanel::showLight(const LightOptions& light) {
+  const QSignalBlocker azimuth(azimuth_), elevation(elevation_);  // They show whole degrees only.
   azimuth_->setValue(static_cast<int>(std::lround(light.azimuth_deg)));
   elevation_->setValue(static_cast<int>(std::lround(light.elevation_deg)));
+  tellLight();
+}
+
+void ViewPanel::tellLight() {
+  light_text_->setText(
+      tr("Light from %1\u00b0, %2\u00b0 high").arg(azimuth_->value()).arg(elevation_->value()));
 }
 
 void ViewPanel::showView(const QString& name) {

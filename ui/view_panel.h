@@ -32,6 +32,7 @@ class ViewPanel : public QWidget {
   void shadingChanged(double shading);  ///< 0 ... 1.
 
  private:
+  void tellLight();
   void tellShading();
 
   QLabel* now_;

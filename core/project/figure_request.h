@@ -59,6 +59,7 @@ struct FigureRequest {
   bool swap_eyes = false;
   bool limit_parallax = true;  ///< Less eye angle where kComfortDeg would be passed.
   std::string recording;       ///< CSV of a recording, for `plot`.
+  friend bool operator==(const FigureRequest&, const FigureRequest&) = default;
 };
 
 /// @throw ArgumentError  a number beyond its limits, or choices that exclude each other

@@ -135,10 +135,22 @@ NamedRegion placeFrom(const Json& json) {
 
 /// Keys that a later version wrote.
 std::string unknownKeys(const Json& json) {
-  constexpr std::array<const char*, 15> kKnown{
-      "relievo_project", "program",      "input",   "depth_map",    "view",
-      "picture",         "figure",       "figures", "measurements", "places",
-      "recordings",      "camera_paths", "history", "undo",         "saved_as"};
+  constexpr std::array<const char*, 16> kKnown{"relievo_project",
+                                               "program",
+                                               "input",
+                                               "depth_map",
+                                               "view",
+                                               "picture",
+                                               "figure",
+                                               "figures",
+                                               "measurements",
+                                               "places",
+                                               "recordings",
+                                               "camera_paths",
+                                               "history",
+                                               "undo",
+                                               "saved_as",
+                                               "chosen_eye_angle_deg"};
   Json others = Json::object();
   for (const auto& [key, value] : json.items()) {
     if (key == "made") continue;  // Belongs to what was written, not to what will be.
@@ -178,6 +190,7 @@ Project projectFrom(const Json& json) {
   p.scan = scanChoicesFrom(json.at("input"));
   p.options = optionsFrom(json.at("depth_map"));
   setView(p, viewFrom(json.at("view")));
+  p.chosen_eye_angle_deg = optionalFrom<double>(json, "chosen_eye_angle_deg");
   if (json.contains("picture")) p.picture = pictureFrom(json.at("picture"));
   if (json.contains("figure")) p.figure = figureFrom(json.at("figure"));
   for (const Json& place : json.value("places", Json::array())) {
@@ -201,6 +214,33 @@ Project projectFrom(const Json& json) {
   return p;
 }
 
+// The structured bindings name every field of these records: one that is added later does not
+// compile until it is compared.
+bool same(const std::optional<ViewChoice>& a, const std::optional<ViewChoice>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  const auto& [name, rotation, turn_deg] = *a;
+  return name == b->name && rotation == b->rotation && turn_deg == b->turn_deg;
+}
+
+bool same(const HoleChoice& a, const HoleChoice& b) {
+  const auto& [rule, max_area_mm2] = a;
+  return rule == b.rule && max_area_mm2 == b.max_area_mm2;
+}
+
+bool same(const PyramidOptions& a, const PyramidOptions& b) {
+  const auto& [factor, coarsest_samples, threads] = a;
+  static_cast<void>(threads);  // The bytes are the same for every number.
+  return factor == b.factor && coarsest_samples == b.coarsest_samples;
+}
+
+bool same(const SurfaceOptions& a, const SurfaceOptions& b) {
+  const auto& [unit, unit_source, view, cells, spacing_mm, engine, rule, strays, nodata, holes,
+               pyramid] = a;
+  return unit == b.unit && unit_source == b.unit_source && same(view, b.view) && cells == b.cells &&
+         spacing_mm == b.spacing_mm && engine == b.engine && rule == b.rule && strays == b.strays &&
+         nodata == b.nodata && same(holes, b.holes) && same(pyramid, b.pyramid);
+}
+
 /// Whole, but nothing that this version opens as a project.
 struct OtherFile : FileError {
   using FileError::FileError;
@@ -218,6 +258,65 @@ void refuseOthers(const Json& json, const std::string& source) {
 }
 
 }  // namespace
+
+bool operator==(const Project& a, const Project& b) {
+  const auto& [file, sha256, bytes, accept_incomplete, scan, options, region, gain, look, stereo,
+               chosen_eye_angle_deg, azimuth_deg, elevation_deg, picture, figure, places,
+               measurements, recordings, figures, paths, history, undo, version, made, saved_as,
+               others] = a;
+  return file == b.file && sha256 == b.sha256 && bytes == b.bytes &&
+         accept_incomplete == b.accept_incomplete && scan == b.scan && same(options, b.options) &&
+         region == b.region && gain == b.gain && look == b.look && stereo == b.stereo &&
+         chosen_eye_angle_deg == b.chosen_eye_angle_deg && azimuth_deg == b.azimuth_deg &&
+         elevation_deg == b.elevation_deg && picture == b.picture && figure == b.figure &&
+         places == b.places && measurements == b.measurements && recordings == b.recordings &&
+         figures == b.figures && paths == b.paths && history == b.history && undo == b.undo &&
+         version == b.version && made == b.made && saved_as == b.saved_as && others == b.others;
+}
+
+StereoOptions chosenStereo(const Project& p) {
+  StereoOptions chosen = p.stereo;
+  if (chosen.automatic_depth) {
+    chosen.eye_angle_deg = StereoOptions{}.eye_angle_deg;  // It follows the heights.
+  } else {
+    chosen.eye_angle_deg = p.chosen_eye_angle_deg.value_or(chosen.eye_angle_deg);
+  }
+  return chosen;
+}
+
+Project workIn(const Project& state, bool settings) {
+  Project work;
+  work.places = state.places;
+  work.measurements = state.measurements;
+  work.paths = state.paths;
+  if (settings) {
+    work.options = state.options;
+    work.figures = state.figures;
+    work.look = state.look;
+    work.stereo = chosenStereo(state);
+  }
+  return work;
+}
+
+Project storedProject(Project project, const Surface& surface) {
+  const std::optional<ViewChoice>& view = project.options.view;
+  const bool of_a_scan = !surface.is_raster && !surface.tiles;
+  if (of_a_scan && (!view || view->name == "auto") && namedRotation(surface.view_name)) {
+    project.options.view = ViewChoice{.name = surface.view_name, .rotation = std::nullopt};
+  }
+  return project;
+}
+
+Provenance provenanceOf(const Project& project, const Surface& surface,
+                        const std::filesystem::path& folder) {
+  Provenance made = provenanceOf(surface, project.options);
+  made.input = {
+      .file = relativePath(project.file, folder), .sha256 = project.sha256, .bytes = project.bytes};
+  made.accept_incomplete = project.accept_incomplete;
+  made.scan = project.scan;
+  made.view = viewOf(project);
+  return made;
+}
 
 ViewState viewOf(const Project& p) {
   return {.region = p.region,
@@ -247,6 +346,7 @@ std::string projectJson(const Project& p) {
   putScanChoices(p.scan, json["input"]);
   json["depth_map"] = jsonOf(p.options);
   json["view"] = jsonOf(viewOf(p));
+  if (p.chosen_eye_angle_deg) json["chosen_eye_angle_deg"] = *p.chosen_eye_angle_deg;
   if (p.picture) json["picture"] = jsonOf(*p.picture);
   json["figure"] = figureJson(p.figure);
   json["places"] = Json::array();

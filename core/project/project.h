@@ -30,8 +30,9 @@ struct NamedRegion {
   friend bool operator==(const NamedRegion&, const NamedRegion&) = default;
 };
 
-/// Everything that brings a state back: which file, how its surface is made, what is shown and
-/// measured. Written into project files and into every picture.
+/// The whole state of the work as one plain value: which file, how its surface is made, what is
+/// shown and measured. Written into project files and into every picture; a window changes nothing
+/// else (docs/adr/0139).
 struct Project {
   std::string file;                ///< As it is found from the project's or picture's folder.
   std::string sha256;              ///< Of the file, hexadecimal; empty: not known.
@@ -43,6 +44,9 @@ struct Project {
   double gain = 1;
   ReliefLook look;
   StereoOptions stereo;
+  /// What somebody chose, where the limit of comfort lets less through than that: then
+  /// stereo.eye_angle_deg is what is drawn. Nothing: what is drawn was chosen.
+  std::optional<double> chosen_eye_angle_deg;
   double azimuth_deg = 0, elevation_deg = 0;  ///< Turn of the camera; 0, 0 looks along -z.
   /// What carries this is a picture of exactly the region; nothing: a figure, or no picture.
   std::optional<PictureChoice> picture;
@@ -61,11 +65,33 @@ struct Project {
   std::string made;      ///< See madeText; empty: not said.
   std::string saved_as;  ///< Of an automatic copy: the project file it goes on from, absolute.
   std::string others;    ///< JSON object of keys this version does not know.
+
+  /// Field by field; numbers to the bit. Of the options all but the number of threads, which
+  /// changes no result.
+  friend bool operator==(const Project& a, const Project& b);
 };
 
 /// The part of the state that decides a picture of the region, and back.
 ViewState viewOf(const Project& project);
 void setView(Project& project, const ViewState& view);
+
+/// Stereo as somebody chose it: without what a view makes of it for the heights that it shows.
+StereoOptions chosenStereo(const Project& project);
+
+/// What of a state cost somebody work; all else is empty. Where the window stands is not work: to
+/// look about must not end in a question; recordings are files already.
+/// @param settings  also how the surface is made and looked at: of a state that a project file
+///                  holds
+Project workIn(const Project& state, bool settings);
+
+/// The state as files keep it: a view that was chosen automatically is written out, because a later
+/// version may choose otherwise.
+Project storedProject(Project project, const Surface& surface);
+
+/// Where something made of this state comes from: its input as it is found from `folder`, every
+/// choice, and what is shown.
+Provenance provenanceOf(const Project& project, const Surface& surface,
+                        const std::filesystem::path& folder);
 
 /// Readable JSON; the same project gives the same bytes. Keys this version does not know are kept.
 std::string projectJson(const Project& project);

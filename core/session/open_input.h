@@ -18,6 +18,9 @@ struct OpenedInput {
   std::shared_ptr<const Scan> scan;
   std::shared_ptr<const RasterMap> raster;
   std::shared_ptr<const Surface> tiled;  ///< A map by tiles is its own surface, as it is.
+
+  /// @pre one of them is there
+  const ScanInfo& info() const { return scan ? scan->info : raster ? raster->info : tiled->info; }
 };
 
 struct InputOptions {

@@ -84,7 +84,7 @@ class JourneyTest : public Journey, public ::testing::WithParamInterface<By> {
   }
   /// Point of the untilted detail view over a place.
   QPointF over(double x_mm, double y_mm) {
-    const Region& r = document().state().region;
+    const Region& r = document().project().region;
     const double mm = r.side_mm / std::min(detail().width() - 4, detail().height() - 4);
     return {0.5 * detail().width() + (x_mm - r.centreX()) / mm,
             0.5 * detail().height() - (y_mm - r.centreY()) / mm};
@@ -174,7 +174,7 @@ void JourneyTest::openScan() {
   ASSERT_TRUE(eventually([this] { return document().isOpen() && !document().busy(); }));
   EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << "nothing stands in the way";
   EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
-  EXPECT_EQ(document().state().region, wholeRegion(document().surface()->ladder));
+  EXPECT_EQ(document().project().region, wholeRegion(document().surface()->ladder));
   EXPECT_EQ(document().surface()->holes.size(), 3U);
   picture("1_open");
 }
@@ -207,7 +207,7 @@ void JourneyTest::drawWindow() {
     picture("3_drawing");
   }
   EXPECT_EQ(document().history().undoText(), "Draw window");
-  EXPECT_LT(document().state().region.side_mm, 150);
+  EXPECT_LT(document().project().region.side_mm, 150);
   // Then exactly, by typing.
   shortcut(Qt::Key_G);
   const std::array<std::pair<const char*, const char*>, 3> numbers{
@@ -219,14 +219,14 @@ void JourneyTest::drawWindow() {
     QTest::keyClicks(box, number);
     keys(*box, Qt::Key_Return);
   }
-  EXPECT_NEAR(document().state().region.x_mm, 150, 1e-9);
-  EXPECT_NEAR(document().state().region.y_mm, 50, 1e-9);
-  EXPECT_NEAR(document().state().region.side_mm, 100, 1e-9);
+  EXPECT_NEAR(document().project().region.x_mm, 150, 1e-9);
+  EXPECT_NEAR(document().project().region.y_mm, 50, 1e-9);
+  EXPECT_NEAR(document().project().region.side_mm, 100, 1e-9);
   picture("3_window");
 }
 
 void JourneyTest::changeDetail() {
-  const Region before = document().state().region;
+  const Region before = document().project().region;
   const int detail_before = document().detail();
   const auto step = [this](const char* name, int key) {
     if (byKeys()) {
@@ -244,7 +244,7 @@ void JourneyTest::changeDetail() {
   EXPECT_EQ(document().history().undoText(),
             QStringLiteral("Detail %1 \u2192 %2").arg(detail_before).arg(detail_before - 1));
   for (int i = 0; i < 3; ++i) shortcut(Qt::Key_Z);
-  EXPECT_EQ(document().state().region, before);
+  EXPECT_EQ(document().project().region, before);
   for (int i = 0; i < 3; ++i) shortcut(Qt::Key_Y);
   EXPECT_TRUE(document().state() == after) << "undo and redo end where they began";
   for (int i = 0; i < 3; ++i) shortcut(Qt::Key_Z);
@@ -425,12 +425,12 @@ void JourneyTest::keepWork() {
   QTest::keyClicks(editor, "the step");
   keys(*editor, Qt::Key_Return);
   QApplication::processEvents();  // The list takes the name later.
-  const Region region = document().state().region;
+  const Region region = document().project().region;
   window().saveProject(path("F.relievo.json"));
   document().whole();
   window().open(path("F.relievo.json"));
   ASSERT_TRUE(
-      eventually([&] { return !document().busy() && document().state().region == region; }));
+      eventually([&] { return !document().busy() && document().project().region == region; }));
   EXPECT_EQ(window().findChild<PlacesPanel*>()->places()[0].name, "the step");
   EXPECT_EQ(measure().measurements().size(), 3U);
   EXPECT_EQ(detail().sceneState().look.kind, ReliefKind::multi_hillshade);

@@ -132,7 +132,7 @@ class JourneyU1 : public Journey {
   }
   /// Window and hand, for a failure's message.
   std::string where() {
-    const Region& r = document().state().region;
+    const Region& r = document().project().region;
     return "window " + std::to_string(r.x_mm) + ", " + std::to_string(r.y_mm) + ", side " +
            std::to_string(r.side_mm) + "; proxy " +
            (probe() ? std::to_string(probe()->proxy.x) + ", " + std::to_string(probe()->proxy.y)
@@ -290,7 +290,7 @@ void JourneyU1::feelRidge() {
 void JourneyU1::feelGrating() {
   const samples::Square grating = samples::kReliefFGrating;
   auto& overview = reference();
-  const Region& region = document().state().region;
+  const Region& region = document().project().region;
   drag(overview, overview.pointOf(region.centreX(), region.centreY()),
        overview.pointOf(grating.x_mm, grating.y_mm));
   handTo(grating.x_mm, grating.y_mm, kAboveZ);
@@ -364,7 +364,7 @@ void JourneyU1::measureByTouch() {
   const double step = samples::kReliefFStepX;
   const double y = samples::kReliefFGrating.y_mm;
   for (int i = 0; i < 2; ++i) key(Qt::Key_Left, Qt::ControlModifier);
-  ASSERT_LT(document().state().region.x_mm, step - 8);
+  ASSERT_LT(document().project().region.x_mm, step - 8);
   auto& panel = *window().findChild<MeasurePanel*>();
   // The last measurement's kind and its height, if that is the step's within a cell.
   const auto readsStep = [&](MeasureKind kind, std::size_t quantity) {
@@ -476,14 +476,14 @@ void JourneyU1::makeFigure() {
 /// U1.15 Saved, and opened again without a Falcon: the same state, the same figure.
 void JourneyU1::openElsewhere() {
   window().saveProject(path("work.relievo.json"));
-  const Region region = document().state().region;
+  const Region region = document().project().region;
   detach();
   usb_.unplug();
   restart();
   attach();
   window().open(path("work.relievo.json"));
   ASSERT_TRUE(settled()) << window().message().toStdString();
-  EXPECT_EQ(document().state().region, region);
+  EXPECT_EQ(document().project().region, region);
   EXPECT_GT(share(Origin::interpolated), 0);
   EXPECT_EQ(window().findChild<MeasurePanel*>()->measurements().size(), measured_);
   const Project project = window().project();

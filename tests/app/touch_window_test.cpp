@@ -336,7 +336,7 @@ TEST_F(TouchWindowTest, ARecordingAcrossOtherMapsOfTheScanIsReplayedToTheLastBit
   action("record")->trigger();
   QTest::qWait(300);
   const auto remade = [this](const std::function<void(SurfaceOptions&)>& change) {
-    SurfaceOptions options = document().state().options;
+    SurfaceOptions options = document().project().options;
     change(options);
     const auto before = document().surface();
     document().remake(options, "Change");

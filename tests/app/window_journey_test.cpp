@@ -181,13 +181,13 @@ TEST_F(WindowJourney, FromTwoColouredScansToAProjectThatOpensElsewhere) {
   window().saveProject(path("work/p.relievo.json"));
 
   // Elsewhere: the same state, the same picture.
-  const Region region = document().state().region;
+  const Region region = document().project().region;
   ASSERT_TRUE(QDir().rename(path("work"), path("elsewhere")));
   restart();
   window().open(path("elsewhere/p.relievo.json"));
   waitUntilOpen();
   EXPECT_EQ(document().file(), path("elsewhere/front-prepared.ply"));
-  EXPECT_EQ(document().state().region, region);
+  EXPECT_EQ(document().project().region, region);
   EXPECT_EQ(figure(path("elsewhere/again.png")), before);
 }
 

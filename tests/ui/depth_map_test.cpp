@@ -60,7 +60,7 @@ TEST_F(DepthMapDialogTest, AChangeMakesThePreviewStaleAndOkTakesWhatIsOnShow) {
   EXPECT_EQ(document().surface()->map.frame.size.cols, 500);
   accept(dialog);
   EXPECT_EQ(document().surface()->map.frame.size.cols, 250);
-  EXPECT_EQ(document().state().options.cells, 250);
+  EXPECT_EQ(document().project().options.cells, 250);
   EXPECT_EQ(document().history().undoText(), "Depth map");
   document().history().undo();
   EXPECT_EQ(document().surface()->map.frame.size.cols, 500);

@@ -33,8 +33,8 @@ TEST_F(DocumentTest, OpensAtTheDetailOrRegionThatWasAskedFor) {
   EXPECT_EQ(document.detail(), 3);
   request.region = RectMm{20, 30, 40, 50};
   ASSERT_TRUE(open(document, request));
-  EXPECT_EQ(document.state().region.side_mm, 50);
-  EXPECT_EQ(document.state().region.x_mm, 15);
+  EXPECT_EQ(document.project().region.side_mm, 50);
+  EXPECT_EQ(document.project().region.x_mm, 15);
 }
 
 TEST_F(DocumentTest, UnitsScaleEveryLengthAndCanBeUndone) {
@@ -77,7 +77,7 @@ TEST_F(DocumentTest, AStepThatKeepsTheDetailIsNamedByWhatItChanges) {
 TEST_F(DocumentTest, AGestureThatEndsWhereItBeganLeavesNoEntry) {
   Document document(rasterize);
   ASSERT_TRUE(open(document, relief()));
-  const Region first = document.state().region;
+  const Region first = document.project().region;
   document.preview({10, 10, 50, {0}});
   document.preview(first);
   document.commit("Move window");
@@ -113,7 +113,7 @@ TEST_F(DocumentTest, AnEngineThatFailsIsReportedAndChangesNothing) {
   ASSERT_EQ(failed.size(), 1);
   EXPECT_TRUE(failed[0][0].toString().contains("depth buffer"));
   EXPECT_EQ(document.state(), before);
-  EXPECT_EQ(document.state().options.engine, "cpu");
+  EXPECT_EQ(document.project().options.engine, "cpu");
 }
 
 TEST_F(DocumentTest, MeaninglessRegionsAreRefused) {
@@ -124,6 +124,105 @@ TEST_F(DocumentTest, MeaninglessRegionsAreRefused) {
   EXPECT_FALSE(document.setRect({0, 0, std::nan(""), 10}));
   EXPECT_FALSE(document.setGain(0));
   EXPECT_EQ(document.state(), before);
+}
+
+TEST_F(DocumentTest, AnEditIsAStepAndItsUndoTakesBackThatAlone) {
+  Document document(rasterize);
+  ASSERT_TRUE(open(document, relief()));
+  const int steps = document.history().index();
+  EXPECT_TRUE(document.edit("Relief image", [](Project& p) { p.look.kind = ReliefKind::slope; }));
+  EXPECT_FALSE(document.edit("Relief image", [](Project& p) { p.look.kind = ReliefKind::slope; }))
+      << "nothing is other than before";
+  EXPECT_EQ(document.history().index(), steps + 1);
+  document.amend([](Project& p) { p.figures = {"a.png"}; });
+  document.setTurn(20, 10);
+  document.history().undo();
+  EXPECT_EQ(document.project().look.kind, ReliefKind::lit);
+  EXPECT_EQ(document.project().figures, std::vector<std::string>{"a.png"});
+  EXPECT_EQ(document.project().azimuth_deg, 20);
+  document.history().redo();
+  EXPECT_EQ(document.project().look.kind, ReliefKind::slope);
+  EXPECT_EQ(document.project().history.back(), "Relief image");
+}
+
+TEST_F(DocumentTest, AnotherSurfaceIsLookedStraightAtAndUndoBringsTheTurnBack) {
+  Document document(rasterize);
+  ASSERT_TRUE(open(document, relief()));
+  document.setTurn(20, 10);
+  document.setView({"bottom", {}});
+  ASSERT_TRUE(waitFor([&] { return !document.busy(); }));
+  EXPECT_EQ(document.project().azimuth_deg, 0);
+  document.setTurn(-5, 0);
+  const Project bottom = document.project();
+  document.history().undo();
+  EXPECT_EQ(document.project().azimuth_deg, 20);
+  EXPECT_EQ(document.project().elevation_deg, 10);
+  document.history().redo();
+  EXPECT_TRUE(document.project() == bottom);
+}
+
+TEST_F(DocumentTest, WorkIsUnsavedWhileItDiffersFromWhatWasSaved) {
+  Document document(rasterize);
+  EXPECT_FALSE(document.hasUnsavedWork());
+  ASSERT_TRUE(open(document, relief()));
+  EXPECT_FALSE(document.hasUnsavedWork());
+  const auto name_one = [](Project& p) { p.places.push_back({"nose", p.region, 1}); };
+  document.edit("Places", name_one);
+  EXPECT_TRUE(document.hasUnsavedWork());
+  document.history().undo();
+  EXPECT_FALSE(document.hasUnsavedWork());
+  document.edit("Places", name_one);
+  document.noteSaved("p.relievo.json");
+  EXPECT_FALSE(document.hasUnsavedWork());
+  document.history().undo();
+  EXPECT_TRUE(document.hasUnsavedWork()) << "the file has it";
+  document.noteSaved("p.relievo.json");
+  document.noteUnsaved();
+  EXPECT_TRUE(document.hasUnsavedWork());
+}
+
+TEST_F(DocumentTest, AStateComesBackWholeWithItsStepsAndItsPath) {
+  Document document(rasterize);
+  OpenRequest request = relief();
+  ASSERT_TRUE(open(document, request));
+  document.setRect({40, 40, 60, 60});
+  document.edit("Relief image", [](Project& p) {
+    p.look = {.kind = ReliefKind::slope, .light = {33.25, 21.5}};
+    p.stereo.zero_plane_mm = 1.0 / 3;
+    p.places.push_back({"nose", p.region, 1});
+  });
+  document.move(0.1, 0);
+  document.amend([](Project& p) { p.paths = {{"path", {{0, viewOf(p)}}}}; });
+  document.setTurn(12.5, -7);
+  request.project = projectFromJson(projectJson(document.stored()), "test");
+  request.project_file = "p.relievo.json";
+  Document other(rasterize);
+  ASSERT_TRUE(open(other, request));
+  Project expected = document.project();
+  // The steps that moved no window have names alone, and come first.
+  EXPECT_EQ(other.project().history.size(), expected.history.size());
+  EXPECT_EQ(other.project().history.front(), "Relief image");
+  expected.history = other.project().history;
+  EXPECT_EQ(projectJson(other.project()), projectJson(expected));
+  EXPECT_TRUE(other.project() == expected);
+  EXPECT_FALSE(other.hasUnsavedWork());
+  EXPECT_EQ(other.projectFile(), "p.relievo.json");
+  other.history().undo();
+  EXPECT_EQ(other.project().region.x_mm, 40);
+}
+
+TEST_F(DocumentTest, WhatIsMadeOfAStateSaysWhereItComesFrom) {
+  Document document(rasterize);
+  OpenRequest request = relief();
+  request.scan.reader = ReaderChoice::own;
+  ASSERT_TRUE(open(document, request));
+  document.setRect({40, 40, 60, 60});
+  const Provenance made = document.provenanceIn(path("results/touch.csv"));
+  EXPECT_EQ(made.input.file, "../relief.ply");
+  EXPECT_EQ(made.input.sha256, document.fileSha256().toStdString());
+  EXPECT_EQ(made.scan.reader, ReaderChoice::own);
+  ASSERT_TRUE(made.view.has_value());
+  EXPECT_EQ(*made.view, viewOf(document.project()));
 }
 
 TEST_F(DocumentTest, KnowsTheChecksumOfWhatItRead) {

@@ -216,7 +216,7 @@ TEST_F(GuardTest, AnyScanGivesAPictureOrASentenceInOneRunningWindow) {
       ASSERT_TRUE(window().isVisible());
       if (document().file() == file) {
         ++opened;
-        const Region& region = document().state().region;
+        const Region& region = document().project().region;
         EXPECT_TRUE(std::isfinite(region.x_mm) && region.side_mm > 0);
         window().detailView().shot();
         window().referenceView().shot();

@@ -57,7 +57,7 @@ TEST_F(HandTest, AWindowElsewhereKeepsTheHandOfTheKeysOverIt) {
   QTest::keyClick(&view(), Qt::Key_Left);
   ASSERT_NEAR(last().position.x, 100, 2);
   document().setRect({0, 0, 40, 40});
-  const Region region = document().state().region;
+  const Region region = document().project().region;
   EXPECT_LE(last().position.x, region.x_mm + region.side_mm);
   EXPECT_LE(last().position.y, region.y_mm + region.side_mm);
   EXPECT_NEAR(last().position.z - surfaceAt(last().position), kHoverMm * objectPerHand(), 1e-9);
@@ -66,13 +66,13 @@ TEST_F(HandTest, AWindowElsewhereKeepsTheHandOfTheKeysOverIt) {
 TEST_F(HandTest, AWindowElsewhereComesUnderThePointer) {
   move(view(), middle());
   document().setRect({0, 0, 40, 40});
-  const Region region = document().state().region;
+  const Region region = document().project().region;
   EXPECT_NEAR(last().position.x, region.centreX(), 0.02 * region.side_mm);
   EXPECT_NEAR(last().position.y, region.centreY(), 0.02 * region.side_mm);
 }
 
 TEST_F(HandTest, TheWheelWhilePressingChangesTheDepthNotTheWindow) {
-  const Region before = document().state().region;
+  const Region before = document().project().region;
   press(view(), middle());
   wheel(view(), middle(), 2);
   EXPECT_NEAR(view().pressDepthMm(), kPressDepthMm + 0.5, 1e-12);
@@ -81,7 +81,7 @@ TEST_F(HandTest, TheWheelWhilePressingChangesTheDepthNotTheWindow) {
   release(view(), middle());
   wheel(view(), middle(), -1, Qt::ControlModifier);
   EXPECT_NEAR(view().pressDepthMm(), kPressDepthMm + 0.25, 1e-12);
-  EXPECT_EQ(document().state().region, before);
+  EXPECT_EQ(document().project().region, before);
 }
 
 TEST_F(HandTest, ArrowsMoveTheHandByCellsAndPageKeysPressItIn) {
@@ -108,20 +108,20 @@ TEST_F(HandTest, TheHandIsOutsideOnceThePointerLeaves) {
 }
 
 TEST_F(HandTest, ARightDragMovesTheWindowUnderTheHandAsOneEntry) {
-  const Region before = document().state().region;
+  const Region before = document().project().region;
   const int entries = document().history().count();
   drag(view(), middle(), middle() + QPointF(30, 0), Qt::RightButton);
-  EXPECT_LT(document().state().region.x_mm, before.x_mm);
-  EXPECT_EQ(document().state().region.side_mm, before.side_mm);
+  EXPECT_LT(document().project().region.x_mm, before.x_mm);
+  EXPECT_EQ(document().project().region.side_mm, before.side_mm);
   EXPECT_EQ(document().history().count(), entries + 1);
 }
 
 TEST_F(HandTest, TheWheelZoomsAboutThePointerByChangingTheRegion) {
   move(view(), middle() + QPointF(40, -30));
   const ViewMm place = last().position;
-  const Region before = document().state().region;
+  const Region before = document().project().region;
   wheel(view(), middle() + QPointF(40, -30), 1);
-  EXPECT_LT(document().state().region.side_mm, before.side_mm);
+  EXPECT_LT(document().project().region.side_mm, before.side_mm);
   move(view(), middle() + QPointF(40, -30));
   EXPECT_NEAR(last().position.x, place.x, 1e-6);
   EXPECT_NEAR(last().position.y, place.y, 1e-6);
@@ -133,7 +133,7 @@ TEST_F(HandTest, FinerHappensAboutTheHand) {
   while (document().detail() < 3) {
     QTest::keyClick(&view(), Qt::Key_Plus, Qt::ControlModifier);
   }
-  const Region& r = document().state().region;
+  const Region& r = document().project().region;
   EXPECT_NEAR(r.centreX(), 125, 1);
   EXPECT_NEAR(r.centreY(), 100, 1);
 }

@@ -50,7 +50,7 @@ class PublishTest : public GuiTest {
   /// Point of the detail view over a view position; the window must be untilted.
   QPointF detailPoint(double x_mm, double y_mm) {
     const DetailView& view = window().detailView();
-    const Region& r = document().state().region;
+    const Region& r = document().project().region;
     const double mm = r.side_mm / std::min(view.width() - 4, view.height() - 4);
     return QPointF(0.5 * view.width() + (x_mm - r.centreX()) / mm,
                    0.5 * view.height() - (y_mm - r.centreY()) / mm);
@@ -58,7 +58,7 @@ class PublishTest : public GuiTest {
   /// And back.
   PlaceMm detailPlace(const QPointF& point) {
     const DetailView& view = window().detailView();
-    const Region& r = document().state().region;
+    const Region& r = document().project().region;
     const double mm = r.side_mm / std::min(view.width() - 4, view.height() - 4);
     return {r.centreX() + (point.x() - 0.5 * view.width()) * mm,
             r.centreY() - (point.y() - 0.5 * view.height()) * mm};
@@ -90,7 +90,7 @@ TEST_F(PublishTest, AFigureIsWrittenAsItsPreviewShowsAndCarriesTheState) {
   EXPECT_EQ(image.dotsPerMeterX(), 11811);
   const auto state = embeddedState(file.toStdString());
   ASSERT_TRUE(state);
-  EXPECT_EQ(projectFromJson(*state, "out.png").region, document().state().region);
+  EXPECT_EQ(projectFromJson(*state, "out.png").region, document().project().region);
 }
 
 TEST_F(PublishTest, TheFigureFormShowsLayoutsWholeBesideTheirNames) {
@@ -226,7 +226,7 @@ TEST_F(PublishTest, DroppingAFigureRestoresWindowAndMeasurements) {
   document().setGain(2);
   measure().setMeasurements({{"top", MeasureKind::depth, {{10, 10}, {100, 90}}, 0}});
   window().runCommand("relief_slope");
-  const Region region = document().state().region;
+  const Region region = document().project().region;
   Project project = window().project();
   project.figure.dpi = 40;
   writeFigure(*document().surface(), project, path("f.png").toStdString());
@@ -237,8 +237,8 @@ TEST_F(PublishTest, DroppingAFigureRestoresWindowAndMeasurements) {
   EXPECT_TRUE(measure().measurements().empty());
   window().open(path("f.png"));
   ASSERT_TRUE(waitFor([&] { return document().file().endsWith("relief.ply"); }));
-  EXPECT_EQ(document().state().region, region);
-  EXPECT_EQ(document().state().gain, 2);
+  EXPECT_EQ(document().project().region, region);
+  EXPECT_EQ(document().project().gain, 2);
   ASSERT_EQ(measure().measurements().size(), 1U);
   EXPECT_EQ(measure().measurements()[0].name, "top");
   EXPECT_EQ(window().detailView().sceneState().look.kind, ReliefKind::slope);
@@ -250,7 +250,7 @@ TEST_F(PublishTest, DroppingAPictureOfRenderRestoresItsRegion) {
   Provenance provenance = provenanceOf(*document().surface(), {});
   provenance.input = {.file = "relief.ply",
                       .sha256 = sha256OfFile(path("relief.ply").toStdString())};
-  Region region = document().state().region;
+  Region region = document().project().region;
   region.x_mm += 40;
   region.y_mm += 30;
   region.side_mm = 20;
@@ -258,21 +258,21 @@ TEST_F(PublishTest, DroppingAPictureOfRenderRestoresItsRegion) {
   writePng(path("r.png").toStdString(), {.width = 1, .height = 1, .rgb = {0, 0, 0}},
            {{std::string(kStateKey), toJson(provenance)}});
   window().open(path("r.png"));
-  ASSERT_TRUE(waitFor([&] { return document().state().region.side_mm == 20; }));
-  EXPECT_EQ(document().state().region, region);
-  EXPECT_EQ(document().state().gain, 2);
+  ASSERT_TRUE(waitFor([&] { return document().project().region.side_mm == 20; }));
+  EXPECT_EQ(document().project().region, region);
+  EXPECT_EQ(document().project().gain, 2);
   EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
 }
 
 TEST_F(PublishTest, AProjectMovedWithItsScanOpensAndAChangedScanIsSaid) {
   openRelief();
   document().setRect({40, 40, 60, 60});
-  const Region region = document().state().region;
+  const Region region = document().project().region;
   window().saveProject(path("p.relievo.json"));
   ASSERT_TRUE(QFile::exists(path("p.relievo.json")));
   document().whole();
   window().open(path("p.relievo.json"));
-  ASSERT_TRUE(waitFor([&] { return document().state().region == region; }));
+  ASSERT_TRUE(waitFor([&] { return document().project().region == region; }));
   EXPECT_TRUE(window().message().isEmpty());
   QFile scan(path("relief.ply"));
   ASSERT_TRUE(scan.open(QIODevice::ReadWrite));

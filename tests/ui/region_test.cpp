@@ -24,7 +24,7 @@ class RegionTest : public GuiTest {
  protected:
   void SetUp() override { openRelief(); }
   ReferenceView& view() { return window().referenceView(); }
-  const Region& region() { return document().state().region; }
+  const Region& region() { return document().project().region; }
   QPointF point(double x_mm, double y_mm) { return view().pointOf(x_mm, y_mm); }
   /// One pixel of the view, in mm: as exact as a pointer can be.
   double pixelMm() {
@@ -299,7 +299,7 @@ TEST_F(RegionTest, GainStepsMergeIntoOneEntryAndTheGainIsShown) {
   EXPECT_TRUE(note->text().contains(QString::fromUtf8("heights \u00d7 2.00")));
   const float highest = document().window()->max_mm;
   document().history().undo();
-  EXPECT_EQ(document().state().gain, 1);
+  EXPECT_EQ(document().project().gain, 1);
   EXPECT_NEAR(highest, 2 * document().window()->max_mm, 1e-3);
 }
 

@@ -71,17 +71,17 @@ TEST_F(ReplayTest, ShowsHandProxyAndWindowOfTheRecordingAtEachTime) {
   EXPECT_FALSE(player().playing()) << "it waits for its user";
   EXPECT_DOUBLE_EQ(drawn().proxy.x, 60);
   EXPECT_FALSE(drawn().touching);
-  EXPECT_DOUBLE_EQ(document().state().region.side_mm, 100);
+  EXPECT_DOUBLE_EQ(document().project().region.side_mm, 100);
   player().setTime(7.5);
   EXPECT_DOUBLE_EQ(drawn().proxy.x, 120);
   EXPECT_LT(drawn().hip.z, drawn().proxy.z);
   EXPECT_TRUE(drawn().touching);
-  EXPECT_EQ(document().state().region, (Region{80, 70, 40, {0}}));
+  EXPECT_EQ(document().project().region, (Region{80, 70, 40, {0}}));
   EXPECT_EQ(drawn().window_id, document().window()->id) << "drawn in the window that is shown";
   EXPECT_EQ(status("status_force"), "0.40 N");
   EXPECT_EQ(status("status_recording"), "replay 7.50 of 10.00 s");
   player().setTime(1);
-  EXPECT_DOUBLE_EQ(document().state().region.side_mm, 100) << "and back";
+  EXPECT_DOUBLE_EQ(document().project().region.side_mm, 100) << "and back";
 }
 
 TEST_F(ReplayTest, KeysAndSliderGoThroughTheRecordingAndPlotsKeepStep) {
@@ -193,7 +193,7 @@ TEST_F(ReplayTest, DrivesNoDeviceAndGivesTheWindowBack) {
   forces->setObjectName("forces");
   window().addToMenu("Touch", forces);
   document().setRect({60, 50, 80, 80});
-  const Region before = document().state().region;
+  const Region before = document().project().region;
   TouchReadout readout;
   readout.forces_on = true;
   window().showTouch(readout);
@@ -209,7 +209,7 @@ TEST_F(ReplayTest, DrivesNoDeviceAndGivesTheWindowBack) {
   EXPECT_NEAR(drawn().proxy.x, 116, 1e-9) << "the hand of now is not mixed in";
   QTest::keyClick(control().panel(), Qt::Key_Escape);
   EXPECT_FALSE(control().showing());
-  EXPECT_EQ(document().state().region, before);
+  EXPECT_EQ(document().project().region, before);
   EXPECT_FALSE(window().detailView().sceneState().probe.has_value());
   EXPECT_TRUE(forces->isEnabled());
   EXPECT_TRUE(action("coarser")->isEnabled());
@@ -258,7 +258,7 @@ TEST_F(ReplayTest, OffersTheMapOfARecordingThatDoesNotFit) {
   ASSERT_TRUE(waitFor([this] { return control().showing(); })) << window().message().toStdString();
   EXPECT_EQ(document().file(), other) << "found by its checksum";
   EXPECT_EQ(document().surface()->unit, LengthUnit::cm) << "as it was recorded on";
-  EXPECT_DOUBLE_EQ(document().state().region.side_mm, 100);
+  EXPECT_DOUBLE_EQ(document().project().region.side_mm, 100);
 }
 
 TEST_F(ReplayTest, ARecordingOfAnotherViewIsNotShownOnThisOne) {
@@ -267,12 +267,12 @@ TEST_F(ReplayTest, ARecordingOfAnotherViewIsNotShownOnThisOne) {
   EXPECT_TRUE(control().showing()) << window().message().toStdString();
   control().close();
   (*recording_->view_from_file)[0] *= -1;
-  const Region before = document().state().region;
+  const Region before = document().project().region;
   replay();
   EXPECT_FALSE(control().showing());
   EXPECT_TRUE(window().message().contains("another view of relief.ply"))
       << window().message().toStdString();
-  EXPECT_EQ(document().state().region, before);
+  EXPECT_EQ(document().project().region, before);
 }
 
 TEST_F(ReplayTest, SaysWhatCannotBeReplayedAndChangesNothing) {

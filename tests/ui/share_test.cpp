@@ -72,19 +72,19 @@ TEST_F(ShareTest, AViewGoesThroughTheClipboardAsText) {
   window().runCommand("relief_lit");
   window().detailView().straighten();
   document().whole();
-  const Region whole = document().state().region;
+  const Region whole = document().project().region;
   copy("  " + clipboard() + "\n");  // As mail programs give it back.
   QTest::keyClick(&window().detailView(), Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_EQ(viewOf(window().project()), shown);
   EXPECT_TRUE(status().startsWith("The copied view is shown")) << status().toStdString();
   window().runCommand("undo");
-  EXPECT_EQ(document().state().region, whole);
+  EXPECT_EQ(document().project().region, whole);
 }
 
 TEST_F(ShareTest, APictureFindsItsScanBesideItself) {
   openRelief();
   document().setRect({40, 40, 60, 60});
-  const Region region = document().state().region;
+  const Region region = document().project().region;
   saveImage("fig.png");
   document().whole();
   for (const QString& name : {QStringLiteral("fig.png"), QStringLiteral("relief.ply")}) {
@@ -94,7 +94,7 @@ TEST_F(ShareTest, APictureFindsItsScanBesideItself) {
   window().open(path("moved/fig.png"));
   ASSERT_TRUE(waitFor([&] { return document().file() == path("moved/relief.ply"); }))
       << window().message().toStdString();
-  EXPECT_EQ(document().state().region, region);
+  EXPECT_EQ(document().project().region, region);
   EXPECT_EQ(window().message(), QString());
 }
 
@@ -102,7 +102,7 @@ TEST_F(ShareTest, ATextThatIsNoViewOfThisMapChangesNothing) {
   openRelief();
   window().runCommand("copy_view");
   const QString view = clipboard();
-  const Region before = document().state().region;
+  const Region before = document().project().region;
   copy("have a look");
   window().runCommand("paste_view");
   EXPECT_TRUE(window().message().contains("not a view of relievo"));
@@ -116,7 +116,7 @@ TEST_F(ShareTest, ATextThatIsNoViewOfThisMapChangesNothing) {
   copy(QString::fromStdString(toText(elsewhere)));
   window().runCommand("paste_view");
   EXPECT_TRUE(window().message().contains("does not lie on this map"));
-  EXPECT_EQ(document().state().region, before);
+  EXPECT_EQ(document().project().region, before);
 }
 
 TEST_F(ShareTest, RecordingsBelongToTheProjectOnceEach) {
@@ -166,14 +166,14 @@ TEST_F(ShareTest, APackageForCitationIsMadeInTheDialog) {
     EXPECT_TRUE(fs::exists(folder / name)) << name;
   }
   const Project packed = readProject(folder / "project.json");
-  EXPECT_EQ(packed.region, document().state().region);
+  EXPECT_EQ(packed.region, document().project().region);
   EXPECT_EQ(packed.recordings.size(), 1U);
 }
 
 TEST_F(ShareTest, ThePackageOpensWhereverItIsTaken) {
   openRelief();
   document().setRect({40, 40, 60, 60});
-  const Region region = document().state().region;
+  const Region region = document().project().region;
   window().writePackage({path("cite.zip"), true, {}, {}});
   ASSERT_TRUE(waitFor([&] { return !window().packing(); }));
   fs::create_directories(path("elsewhere").toStdString());
@@ -184,7 +184,7 @@ TEST_F(ShareTest, ThePackageOpensWhereverItIsTaken) {
     window().open(path("elsewhere/cite.zip"));
     ASSERT_TRUE(waitFor([&] {
       return document().file() == path("elsewhere/cite/input/relief.ply") && !document().busy() &&
-             document().state().region == region;
+             document().project().region == region;
     })) << window().message().toStdString()
         << document().file().toStdString();
     EXPECT_EQ(window().message(), QString());

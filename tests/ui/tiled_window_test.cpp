@@ -34,7 +34,7 @@ class TiledWindowTest : public GuiTest {
   /// The window on show has the bytes of the map in memory.
   void expectTheWindowOfTheWhole() {
     const RegionWindow there =
-        windowOf(whole(), document().state().region, document().state().gain);
+        windowOf(whole(), document().project().region, document().project().gain);
     EXPECT_EQ(document().window()->heights_mm, there.heights_mm);
     EXPECT_EQ(document().window()->id, there.id);
     if (there.region.level.value == 0) {
@@ -136,7 +136,7 @@ TEST_F(TiledWindowTest, AProjectOpensItAgainWithItsSteps) {
   ASSERT_TRUE(
       waitFor([&] { return document().state().surface != before.surface && !document().busy(); }));
   EXPECT_EQ(windows.size(), 1) << "no window of the way there is read";
-  EXPECT_EQ(document().state().region, before.region);
+  EXPECT_EQ(document().project().region, before.project.region);
   EXPECT_EQ(document().window()->id, id);
   EXPECT_TRUE(document().surface()->tiles);
   EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();

@@ -357,12 +357,12 @@ TEST_F(VideoWindowTest, KeyViewsMakeAPathThatIsShownAndKept) {
   ASSERT_EQ(project.paths[0].keys.size(), 2U);
   EXPECT_DOUBLE_EQ(project.paths[0].keys[1].view.elevation_deg, 20);
   EXPECT_EQ(projectFromJson(projectJson(project), "p").paths, project.paths);
-  const Region before = document().state().region;
+  const Region before = document().project().region;
   window().runCommand("path_play");
-  EXPECT_NEAR(document().state().region.side_mm, project.paths[0].keys[0].view.region.side_mm, 1);
-  EXPECT_TRUE(waitFor([&] { return document().state().region.side_mm < 150; })) << "it moves";
+  EXPECT_NEAR(document().project().region.side_mm, project.paths[0].keys[0].view.region.side_mm, 1);
+  EXPECT_TRUE(waitFor([&] { return document().project().region.side_mm < 150; })) << "it moves";
   QTest::keyClick(&window().detailView(), Qt::Key_Escape);
-  EXPECT_EQ(document().state().region, before);
+  EXPECT_EQ(document().project().region, before);
   window().runCommand("path_clear");
   EXPECT_FALSE(action("path_play")->isEnabled());
   EXPECT_TRUE(window().project().paths.empty());

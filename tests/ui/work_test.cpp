@@ -60,7 +60,7 @@ TEST_F(WorkTest, APlaceIsNamedGoneToRenamedAndDeletedByKeys) {
   openRelief();
   document().setRect({40, 40, 60, 60});
   document().setGain(2);
-  const Region there = document().state().region;
+  const Region there = document().project().region;
   QTest::keyClick(&window().detailView(), Qt::Key_N, Qt::ControlModifier);
   ASSERT_EQ(places().places().size(), 1U);
   typeName("nose");
@@ -72,15 +72,15 @@ TEST_F(WorkTest, APlaceIsNamedGoneToRenamedAndDeletedByKeys) {
   ASSERT_EQ(places().places().size(), 2U);
   QTest::keyClick(list().findChild<QLineEdit*>(), Qt::Key_Escape);
   QTest::keyClick(&window().detailView(), Qt::Key_PageDown, Qt::ControlModifier);
-  EXPECT_EQ(document().state().region, there) << "next, round and round";
-  EXPECT_EQ(document().state().gain, 2);
+  EXPECT_EQ(document().project().region, there) << "next, round and round";
+  EXPECT_EQ(document().project().gain, 2);
   EXPECT_EQ(document().history().undoText(), "Go to nose");
   QTest::keyClick(&window().detailView(), Qt::Key_PageUp, Qt::ControlModifier);
-  EXPECT_NE(document().state().region, there);
+  EXPECT_NE(document().project().region, there);
   list().setFocus();
   list().setCurrentRow(0);
   QTest::keyClick(&list(), Qt::Key_Return);
-  EXPECT_EQ(document().state().region, there) << "Enter goes to it";
+  EXPECT_EQ(document().project().region, there) << "Enter goes to it";
   QTest::keyClick(&list(), Qt::Key_F2);
   typeName("left eye");
   EXPECT_EQ(places().places()[0].name, "left eye");
@@ -93,7 +93,7 @@ TEST_F(WorkTest, ABeaconIsSetAndRemovedUnderTheHandAndGoneTo) {
   openRelief();
   window().runCommand("finer");
   document().setRect({40, 40, 50, 50});
-  const Region there = document().state().region;  // The pointer is elsewhere: its centre counts.
+  const Region there = document().project().region;  // The pointer is elsewhere: its centre counts.
   QTest::keyClick(&window().detailView(), Qt::Key_B, Qt::ControlModifier);
   ASSERT_EQ(places().places().size(), 1U);
   EXPECT_EQ(places().places()[0].name, "Beacon 1");
@@ -109,7 +109,7 @@ TEST_F(WorkTest, ABeaconIsSetAndRemovedUnderTheHandAndGoneTo) {
   window().runCommand("beacon");
   EXPECT_EQ(places().places()[1].name, "Beacon 1") << "the first number that is free";
   window().runCommand("next_place");
-  EXPECT_NEAR(document().state().region.x_mm, there.x_mm + there.side_mm, 1e-9);
+  EXPECT_NEAR(document().project().region.x_mm, there.x_mm + there.side_mm, 1e-9);
 }
 
 TEST_F(WorkTest, AViewIsKeptWithItsLightAndReliefByTheMouse) {
@@ -163,11 +163,11 @@ TEST_F(WorkTest, ColoursStereoLightPlacesAndMeasurementsAreStepsToo) {
   // A place that is gone to may bring its own look; each is one step, and regions stay right.
   document().move(0.1, 0);
   window().saveProject(path("steps.relievo.json"));
-  const Region end = document().state().region;
+  const Region end = document().project().region;
   restart();
   window().open(path("steps.relievo.json"));
   ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
-  EXPECT_EQ(document().state().region, end);
+  EXPECT_EQ(document().project().region, end);
   EXPECT_FALSE(window().hasUnsavedWork());
 }
 
@@ -186,24 +186,24 @@ TEST_F(WorkTest, PlacesAndAHundredStepsComeBackWithTheProjectAndAreUndone) {
   openRelief();
   document().setRect({40, 40, 60, 60});
   for (int i = 0; i < 99; ++i) document().move(i % 2 == 0 ? 0.1 : -0.1, 0);
-  const Region end = document().state().region;
+  const Region end = document().project().region;
   ASSERT_EQ(document().history().index(), 100);
   window().runCommand("name_place");
   window().saveProject(path("p.relievo.json"));
   restart();
   window().open(path("p.relievo.json"));
   ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
-  EXPECT_EQ(document().state().region, end);
+  EXPECT_EQ(document().project().region, end);
   EXPECT_EQ(places().places().size(), 1U);
   ASSERT_EQ(document().history().index(), 100);
   EXPECT_EQ(document().history().undoText(), "Move window");
   for (int i = 0; i < 99; ++i) document().history().undo();
-  EXPECT_EQ(document().state().region.side_mm, 60);
+  EXPECT_EQ(document().project().region.side_mm, 60);
   EXPECT_EQ(document().history().undoText(), "Choose window");
   document().history().undo();
   EXPECT_EQ(document().detail(), 1) << "as it was opened";
   document().history().redo();
-  EXPECT_EQ(document().state().region.side_mm, 60);
+  EXPECT_EQ(document().project().region.side_mm, 60);
 }
 
 TEST_F(WorkTest, UnsavedWorkHasACopyThatGoesWithSavingAndWithTheEnd) {
@@ -223,7 +223,7 @@ TEST_F(WorkTest, UnsavedWorkHasACopyThatGoesWithSavingAndWithTheEnd) {
 TEST_F(WorkTest, AfterACrashTheStartOffersTheWorkAndRestoresIt) {
   openRelief();
   document().setRect({40, 40, 60, 60});
-  const Region region = document().state().region;
+  const Region region = document().project().region;
   window().findChild<MeasurePanel*>()->setMeasurements(
       {{"top", MeasureKind::depth, {{10, 10}, {100, 90}}, 0}});
   const Project work = window().project();
@@ -234,7 +234,7 @@ TEST_F(WorkTest, AfterACrashTheStartOffersTheWorkAndRestoresIt) {
   ASSERT_NE(stripButton("Restore"), nullptr);
   QTest::mouseClick(stripButton("Restore"), Qt::LeftButton);
   ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
-  EXPECT_EQ(document().state().region, region);
+  EXPECT_EQ(document().project().region, region);
   EXPECT_EQ(window().findChild<MeasurePanel*>()->measurements().size(), 1U);
   EXPECT_EQ(document().history().undoText(), "Choose window");
   EXPECT_FALSE(QFile::exists(copies() + "/autosave-dead01.json"));
@@ -449,11 +449,31 @@ TEST_F(UnsavedTest, ASaveThatFailsClosesNothing) {
   EXPECT_EQ(places().places().size(), 1U);
 }
 
+TEST_F(WorkTest, AProjectOfACutScanComesBackWithWhatIsThere) {
+  openRelief();
+  window().runCommand("name_place");
+  window().runCommand("relief_slope");
+  window().saveProject(path("p.relievo.json"));
+  restart();
+  QFile scan(path("relief.ply"));
+  ASSERT_TRUE(scan.resize(scan.size() / 2));
+  window().open(path("p.relievo.json"));
+  ASSERT_TRUE(waitFor([&] { return !document().busy() && !window().message().isEmpty(); }));
+  auto* load = stripButton("Load what is there");
+  ASSERT_NE(load, nullptr) << window().message().toStdString();
+  QTest::mouseClick(load, Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  EXPECT_EQ(places().places().size(), 1U);
+  EXPECT_EQ(document().project().look.kind, ReliefKind::slope);
+  EXPECT_TRUE(document().project().accept_incomplete);
+  EXPECT_EQ(document().projectFile(), path("p.relievo.json"));
+}
+
 TEST_F(WorkTest, APictureOfTheWindowBringsItsStateBack) {
   openRelief();
   document().setRect({40, 40, 60, 60});
   window().runCommand("relief_openness");
-  const Region region = document().state().region;
+  const Region region = document().project().region;
   for (const ImageSource source :
        {ImageSource::detail, ImageSource::reference, ImageSource::window}) {
     const QString file = path(QStringLiteral("shot%1.png").arg(static_cast<int>(source)));
@@ -464,7 +484,7 @@ TEST_F(WorkTest, APictureOfTheWindowBringsItsStateBack) {
     document().whole();
     window().runCommand("relief_lit");
     window().open(file);
-    EXPECT_TRUE(waitFor([&] { return document().state().region == region; }));
+    EXPECT_TRUE(waitFor([&] { return document().project().region == region; }));
     EXPECT_EQ(window().detailView().sceneState().look.kind, ReliefKind::openness);
   }
 }

@@ -4302,10 +4302,6 @@
         <translation>Reliefbild</translation>
     </message>
     <message>
-        <source>Measurements</source>
-        <translation>Messungen</translation>
-    </message>
-    <message>
         <source>Light</source>
         <translation>Licht</translation>
     </message>
@@ -7603,6 +7599,10 @@
     <message>
         <source>The place alone</source>
         <translation>Nur die Stelle</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Stellen</translation>
     </message>
 </context>
 <context>

@@ -4302,10 +4302,6 @@
         <translation>उभार चित्र</translation>
     </message>
     <message>
-        <source>Measurements</source>
-        <translation>माप</translation>
-    </message>
-    <message>
         <source>Light</source>
         <translation>प्रकाश</translation>
     </message>
@@ -7603,6 +7599,10 @@
     <message>
         <source>The place alone</source>
         <translation>केवल जगह</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>जगहें</translation>
     </message>
 </context>
 <context>

@@ -4,12 +4,16 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <random>
 #include <regex>
 #include <set>
 
 #include "core/base/error.h"
+#include "core/provenance/program.h"
 #include "core/recording/force_curve.h"
 
 namespace relievo {
@@ -63,6 +67,7 @@ Project fullProject() {
               .zero_plane_mm = 3,
               .swap_eyes = true,
               .automatic_depth = true};
+  p.chosen_eye_angle_deg = 9.3;
   p.figures = {"fig.png"};
   p.azimuth_deg = 12;
   p.elevation_deg = -7;
@@ -117,6 +122,133 @@ TEST(ProjectJson, EveryFieldComesBackBitForBit) {
     EXPECT_EQ(json.find(it->str().back() == ',' ? it->str() : it->str() + "\n"), std::string::npos)
         << it->str() << " is as in an empty project";
   }
+}
+
+/// Also what only some projects hold.
+Project fullestProject() {
+  Project p = fullProject();
+  p.version = programVersion();
+  p.scan = {.keep_withheld = true, .reader = ReaderChoice::own, .parts = {2, 5}};
+  p.picture = PictureChoice{
+      .width_px = 300,
+      .height_px = 200,
+      .scale_bar = true,
+      .source = "reference view",
+      .background = "#102030",
+      .lines = {{{1, 2, 3}, {4, 5, 6}}},
+      .hand =
+          DrawnHand{.proxy = {1, 2, 3}, .hip = {1, 2, 2}, .force = {0, 0, 1}, .force_limit_n = 8}};
+  p.recordings = {{"touch.csv", std::string(64, 'a'), 12}};
+  p.paths = {{"path", {{0, viewOf(p)}, {3, viewOf(p)}}}};
+  p.saved_as = "elsewhere/p.relievo.json";
+  p.others = "{\"later\":{\"deep\":[1,2]}}";
+  return p;
+}
+
+TEST(ProjectJson, TheWholeValueComesBackEqual) {
+  const Project p = fullestProject();
+  EXPECT_TRUE(projectFromJson(projectJson(p), "test") == p);
+  Project plain;
+  plain.version = programVersion();
+  plain.file = "a.ply";
+  plain.region.side_mm = 1;
+  EXPECT_TRUE(projectFromJson(projectJson(plain), "test") == plain);
+}
+
+TEST(ProjectJson, NumbersOfAnyBitsComeBackEqual) {
+  std::mt19937_64 random(20261123);  // NOLINT(cert-msc51-cpp): the same numbers in every run.
+  std::uniform_real_distribution<double> any(-1e3, 1e3), positive(1e-6, 80);
+  for (int round = 0; round < 200; ++round) {
+    Project p = fullestProject();
+    p.region = {any(random), any(random), positive(random), {round % 7}};
+    p.gain = positive(random);
+    p.look.light = {any(random), positive(random)};
+    p.stereo.eye_angle_deg = positive(random);
+    p.stereo.zero_plane_mm = any(random);
+    p.chosen_eye_angle_deg = positive(random);
+    p.azimuth_deg = any(random);
+    p.places = {{"p", p.region, p.gain, viewOf(p)}};
+    p.measurements = {{"cut", MeasureKind::section, {}, any(random), {any(random), 0, 1}},
+                      {"way", MeasureKind::profile, {{any(random), any(random)}, {0, 1}}, 0}};
+    p.undo = {{"Move window", p.region, p.gain}};
+    EXPECT_TRUE(projectFromJson(projectJson(p), "test") == p) << "round " << round;
+  }
+}
+
+TEST(Project, IsAnotherOneIfAnyFieldIs) {
+  const Project full = fullestProject();
+  EXPECT_TRUE(full == fullestProject());
+  const std::vector<std::function<void(Project&)>> changes{
+      [](Project& p) { p.file = "b"; },
+      [](Project& p) { p.sha256 = "b"; },
+      [](Project& p) { p.bytes = 1; },
+      [](Project& p) { p.accept_incomplete = false; },
+      [](Project& p) { p.scan.parts = {2}; },
+      [](Project& p) { p.options.unit.reset(); },
+      [](Project& p) { p.options.unit_source = UnitSource::given; },
+      [](Project& p) { p.options.view->turn_deg[2] = 4; },
+      [](Project& p) { p.options.view.reset(); },
+      [](Project& p) { p.options.cells = 300; },
+      [](Project& p) { p.options.spacing_mm = 0.2; },
+      [](Project& p) { p.options.engine = "cpu"; },
+      [](Project& p) { p.options.rule.reset(); },
+      [](Project& p) { p.options.strays = StrayRule::drop; },
+      [](Project& p) { p.options.nodata.reset(); },
+      [](Project& p) { p.options.holes.max_area_mm2 = 1; },
+      [](Project& p) { p.options.pyramid.factor = 2; },
+      [](Project& p) { p.region.x_mm = std::nextafter(p.region.x_mm, 1.0); },
+      [](Project& p) { p.gain = 1; },
+      [](Project& p) { p.look.light.azimuth_deg = 11; },
+      [](Project& p) { p.stereo.swap_eyes = false; },
+      [](Project& p) { p.chosen_eye_angle_deg.reset(); },
+      [](Project& p) { p.azimuth_deg = 13; },
+      [](Project& p) { p.elevation_deg = 0; },
+      [](Project& p) { p.picture->width_px = 301; },
+      [](Project& p) { p.figure.dpi = 300; },
+      [](Project& p) { p.places[1].view->gain = 3; },
+      [](Project& p) { p.measurements[2].normal.x = 0.5; },
+      [](Project& p) { p.recordings.clear(); },
+      [](Project& p) { p.figures = {"other.png"}; },
+      [](Project& p) { p.paths[0].keys[1].t_s = 4; },
+      [](Project& p) { p.history.pop_back(); },
+      [](Project& p) { p.undo[0].gain = 1; },
+      [](Project& p) { p.version = "0"; },
+      [](Project& p) { p.made = "{}"; },
+      [](Project& p) { p.saved_as.clear(); },
+      [](Project& p) { p.others.clear(); }};
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    Project changed = full;
+    changes[i](changed);
+    EXPECT_FALSE(changed == full) << "change " << i;
+  }
+  Project threads = full;
+  threads.options.pyramid.threads = 3;
+  EXPECT_TRUE(threads == full) << "the result is the same for every number of them";
+}
+
+TEST(Project, WorkIsWhatCostSomebodyWork) {
+  Project p = fullestProject();
+  const Project work = workIn(p, false);
+  p.region.x_mm += 1;
+  p.azimuth_deg = 50;
+  p.recordings.clear();
+  p.look.kind = ReliefKind::slope;
+  EXPECT_TRUE(workIn(p, false) == work) << "to look about is no work";
+  p.places.pop_back();
+  EXPECT_FALSE(workIn(p, false) == work);
+}
+
+TEST(Project, OfAProjectFileTheLookIsWorkAndADrawnEyeAngleIsNot) {
+  Project p = fullestProject();
+  p.stereo.automatic_depth = false;
+  const Project work = workIn(p, true);
+  p.stereo.eye_angle_deg = 1;
+  EXPECT_TRUE(workIn(p, true) == work) << "the view draws less than was chosen";
+  p.chosen_eye_angle_deg = 10;
+  EXPECT_FALSE(workIn(p, true) == work);
+  p = fullestProject();
+  p.look.kind = ReliefKind::slope;
+  EXPECT_FALSE(workIn(p, true) == workIn(fullestProject(), true));
 }
 
 TEST(ProjectJson, OfAnOlderVersionKeepsStraysAndTheEarlierChoiceOfView) {
