@@ -4,11 +4,11 @@
 #include <csignal>
 #include <iostream>
 
-#include "app/batch/batch.h"
-#include "app/batch/other_program.h"
+#include "app/cli/batch.h"
+#include "app/cli/other_program.h"
 #include "app/options.h"
 #include "core/base/error.h"
-#include "core/io/reader_guard.h"
+#include "core/io/worker/reader_guard.h"
 #include "core/provenance/program.h"
 
 namespace {

@@ -13,9 +13,9 @@
 #include "core/region/edges.h"
 #include "core/session/finer_heights.h"
 #include "core/session/firmness.h"
-#include "ui/detail_view.h"
-#include "ui/file_names.h"
-#include "ui/spoken_error.h"
+#include "ui/language/spoken_error.h"
+#include "ui/views/detail_view.h"
+#include "ui/work/file_names.h"
 
 namespace relievo {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "plugins/api/host.h"
-#include "ui/latest_worker.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
+#include "ui/work/latest_worker.h"
 
 namespace relievo {
 

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <string_view>
 
-#include "app/batch/drawing.h"
-#include "app/batch/other_program.h"
+#include "app/cli/drawing.h"
+#include "app/cli/other_program.h"
 #include "core/base/error.h"
 #include "core/provenance/program.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/io/lines.h"
+#include "core/io/formats/lines.h"
 
 namespace relievo {
 namespace {

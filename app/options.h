@@ -11,7 +11,7 @@
 
 namespace relievo {
 
-/// What the command line says about the window (verbs are app/batch's).
+/// What the command line says about the window (verbs are app/cli's).
 struct WindowOptions {
   std::vector<std::string> files;  ///< Empty: the start page; several: scans of one object.
   std::optional<LengthUnit> unit;

@@ -9,7 +9,7 @@
 
 #include "app/host.h"
 #include "plugins/api/plugin.h"
-#include "ui/settings.h"
+#include "ui/window/settings.h"
 
 namespace relievo {
 

@@ -8,22 +8,22 @@
 #include <QIcon>
 #include <QSurfaceFormat>
 
-#include "app/batch/companions.h"
-#include "app/batch/falcon_setting.h"
-#include "app/batch/state.h"
+#include "app/cli/companions.h"
+#include "app/cli/options/falcon_setting.h"
+#include "app/cli/state.h"
 #include "app/end_signals.h"
 #include "app/host.h"
 #include "app/options.h"
 #include "app/plugin_loader.h"
 #include "core/base/error.h"
-#include "core/io/reader_guard.h"
-#include "ui/file_names.h"
-#include "ui/guarded_application.h"
-#include "ui/language.h"
-#include "ui/main_window.h"
-#include "ui/surface_view.h"
+#include "core/io/worker/reader_guard.h"
+#include "ui/language/language.h"
+#include "ui/views/surface_view.h"
 #include "ui/vtk/depth_capture.h"
 #include "ui/vtk/display_connection.h"
+#include "ui/window/guarded_application.h"
+#include "ui/window/main_window.h"
+#include "ui/work/file_names.h"
 
 // relievo-window: the window. `relievo` goes on as it where no verb is given.
 namespace {

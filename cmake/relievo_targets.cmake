@@ -29,7 +29,7 @@ function(relievo_add_module name)
   add_library(relievo::${name} ALIAS relievo_${name})
 endfunction()
 
-# relievo_add_test(core/depth/rasterize_test LINK targets... [DISPLAY] [QT] [MAIN] [LABELS ...])
+# relievo_add_test(core/depth/rules/rasterize_test LINK targets... [DISPLAY] [QT] [MAIN] [LABELS ...])
 # One test file tests/<path>.cpp, one executable, one CTest entry of the same name.
 # DISPLAY: needs an X display, and gets one of its own. MAIN: it has a main() of its own, in the
 # file or among SOURCES.

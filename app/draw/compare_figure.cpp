@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/draw/compare_figure.h"
 
-#include "app/batch/json.h"
-#include "app/batch/library_versions.h"
-#include "app/batch/report_text.h"
+#include "app/cli/json.h"
+#include "app/cli/library_versions.h"
+#include "app/cli/report_text.h"
 #include "core/project/carried_state.h"
 #include "core/provenance/program.h"
-#include "core/session/tiled_surface.h"
+#include "core/session/large/tiled_surface.h"
 #include "ui/figure/figure.h"
 #include "ui/figure/view_picture.h"
+#include "ui/vtk/files/read_picture.h"
 #include "ui/vtk/offscreen.h"
-#include "ui/vtk/read_picture.h"
 
 namespace relievo::batch {
 namespace {

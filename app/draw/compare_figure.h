@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "app/batch/state.h"
-#include "app/batch/verb.h"
+#include "app/cli/state.h"
+#include "app/cli/verb.h"
 
 namespace relievo::batch {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "app/batch/drawing.h"
+#include "app/cli/drawing.h"
 
 namespace relievo::batch {
 

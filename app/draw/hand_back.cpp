@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include "app/batch/verb.h"
-#include "ui/vtk/read_picture.h"
+#include "app/cli/verb.h"
+#include "ui/vtk/files/read_picture.h"
 
 namespace relievo {
 

@@ -7,10 +7,10 @@
 #include <QHash>
 #include <string_view>
 
-#include "app/batch/batch.h"
+#include "app/cli/batch.h"
 #include "app/draw/drawing_verbs.h"
 #include "app/draw/hand_back.h"
-#include "core/io/reader_guard.h"
+#include "core/io/worker/reader_guard.h"
 
 int main(int argc, char** argv) {
   relievo::forbidReaders();

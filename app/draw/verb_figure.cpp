@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 
-#include "app/batch/drawing.h"
-#include "app/batch/figure_arguments.h"
-#include "app/batch/json.h"
-#include "app/batch/large.h"
-#include "app/batch/report_text.h"
-#include "app/batch/state.h"
-#include "app/batch/verb.h"
+#include "app/cli/drawing.h"
+#include "app/cli/json.h"
+#include "app/cli/large.h"
+#include "app/cli/options/figure_arguments.h"
+#include "app/cli/report_text.h"
+#include "app/cli/state.h"
+#include "app/cli/verb.h"
 #include "app/draw/compare_figure.h"
 #include "app/draw/drawing_verbs.h"
 #include "core/base/failure.h"
 #include "core/file/output_set.h"
 #include "core/project/caption.h"
+#include "core/session/large/tiled_surface.h"
 #include "core/session/map_facts.h"
-#include "core/session/tiled_surface.h"
 #include "ui/figure/figure.h"
 
 namespace relievo::batch {

@@ -2,25 +2,25 @@
 #include <algorithm>
 #include <CLI/CLI.hpp>
 
-#include "app/batch/drawing.h"
-#include "app/batch/json.h"
-#include "app/batch/large.h"
-#include "app/batch/look_arguments.h"
-#include "app/batch/number_option.h"
-#include "app/batch/report_text.h"
-#include "app/batch/state.h"
-#include "app/batch/verb.h"
+#include "app/cli/drawing.h"
+#include "app/cli/json.h"
+#include "app/cli/large.h"
+#include "app/cli/options/look_arguments.h"
+#include "app/cli/options/number_option.h"
+#include "app/cli/report_text.h"
+#include "app/cli/state.h"
+#include "app/cli/verb.h"
 #include "app/draw/drawing_verbs.h"
 #include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/file/output_set.h"
-#include "core/io/text_file.h"
+#include "core/io/formats/text_file.h"
 #include "core/project/shown_lengths.h"
-#include "core/session/tiled_surface.h"
+#include "core/session/large/tiled_surface.h"
 #include "ui/figure/figure.h"
 #include "ui/figure/view_picture.h"
+#include "ui/vtk/files/picture_file.h"
 #include "ui/vtk/offscreen.h"
-#include "ui/vtk/picture_file.h"
 
 namespace relievo::batch {
 namespace {

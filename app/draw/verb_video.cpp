@@ -3,13 +3,13 @@
 #include <memory>
 #include <optional>
 
-#include "app/batch/drawing.h"
-#include "app/batch/json.h"
-#include "app/batch/look_arguments.h"
-#include "app/batch/number_option.h"
-#include "app/batch/report_text.h"
-#include "app/batch/state.h"
-#include "app/batch/verb.h"
+#include "app/cli/drawing.h"
+#include "app/cli/json.h"
+#include "app/cli/options/look_arguments.h"
+#include "app/cli/options/number_option.h"
+#include "app/cli/report_text.h"
+#include "app/cli/state.h"
+#include "app/cli/verb.h"
 #include "app/draw/drawing_verbs.h"
 #include "core/base/failure.h"
 #include "core/project/caption.h"
@@ -17,7 +17,7 @@
 #include "ui/figure/figure.h"
 #include "ui/video/video.h"
 #include "ui/video/video_frames.h"
-#include "ui/vtk/picture_file.h"
+#include "ui/vtk/files/picture_file.h"
 
 namespace relievo::batch {
 namespace {

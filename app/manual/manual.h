@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/batch/command_table.h"
+#include "app/cli/command_table.h"
 
 namespace relievo::manual {
 

@@ -2,9 +2,9 @@
 #include "app/python/input.h"
 
 #include "core/base/failure.h"
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
+#include "core/session/large/tiled_surface.h"
 #include "core/session/load.h"
-#include "core/session/tiled_surface.h"
 #include "core/tiles/tiled_map.h"
 
 namespace relievo::python {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "app/batch/arguments.h"
+#include "app/cli/arguments.h"
 #include "app/python/parameters.h"
 #include "core/base/task.h"
 #include "core/session/surface.h"

@@ -8,14 +8,14 @@
 #include <string>
 #include <string_view>
 
-#include "app/batch/batch.h"
+#include "app/cli/batch.h"
 #include "app/python/bindings.h"
 #include "app/python/errors.h"
 #include "core/base/failure.h"
 #include "core/base/origin.h"
 #include "core/file/own_program.h"
-#include "core/io/reader_guard.h"
-#include "core/io/worker_process.h"
+#include "core/io/worker/reader_guard.h"
+#include "core/io/worker/worker_process.h"
 #include "core/provenance/program.h"
 
 namespace py = pybind11;

@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/batch/number_option.h"
-#include "app/batch/refusal_text.h"
+#include "app/cli/options/number_option.h"
+#include "app/cli/refusal_text.h"
 #include "app/python/plain_numbers.h"
 #include "core/base/error.h"
 

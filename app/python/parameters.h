@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/batch/arguments.h"
-#include "app/batch/touch_setup.h"
+#include "app/cli/arguments.h"
+#include "app/cli/verbs/touch_setup.h"
 
 namespace relievo::python {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/batch/force_plot.h"
-#include "app/batch/verb_files.h"
+#include "app/cli/verbs/force_plot.h"
+#include "app/cli/verbs/verb_files.h"
 #include "app/python/bindings.h"
 #include "app/python/errors.h"
 #include "app/python/input.h"

@@ -8,9 +8,9 @@
 #include "app/python/interruptible.h"
 #include "app/python/numbers.h"
 #include "core/region/smoothing.h"
-#include "core/session/level_cut.h"
-#include "core/session/memory_guard.h"
-#include "core/session/tiled_surface.h"
+#include "core/session/large/level_cut.h"
+#include "core/session/large/memory_guard.h"
+#include "core/session/large/tiled_surface.h"
 
 namespace relievo::python {
 namespace {

@@ -81,7 +81,8 @@ struct CapturedDepths {
   std::optional<HiddenSurface> hidden;  ///< If the engine counted it.
   bool one_layer = false;  ///< The rule is one for surfaces without a back: nothing shows through.
   std::string rule;        ///< Which rule and why, in words; empty where there was no choice.
-  std::size_t flyers = 0;  ///< Points far off all their neighbours (core/depth/flyers.h); left out.
+  std::size_t flyers =
+      0;  ///< Points far off all their neighbours (core/depth/layers/flyers.h); left out.
 
   std::optional<DepthBufferFormat> depth_buffer;  ///< If the depths come from one.
 
@@ -91,7 +92,7 @@ struct CapturedDepths {
       : front(std::move(depths)) {}
 };
 
-/// A depth engine: the CPU rasterizer (core/depth/rasterize.h) or the OpenGL depth buffer
+/// A depth engine: the CPU rasterizer (core/depth/rules/rasterize.h) or the OpenGL depth buffer
 /// (ui/vtk/depth_capture.h). @throw Cancelled, GraphicsError
 using DepthEngine = std::function<CapturedDepths(const DepthRequest&, const Task&)>;
 

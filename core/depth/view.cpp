@@ -12,8 +12,8 @@
 #include "core/base/bands.h"
 #include "core/base/failure.h"
 #include "core/base/wide_vectors.h"
-#include "core/depth/automatic_view.h"
-#include "core/depth/principal_axes.h"
+#include "core/depth/layers/automatic_view.h"
+#include "core/depth/layers/principal_axes.h"
 
 namespace relievo {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
-#include "core/io/lines.h"
-#include "core/io/reader_guard.h"
+#include "core/io/formats/lines.h"
+#include "core/io/worker/reader_guard.h"
 
 namespace relievo {
 namespace {

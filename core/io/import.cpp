@@ -9,18 +9,18 @@
 #include <variant>
 
 #include "core/base/failure.h"
-#include "core/io/colour_raster.h"
-#include "core/io/embedded_state.h"
-#include "core/io/facts_text.h"
 #include "core/io/file_check.h"
-#include "core/io/import_answer.h"
 #include "core/io/input_facts.h"
-#include "core/io/raster.h"
-#include "core/io/raster_rows.h"
-#include "core/io/scan_transport.h"
+#include "core/io/raster/colour_raster.h"
+#include "core/io/raster/embedded_state.h"
+#include "core/io/raster/raster.h"
+#include "core/io/raster/raster_rows.h"
+#include "core/io/raster/tiff_head.h"
 #include "core/io/system_unit.h"
-#include "core/io/tiff_head.h"
-#include "core/io/worker_process.h"
+#include "core/io/worker/facts_text.h"
+#include "core/io/worker/import_answer.h"
+#include "core/io/worker/scan_transport.h"
+#include "core/io/worker/worker_process.h"
 
 namespace relievo {
 namespace {

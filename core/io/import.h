@@ -45,7 +45,7 @@ struct ImportOptions {
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options = {},
                 const Task& task = {});
 
-struct RasterMap;  // core/io/raster.h
+struct RasterMap;  // core/io/raster/raster.h
 
 /// Reads a height raster (TIFF, PNG, ESRI ASCII grid) as readRaster does, in a child process like
 /// importScan. Of `options` the limits apply. [worker]

@@ -11,10 +11,10 @@
 #include "core/base/error.h"
 #include "core/io/file_check.h"
 #include "core/io/format.h"
-#include "core/io/ply_header.h"
+#include "core/io/formats/ply_header.h"
 #include "core/io/point_reader.h"
-#include "core/io/reader_guard.h"
-#include "core/io/tiff_head.h"
+#include "core/io/raster/tiff_head.h"
+#include "core/io/worker/reader_guard.h"
 
 namespace relievo {
 namespace {

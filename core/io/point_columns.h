@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/base/task.h"
-#include "core/io/scalar.h"
+#include "core/io/formats/scalar.h"
 
 namespace relievo {
 

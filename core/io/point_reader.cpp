@@ -15,14 +15,14 @@
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/format.h"
-#include "core/io/las_header.h"
-#include "core/io/las_unit.h"
-#include "core/io/las_values.h"
-#include "core/io/planted_fault.h"
-#include "core/io/ply_header.h"
+#include "core/io/formats/ply_header.h"
+#include "core/io/las/las_header.h"
+#include "core/io/las/las_unit.h"
+#include "core/io/las/las_values.h"
 #include "core/io/read_scan.h"
-#include "core/io/reader_guard.h"
 #include "core/io/scan_builder.h"
+#include "core/io/worker/planted_fault.h"
+#include "core/io/worker/reader_guard.h"
 
 namespace relievo {
 namespace {

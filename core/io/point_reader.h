@@ -13,13 +13,13 @@
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
 #include "core/file/owned_fd.h"
+#include "core/io/formats/ply_header.h"
+#include "core/io/formats/scalar.h"
 #include "core/io/import.h"
-#include "core/io/las_unit.h"
-#include "core/io/laz_points.h"
-#include "core/io/ply_header.h"
+#include "core/io/las/las_unit.h"
+#include "core/io/las/laz_points.h"
 #include "core/io/point_columns.h"
 #include "core/io/point_stream.h"
-#include "core/io/scalar.h"
 
 namespace relievo {
 

@@ -18,15 +18,15 @@
 
 #include "core/base/error.h"
 #include "core/file/owned_fd.h"
-#include "core/io/answer_text.h"
 #include "core/io/file_check.h"
-#include "core/io/import_answer.h"
 #include "core/io/input_facts.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
-#include "core/io/stream_protocol.h"
-#include "core/io/stream_worker.h"
 #include "core/io/system_unit.h"
+#include "core/io/worker/answer_text.h"
+#include "core/io/worker/import_answer.h"
+#include "core/io/worker/stream_protocol.h"
+#include "core/io/worker/stream_worker.h"
 
 namespace relievo {
 namespace {

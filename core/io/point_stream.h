@@ -12,10 +12,10 @@
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
+#include "core/io/formats/scalar.h"
 #include "core/io/import.h"
-#include "core/io/las_unit.h"
-#include "core/io/laz_points.h"
-#include "core/io/scalar.h"
+#include "core/io/las/las_unit.h"
+#include "core/io/las/laz_points.h"
 
 namespace relievo {
 

@@ -9,7 +9,7 @@
 #include "core/io/file_check.h"
 #include "core/io/format.h"
 #include "core/io/mapped_file.h"
-#include "core/io/reader_guard.h"
+#include "core/io/worker/reader_guard.h"
 
 namespace relievo {
 

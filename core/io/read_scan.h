@@ -9,8 +9,8 @@
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
+#include "core/io/formats/pcl_records.h"
 #include "core/io/import.h"
-#include "core/io/pcl_records.h"
 
 namespace relievo {
 

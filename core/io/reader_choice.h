@@ -6,9 +6,9 @@
 #include <string>
 
 #include "core/io/format.h"
+#include "core/io/formats/pcd_header.h"
+#include "core/io/formats/ply_header.h"
 #include "core/io/import.h"
-#include "core/io/pcd_header.h"
-#include "core/io/ply_header.h"
 
 namespace relievo {
 

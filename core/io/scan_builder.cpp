@@ -8,8 +8,8 @@
 #include "core/base/failure.h"
 #include "core/base/large_pages.h"
 #include "core/io/file_check.h"
+#include "core/io/formats/polygon.h"
 #include "core/io/point_values.h"
-#include "core/io/polygon.h"
 
 namespace relievo {
 namespace {

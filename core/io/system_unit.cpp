@@ -6,9 +6,9 @@
 #include <array>
 #include <string>
 
-#include "core/io/gdal_session.h"
-#include "core/io/number_text.h"
-#include "core/io/unit_text.h"
+#include "core/io/formats/number_text.h"
+#include "core/io/formats/unit_text.h"
+#include "core/io/raster/gdal_session.h"
 
 namespace relievo {
 

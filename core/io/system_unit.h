@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/cloud/scan.h"
-#include "core/io/las_unit.h"
+#include "core/io/las/las_unit.h"
 
 namespace relievo {
 

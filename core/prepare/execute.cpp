@@ -8,13 +8,13 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "core/prepare/align/poses.h"
 #include "core/prepare/base_plane.h"
 #include "core/prepare/crop.h"
 #include "core/prepare/normals.h"
 #include "core/prepare/off_surface.h"
 #include "core/prepare/outliers.h"
 #include "core/prepare/pcl_version.h"
-#include "core/prepare/poses.h"
 #include "core/prepare/thin.h"
 
 namespace relievo {

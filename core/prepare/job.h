@@ -10,7 +10,7 @@
 #include "core/cloud/scan.h"
 #include "core/message/message.h"
 #include "core/neighbours/point_neighbours.h"
-#include "core/prepare/align.h"
+#include "core/prepare/align/align.h"
 #include "core/prepare/point_bits.h"
 #include "core/prepare/recipe.h"
 

@@ -9,8 +9,8 @@
 
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
-#include "core/io/number_text.h"
-#include "core/io/worker_process.h"
+#include "core/io/formats/number_text.h"
+#include "core/io/worker/worker_process.h"
 #include "core/prepare/assemble.h"
 #include "core/prepare/transport.h"
 #include "core/prepare/worker.h"

@@ -12,10 +12,10 @@
 
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
-#include "core/io/lines.h"
-#include "core/io/worker_child.h"
-#include "core/io/worker_process.h"
-#include "core/io/worker_sandbox.h"
+#include "core/io/formats/lines.h"
+#include "core/io/worker/worker_child.h"
+#include "core/io/worker/worker_process.h"
+#include "core/io/worker/worker_sandbox.h"
 #include "core/prepare/execute.h"
 #include "core/prepare/transport.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/prepare/align.h"
+#include "core/prepare/align/align.h"
 
 namespace relievo {
 

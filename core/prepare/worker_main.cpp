@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // relievo-prepare: cleans, aligns, joins and thins scans, by FLANN and PCL.
-#include "core/prepare/align_scans.h"
+#include "core/prepare/align/align_scans.h"
 #include "core/prepare/worker.h"
 
 int main(int argc, char** argv) {

@@ -7,7 +7,7 @@
 #include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/io/file_check.h"
-#include "core/io/text_file.h"
+#include "core/io/formats/text_file.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/parameters_json.h"
 #include "core/provenance/program.h"

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "core/base/failure.h"
-#include "core/io/text_file.h"
+#include "core/io/formats/text_file.h"
 #include "core/project/package.h"
 #include "core/project/project_files.h"
 #include "core/provenance/name_text.h"

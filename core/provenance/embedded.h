@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/io/embedded_state.h"
+#include "core/io/raster/embedded_state.h"
 
 namespace relievo {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/failure.h"
 #include "core/base/json_nesting.h"
-#include "core/depth/point_rule.h"
+#include "core/depth/rules/point_rule.h"
 #include "core/provenance/name_text.h"
 
 namespace relievo {

@@ -8,7 +8,7 @@
 #include "core/provenance/libraries.h"
 #include "core/provenance/parameters_json.h"
 #include "core/provenance/program.h"
-#include "core/session/large_map.h"
+#include "core/session/large/large_map.h"
 #include "core/session/map_facts.h"
 
 namespace relievo {

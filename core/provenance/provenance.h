@@ -72,7 +72,7 @@ std::string madeText(const Surface& surface);
 Provenance provenanceOf(const Surface& surface, const SurfaceOptions& options);
 
 /// The same of a map made by tiles.
-struct LargeMap;  // core/session/large_map.h
+struct LargeMap;  // core/session/large/large_map.h
 Provenance provenanceOf(const LargeMap& map, const SurfaceOptions& options);
 
 /// The options with what was chosen automatically written out: unit, view, sample distance.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/task.h"
-#include "core/depth/stored_colours.h"
+#include "core/depth/colours/stored_colours.h"
 #include "core/pyramid/pyramid.h"
 
 namespace relievo {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/depth/colours.h"
+#include "core/depth/colours/colours.h"
 
 namespace relievo {
 

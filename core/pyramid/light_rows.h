@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/depth/linear_light.h"
+#include "core/depth/colours/linear_light.h"
 
 namespace relievo {
 

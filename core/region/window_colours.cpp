@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/depth/colour_fill.h"
-#include "core/depth/linear_light.h"
+#include "core/depth/colours/colour_fill.h"
+#include "core/depth/colours/linear_light.h"
 
 namespace relievo {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "core/depth/colours.h"
-#include "core/depth/stored_colours.h"
+#include "core/depth/colours/colours.h"
+#include "core/depth/colours/stored_colours.h"
 #include "core/region/window.h"
 
 namespace relievo {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/task.h"
-#include "core/depth/colours.h"
+#include "core/depth/colours/colours.h"
 #include "core/depth/depth_map.h"
 #include "core/relief/colour_map.h"
 #include "core/relief/look.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/depth/colours.h"
+#include "core/depth/colours/colours.h"
 #include "core/relief/look.h"
 
 namespace relievo {

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "core/cloud/scan.h"
-#include "core/depth/cell_size.h"
+#include "core/depth/rules/cell_size.h"
 #include "core/depth/view.h"
 #include "core/session/surface.h"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/base/bands.h"
-#include "core/depth/layers.h"
+#include "core/depth/layers/layers.h"
 
 namespace relievo {
 namespace {

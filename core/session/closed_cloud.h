@@ -9,11 +9,11 @@
 #include "core/base/task.h"
 #include "core/base/transform.h"
 #include "core/cloud/scan.h"
-#include "core/depth/cell_points.h"
-#include "core/depth/cell_size.h"
 #include "core/depth/depth_map.h"
 #include "core/depth/depth_request.h"
-#include "core/depth/front_surface.h"
+#include "core/depth/layers/front_surface.h"
+#include "core/depth/rules/cell_points.h"
+#include "core/depth/rules/cell_size.h"
 #include "core/depth/view.h"
 
 namespace relievo {

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "core/base/failure.h"
-#include "core/io/colour_raster.h"
-#include "core/io/raster.h"
+#include "core/io/raster/colour_raster.h"
+#include "core/io/raster/raster.h"
 #include "core/region/window.h"
-#include "core/session/level_cut.h"
-#include "core/session/memory_guard.h"
-#include "core/session/surface_colours.h"
-#include "core/session/tiled_surface.h"
+#include "core/session/colours/surface_colours.h"
+#include "core/session/large/level_cut.h"
+#include "core/session/large/memory_guard.h"
+#include "core/session/large/tiled_surface.h"
 
 namespace relievo {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/region/window.h"
-#include "core/session/tiled_surface.h"
+#include "core/session/large/tiled_surface.h"
 
 namespace relievo {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/failure.h"
 #include "core/io/import.h"
-#include "core/io/raster.h"
+#include "core/io/raster/raster.h"
 #include "core/region/window.h"
 
 namespace relievo {

@@ -4,8 +4,8 @@
 #include "core/base/error.h"
 #include "core/io/input_facts.h"
 #include "core/io/point_stream.h"
-#include "core/session/large_map.h"
-#include "core/session/tiled_surface.h"
+#include "core/session/large/large_map.h"
+#include "core/session/large/tiled_surface.h"
 
 namespace relievo {
 namespace {

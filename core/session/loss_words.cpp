@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "core/depth/point_rule.h"
+#include "core/depth/rules/point_rule.h"
 
 namespace relievo {
 namespace {

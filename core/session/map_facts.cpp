@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/depth/point_rule.h"
+#include "core/depth/rules/point_rule.h"
 #include "core/tiles/tiled_map.h"
 
 namespace relievo {

@@ -11,7 +11,7 @@
 #include "core/base/failure.h"
 #include "core/cloud/scan.h"
 #include "core/io/file_check.h"
-#include "core/io/raster.h"
+#include "core/io/raster/raster.h"
 #include "core/session/strays.h"
 
 namespace relievo {

@@ -9,7 +9,7 @@
 namespace relievo {
 
 struct Scan;       // core/cloud/scan.h
-struct RasterMap;  // core/io/raster.h
+struct RasterMap;  // core/io/raster/raster.h
 
 /// What somebody said of heights that stand for none and are not declared as such in the file.
 struct NodataChoice {

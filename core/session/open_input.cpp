@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/session/open_input.h"
 
-#include "core/session/tiled_surface.h"
+#include "core/session/large/tiled_surface.h"
 
 namespace relievo {
 

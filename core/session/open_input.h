@@ -8,7 +8,7 @@
 #include "core/base/task.h"
 #include "core/io/import.h"
 #include "core/io/input_facts.h"
-#include "core/io/raster.h"
+#include "core/io/raster/raster.h"
 #include "core/session/surface.h"
 
 namespace relievo {

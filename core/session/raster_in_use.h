@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/task.h"
-#include "core/io/raster_rows.h"
+#include "core/io/raster/raster_rows.h"
 #include "core/session/nodata.h"
 #include "core/tiles/band_fill.h"
 

@@ -8,15 +8,15 @@
 #include <cstdio>
 
 #include "core/base/failure.h"
-#include "core/depth/cell_size.h"
-#include "core/depth/losses.h"
-#include "core/depth/point_rule.h"
-#include "core/io/raster.h"
+#include "core/depth/fill/losses.h"
+#include "core/depth/rules/cell_size.h"
+#include "core/depth/rules/point_rule.h"
+#include "core/io/raster/raster.h"
 #include "core/session/choices.h"
 #include "core/session/closed_cloud.h"
+#include "core/session/colours/surface_colours.h"
+#include "core/session/large/memory_guard.h"
 #include "core/session/loss_words.h"
-#include "core/session/memory_guard.h"
-#include "core/session/surface_colours.h"
 #include "core/session/unit_guess.h"
 
 namespace relievo {

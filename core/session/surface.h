@@ -11,12 +11,12 @@
 #include "core/base/transform.h"
 #include "core/base/unit.h"
 #include "core/cloud/scan.h"
-#include "core/depth/colours.h"
+#include "core/depth/colours/colours.h"
+#include "core/depth/colours/stored_colours.h"
 #include "core/depth/depth_map.h"
 #include "core/depth/depth_request.h"
-#include "core/depth/fill.h"
+#include "core/depth/fill/fill.h"
 #include "core/depth/quality.h"
-#include "core/depth/stored_colours.h"
 #include "core/depth/view.h"
 #include "core/pyramid/pyramid.h"
 #include "core/region/region.h"
@@ -68,7 +68,8 @@ struct Surface {
   std::uint64_t missing = 0;  ///< Points or cells left out because of options.nodata.
   Pyramid pyramid;
   std::vector<StoredColours> colours;  ///< Per level of it; empty: the scan has none.
-  /// Where the levels are if they are not in memory (core/session/tiled_surface.h); else null.
+  /// Where the levels are if they are not in memory (core/session/large/tiled_surface.h); else
+  /// null.
   std::shared_ptr<const TiledMap> tiles;
   DetailLadder ladder;
   std::vector<Hole> holes;            ///< Enclosed holes, largest first.
@@ -84,7 +85,7 @@ Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const Dept
                     const Task& task = {});
 
 /// A raster or a map read from a file becomes a surface as it is. [worker]
-struct RasterMap;  // core/io/raster.h
+struct RasterMap;  // core/io/raster/raster.h
 Surface makeSurface(const RasterMap& raster, const SurfaceOptions& options, const Task& task = {});
 
 }  // namespace relievo

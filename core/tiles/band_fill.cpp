@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/base/failure.h"
-#include "core/depth/mask.h"
-#include "core/depth/push_pull.h"
-#include "core/depth/see_through.h"
+#include "core/depth/fill/mask.h"
+#include "core/depth/fill/push_pull.h"
+#include "core/depth/layers/see_through.h"
 #include "core/tiles/lowest_values.h"
 #include "core/tiles/threads.h"
 #include "core/tiles/tile_layout.h"

@@ -10,8 +10,8 @@
 
 #include "core/base/grid.h"
 #include "core/base/task.h"
-#include "core/depth/fill.h"
-#include "core/depth/mask.h"
+#include "core/depth/fill/fill.h"
+#include "core/depth/fill/mask.h"
 #include "core/tiles/empty_runs.h"
 #include "core/tiles/row_store.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/grid.h"
-#include "core/depth/fill.h"
+#include "core/depth/fill/fill.h"
 
 namespace relievo {
 

@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "core/hash/sha256.h"
-#include "core/io/number_text.h"
-#include "core/io/raster.h"
-#include "core/io/tiff_head.h"
-#include "core/tiles/colour_files.h"
+#include "core/io/formats/number_text.h"
+#include "core/io/raster/raster.h"
+#include "core/io/raster/tiff_head.h"
+#include "core/tiles/colours/colour_files.h"
 #include "core/tiles/tile_raster.h"
 
 namespace relievo {

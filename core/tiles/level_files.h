@@ -24,7 +24,7 @@ std::filesystem::path originFile(const std::filesystem::path& level);
 /// on, which nobody would tell from levels of the new one.
 void removeLevelsFrom(const std::filesystem::path& finest, int count, OutputSet& set);
 
-class ColourFiles;  // core/tiles/colour_files.h
+class ColourFiles;  // core/tiles/colours/colour_files.h
 
 /// A tiled map on disk: per level one GeoTIFF of raw 256 x 256 float tiles and, beside it, one of
 /// origins (band 1) and of the share of measured cells in 1/255 (band 2). Each file says where its

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/grid.h"
-#include "core/depth/colour_fill.h"
+#include "core/depth/colours/colour_fill.h"
 #include "core/tiles/spill_file.h"
 
 namespace relievo {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/depth/grid_points.h"
-#include "core/depth/rule_choice.h"
+#include "core/depth/rules/grid_points.h"
+#include "core/depth/rules/rule_choice.h"
 #include "core/tiles/threads.h"
 
 namespace relievo {

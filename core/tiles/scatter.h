@@ -8,10 +8,10 @@
 
 #include "core/base/grid.h"
 #include "core/base/task.h"
-#include "core/depth/cell_colours.h"
+#include "core/depth/colours/cell_colours.h"
 #include "core/depth/depth_request.h"
-#include "core/depth/front_surface.h"
-#include "core/depth/point_rule.h"
+#include "core/depth/layers/front_surface.h"
+#include "core/depth/rules/point_rule.h"
 #include "core/tiles/point_source.h"
 #include "core/tiles/tile_store.h"
 

@@ -18,8 +18,8 @@
 #include "core/base/failure.h"
 #include "core/file/atomic_file.h"
 #include "core/io/file_check.h"
-#include "core/io/gdal_session.h"
-#include "core/io/tiff_head.h"
+#include "core/io/raster/gdal_session.h"
+#include "core/io/raster/tiff_head.h"
 #include "core/tiles/tile_layout.h"
 
 namespace relievo {

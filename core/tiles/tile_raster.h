@@ -13,7 +13,7 @@
 
 #include "core/base/grid.h"
 #include "core/file/atomic_file.h"
-#include "core/io/tiff_head.h"
+#include "core/io/raster/tiff_head.h"
 #include "core/tiles/row_store.h"
 
 namespace relievo {

@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "core/base/failure.h"
-#include "core/io/colour_raster.h"
 #include "core/io/file_check.h"
+#include "core/io/formats/number_text.h"
 #include "core/io/input_facts.h"
-#include "core/io/number_text.h"
-#include "core/io/tiff_head.h"
+#include "core/io/raster/colour_raster.h"
+#include "core/io/raster/tiff_head.h"
 #include "core/region/window_colours.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/tile_cache.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/transform.h"
-#include "core/depth/colours.h"
+#include "core/depth/colours/colours.h"
 #include "core/region/region.h"
 #include "core/region/window.h"
 

@@ -15,7 +15,7 @@
 #include <QVBoxLayout>
 
 #include "core/base/failure.h"
-#include "core/io/text_file.h"
+#include "core/io/formats/text_file.h"
 #include "ui/message/message_text.h"
 
 namespace relievo {

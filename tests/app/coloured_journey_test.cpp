@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "core/io/colour_raster.h"
 #include "core/io/import.h"
-#include "core/io/raster.h"
+#include "core/io/raster/colour_raster.h"
+#include "core/io/raster/raster.h"
 #include "tests/app/command_test.h"
 #include "tests/core/prepare/align_objects.h"
 

@@ -25,10 +25,10 @@
 #include "tests/app/journey.h"
 #include "tests/emulator/mock_hid.h"
 #include "tests/emulator/mock_usb.h"
-#include "ui/figure_dialog.h"
-#include "ui/measure_panel.h"
-#include "ui/places_panel.h"
-#include "ui/replay_panel.h"
+#include "ui/dialogs/figure_dialog.h"
+#include "ui/panels/measure_panel.h"
+#include "ui/panels/places_panel.h"
+#include "ui/panels/replay_panel.h"
 
 namespace relievo {
 namespace {

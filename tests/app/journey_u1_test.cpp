@@ -27,10 +27,10 @@
 #include "tests/app/journey.h"
 #include "tests/emulator/made_image.h"
 #include "tests/emulator/mock_usb.h"
-#include "ui/depth_map_dialog.h"
+#include "ui/dialogs/depth_map_dialog.h"
+#include "ui/dialogs/figure_dialog.h"
 #include "ui/figure/figure.h"
-#include "ui/figure_dialog.h"
-#include "ui/measure_panel.h"
+#include "ui/panels/measure_panel.h"
 
 namespace relievo {
 namespace {

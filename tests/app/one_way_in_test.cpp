@@ -14,15 +14,15 @@
 #include <string>
 #include <vector>
 
-#include "core/io/embedded_state.h"
+#include "core/io/formats/pcd_header.h"
+#include "core/io/formats/ply_header.h"
 #include "core/io/input_facts.h"
-#include "core/io/las_header.h"
-#include "core/io/pcd_header.h"
-#include "core/io/ply_header.h"
+#include "core/io/las/las_header.h"
 #include "core/io/point_reader.h"
+#include "core/io/raster/embedded_state.h"
+#include "core/io/raster/tiff_head.h"
 #include "core/io/read_scan.h"
-#include "core/io/reader_guard.h"
-#include "core/io/tiff_head.h"
+#include "core/io/worker/reader_guard.h"
 #include "tests/app/command_test.h"
 #include "tests/app/program_window.h"
 #include "tests/core/io/e57_sample.h"

@@ -14,7 +14,7 @@
 #include <QtTest/QTest>
 
 #include "core/io/import.h"
-#include "core/io/raster.h"
+#include "core/io/raster/raster.h"
 #include "tests/app/command.h"
 #include "tests/ui/prepare_fixture.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/io/text_file.h"
+#include "core/io/formats/text_file.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
 #include "data/generate/relief_f.h"

@@ -20,9 +20,9 @@
 #include "app/plugin_loader.h"
 #include "core/region/hand.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/file_names.h"
-#include "ui/reference_view.h"
-#include "ui/replay_panel.h"
+#include "ui/panels/replay_panel.h"
+#include "ui/views/reference_view.h"
+#include "ui/work/file_names.h"
 
 namespace relievo {
 namespace {

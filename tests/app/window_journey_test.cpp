@@ -20,10 +20,10 @@
 #include "app/host.h"
 #include "app/plugin_loader.h"
 #include "core/io/import.h"
-#include "core/io/raster.h"
+#include "core/io/raster/raster.h"
 #include "tests/app/command.h"
 #include "tests/ui/prepare_fixture.h"
-#include "ui/figure_dialog.h"
+#include "ui/dialogs/figure_dialog.h"
 
 namespace relievo {
 namespace {

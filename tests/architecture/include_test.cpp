@@ -40,16 +40,16 @@ TEST(Includes, OfAHeavyLibraryStayInOneFile) {
 
 // What the check must catch: planted edges, one of each kind.
 TEST(IncludeCheck, CatchesAnUpwardInclude) {
-  EXPECT_EQ(found("core/depth/fill.cpp", "#include \"ui/document.h\"\n"), 1U);
+  EXPECT_EQ(found("core/depth/fill/fill.cpp", "#include \"ui/work/document.h\"\n"), 1U);
   EXPECT_EQ(found("core/base/grid.h", "#include \"core/depth/depth_map.h\"\n"), 1U);
-  EXPECT_EQ(found("ui/document.cpp", "  #  include \"plugins/api/plugin.h\"\n"), 1U);
+  EXPECT_EQ(found("ui/work/document.cpp", "  #  include \"plugins/api/plugin.h\"\n"), 1U);
   EXPECT_EQ(found("haptics/loop/haptic_loop.cpp", "#include \"plugins/api/plugin.h\"\n"), 1U);
-  EXPECT_EQ(found("ui/vtk/relief_scene.cpp", "#include \"ui/document.h\"\n"), 1U);
-  EXPECT_EQ(found("plugins/haptics/panel.cpp", "#include \"ui/document.h\"\n"), 1U);
+  EXPECT_EQ(found("ui/vtk/relief_scene.cpp", "#include \"ui/work/document.h\"\n"), 1U);
+  EXPECT_EQ(found("plugins/haptics/panel.cpp", "#include \"ui/work/document.h\"\n"), 1U);
 }
 
 TEST(IncludeCheck, CatchesALibraryInTheWrongModule) {
-  EXPECT_EQ(found("core/depth/fill.cpp", "#include <vtkRenderer.h>\n"), 1U);
+  EXPECT_EQ(found("core/depth/fill/fill.cpp", "#include <vtkRenderer.h>\n"), 1U);
   EXPECT_EQ(found("haptics/proxy/proxy.cpp", "#include <QString>\n"), 1U);
   EXPECT_EQ(found("core/cloud/load.cpp", "#include <pcl/io/ply_io.h>\n"), 1U);
   EXPECT_EQ(found("core/region/region.cpp", "#include <gdal_priv.h>\n"), 1U);
@@ -58,18 +58,19 @@ TEST(IncludeCheck, CatchesALibraryInTheWrongModule) {
 TEST(IncludeCheck, CatchesAHeavyLibraryInAHeader) {
   EXPECT_EQ(found("core/io/import.h", "#include <pcl/io/ply_io.h>\n"), 1U);
   EXPECT_EQ(found("core/io/read_pcl.cpp", "#include <pcl/io/ply_io.h>\n"), 0U);
-  EXPECT_EQ(found("ui/detail_view.h", "#include <vtkRenderer.h>\n"), 1U);
+  EXPECT_EQ(found("ui/views/detail_view.h", "#include <vtkRenderer.h>\n"), 1U);
   EXPECT_EQ(found("ui/vtk/relief_scene.h", "#include <vtkRenderer.h>\n"), 1U);
-  EXPECT_EQ(found("ui/time_plot.h", "#include <qwt_plot.h>\n"), 1U);
+  EXPECT_EQ(found("ui/plots/time_plot.h", "#include <qwt_plot.h>\n"), 1U);
 }
 
 TEST(IncludeCheck, KeepsInternalHeadersInTheirModule) {
   EXPECT_EQ(found("ui/vtk/surface_mesh.h", "#include <vtkPolyData.h>\n"), 0U);
   EXPECT_EQ(found("ui/vtk/relief_scene.cpp", "#include \"ui/vtk/surface_mesh.h\"\n"), 0U);
-  EXPECT_EQ(found("ui/detail_view.cpp", "#include \"ui/vtk/surface_mesh.h\"\n"), 1U);
+  EXPECT_EQ(found("ui/views/detail_view.cpp", "#include \"ui/vtk/surface_mesh.h\"\n"), 1U);
   // Unless the table names another.
-  EXPECT_EQ(found("core/tiles/tile_raster.cpp", "#include \"core/io/gdal_session.h\"\n"), 0U);
-  EXPECT_EQ(found("core/session/load.cpp", "#include \"core/io/gdal_session.h\"\n"), 1U);
+  EXPECT_EQ(found("core/tiles/tile_raster.cpp", "#include \"core/io/raster/gdal_session.h\"\n"),
+            0U);
+  EXPECT_EQ(found("core/session/load.cpp", "#include \"core/io/raster/gdal_session.h\"\n"), 1U);
 }
 
 TEST(IncludeCheck, CatchesWhatTheTableDoesNotKnow) {
@@ -87,13 +88,14 @@ TEST(IncludeCheck, CatchesALibraryThatSpreads) {
 }
 
 TEST(IncludeCheck, LetsAllowedEdgesPass) {
-  EXPECT_EQ(found("core/depth/fill.cpp",
-                  "// #include \"ui/document.h\"\n#include \"core/base/grid.h\"\n"
-                  "#include \"core/depth/fill.h\"\n#include <vector>\n"),
+  EXPECT_EQ(found("core/depth/fill/fill.cpp",
+                  "// #include \"ui/work/document.h\"\n#include \"core/base/grid.h\"\n"
+                  "#include \"core/depth/fill/fill.h\"\n#include <vector>\n"),
             0U);
-  EXPECT_EQ(found("ui/detail_view.cpp", "#include \"ui/vtk/relief_scene.h\"\n#include <QWidget>\n"),
-            0U);
-  EXPECT_EQ(found("app/batch/verb_touch.cpp", "#include \"haptics/loop/haptic_core.h\"\n"), 0U);
+  EXPECT_EQ(
+      found("ui/views/detail_view.cpp", "#include \"ui/vtk/relief_scene.h\"\n#include <QWidget>\n"),
+      0U);
+  EXPECT_EQ(found("app/cli/verbs/verb_touch.cpp", "#include \"haptics/loop/haptic_core.h\"\n"), 0U);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/io/import.h"
-#include "core/prepare/align_scans.h"
+#include "core/prepare/align/align_scans.h"
 #include "tests/core/prepare/align_bound.h"
 #include "tests/core/prepare/align_objects.h"
 

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <limits>
 
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 
 namespace relievo::benchmark {
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "core/io/import.h"
 #include "core/session/surface.h"
 #include "tests/benchmark/closed_cloud_judge.h"

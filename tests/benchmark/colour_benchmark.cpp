@@ -7,9 +7,9 @@
 #include <ctime>
 #include <random>
 
-#include "core/depth/colours.h"
-#include "core/depth/fill.h"
-#include "core/depth/rasterize.h"
+#include "core/depth/colours/colours.h"
+#include "core/depth/fill/fill.h"
+#include "core/depth/rules/rasterize.h"
 #include "core/pyramid/colour_levels.h"
 #include "core/region/window.h"
 #include "core/region/window_colours.h"

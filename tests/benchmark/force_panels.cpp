@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/batch/svg.h"
+#include "app/cli/verbs/svg.h"
 
 namespace relievo::batch {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drawing the front of a closed cloud with hidden discs skipped, beside all of them drawn, in turn
 // in one run: processor milliseconds of all threads, the best of several. The same bytes: by
-// core/depth/disc_raster_test.
+// core/depth/layers/disc_raster_test.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <random>
 #include <vector>
 
-#include "core/depth/disc_raster.h"
-#include "core/depth/surface_discs.h"
+#include "core/depth/layers/disc_raster.h"
+#include "core/depth/layers/surface_discs.h"
 
 namespace {
 

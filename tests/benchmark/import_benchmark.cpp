@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "core/io/import.h"
-#include "core/io/raster.h"
+#include "core/io/raster/raster.h"
 #include "core/io/read_scan.h"
-#include "core/io/spawn.h"
+#include "core/io/worker/spawn.h"
 
 namespace {
 

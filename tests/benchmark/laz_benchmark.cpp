@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/las_records.h"
+#include "core/io/las/las_records.h"
 #include "core/io/mapped_file.h"
 #include "core/io/point_stream.h"
 #include "core/io/read_scan.h"

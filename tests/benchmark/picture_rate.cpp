@@ -24,11 +24,11 @@
 
 #include "app/host.h"
 #include "app/plugin_loader.h"
-#include "ui/detail_view.h"
-#include "ui/main_window.h"
-#include "ui/reference_view.h"
+#include "ui/views/detail_view.h"
+#include "ui/views/reference_view.h"
 #include "ui/vtk/depth_capture.h"
 #include "ui/vtk/offscreen.h"
+#include "ui/window/main_window.h"
 
 namespace relievo {
 namespace {

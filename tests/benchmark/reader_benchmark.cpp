@@ -21,8 +21,8 @@
 #include <string>
 #include <vector>
 
+#include "core/io/formats/pcl_records.h"
 #include "core/io/mapped_file.h"
-#include "core/io/pcl_records.h"
 #include "core/io/read_scan.h"
 
 namespace {

@@ -26,7 +26,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "core/region/window.h"
 #include "core/session/load.h"
 #include "tests/core/relief_n_accuracy.h"

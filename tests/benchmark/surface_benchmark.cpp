@@ -11,7 +11,7 @@
 #include <memory>
 #include <random>
 
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "core/region/window.h"
 #include "core/session/surface.h"
 #include "haptics/space/haptic_space.h"

@@ -20,8 +20,8 @@
 #include <vector>
 
 #include "core/measure/measure.h"
+#include "core/session/large/tiled_surface.h"
 #include "core/session/map_facts.h"
-#include "core/session/tiled_surface.h"
 #include "core/tiles/tiled_map.h"
 
 namespace {

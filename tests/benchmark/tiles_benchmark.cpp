@@ -26,8 +26,8 @@
 #include <string>
 #include <vector>
 
-#include "core/session/large_map.h"
-#include "core/session/tiled_surface.h"
+#include "core/session/large/large_map.h"
+#include "core/session/large/tiled_surface.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/tile_raster.h"
 #include "core/tiles/tiled_map.h"

@@ -26,16 +26,16 @@
 #include <string>
 #include <thread>
 
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "core/session/load.h"
-#include "ui/detail_view.h"
+#include "ui/dialogs/video_control.h"
 #include "ui/figure/figure.h"
-#include "ui/main_window.h"
 #include "ui/prepare/prepare_dialog.h"
 #include "ui/video/video.h"
-#include "ui/video_control.h"
+#include "ui/views/detail_view.h"
 #include "ui/vtk/depth_capture.h"
 #include "ui/vtk/offscreen.h"
+#include "ui/window/main_window.h"
 
 namespace relievo {
 namespace {

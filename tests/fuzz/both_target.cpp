@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/io/pcl_records.h"
+#include "core/io/formats/pcl_records.h"
 #include "core/io/read_scan.h"
 #include "tests/core/io/same_bytes.h"
 #include "tests/fuzz/invariants.h"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "core/io/scalar.h"
+#include "core/io/formats/scalar.h"
 #include "tests/core/io/sample_files.h"
 #include "tests/fuzz/mutation.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/io/crc32c.h"
+#include "core/io/e57/crc32c.h"
 
 namespace relievo::fuzz {
 

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/io/gdal_session.h"
-#include "core/io/raster.h"
-#include "core/io/scan_transport.h"
+#include "core/io/raster/gdal_session.h"
+#include "core/io/raster/raster.h"
+#include "core/io/worker/scan_transport.h"
 #include "core/message/catalogue.h"
 #include "core/prepare/transport.h"
 #include "tests/core/io/e57_sample.h"

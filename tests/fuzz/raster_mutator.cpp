@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/io/scalar.h"
+#include "core/io/formats/scalar.h"
 #include "tests/core/io/sample_files.h"
 #include "tests/fuzz/mutation.h"
 #include "tests/fuzz/tiff_form.h"

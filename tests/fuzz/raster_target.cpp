@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reader of rasters (ours around GDAL's) under libFuzzer.
 #include "core/base/error.h"
-#include "core/io/raster.h"
+#include "core/io/raster/raster.h"
 #include "tests/fuzz/input_file.h"
 #include "tests/fuzz/invariants.h"
 

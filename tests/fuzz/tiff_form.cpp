@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/io/scalar.h"
+#include "core/io/formats/scalar.h"
 #include "tests/core/io/sample_files.h"
 
 namespace relievo::fuzz {

@@ -19,7 +19,7 @@
 #include "core/base/error.h"
 #include "core/io/import.h"
 #include "core/io/input_facts.h"
-#include "core/io/raster.h"
+#include "core/io/raster/raster.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/hostile/hostile_files.h"
 

@@ -11,7 +11,7 @@
 
 #include "app/host.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/side_panels.h"
+#include "ui/frame/side_panels.h"
 
 namespace relievo {
 namespace {

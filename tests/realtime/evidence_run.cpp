@@ -37,10 +37,10 @@
 #include "plugins/haptics/haptics_plugin.h"
 #include "tests/emulator/mock_usb.h"
 #include "tests/realtime/falcon_wire.h"
-#include "ui/detail_view.h"
-#include "ui/main_window.h"
+#include "ui/views/detail_view.h"
 #include "ui/vtk/depth_capture.h"
 #include "ui/vtk/offscreen.h"
+#include "ui/window/main_window.h"
 
 namespace relievo {
 namespace {

@@ -9,10 +9,10 @@
 #include <QStandardItemModel>
 #include <QtTest/QTest>
 
-#include "core/io/colour_raster.h"
-#include "core/session/surface_colours.h"
+#include "core/io/raster/colour_raster.h"
+#include "core/session/colours/surface_colours.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/figure_dialog.h"
+#include "ui/dialogs/figure_dialog.h"
 
 namespace relievo {
 namespace {

@@ -7,7 +7,7 @@
 #include <QtTest/QTest>
 
 #include "tests/ui/gui_fixture.h"
-#include "ui/depth_map_dialog.h"
+#include "ui/dialogs/depth_map_dialog.h"
 
 namespace relievo {
 namespace {

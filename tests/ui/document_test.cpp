@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/document.h"
+#include "ui/work/document.h"
 
 #include <QSignalSpy>
 
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "tests/ui/gui_fixture.h"
 
 namespace relievo {

@@ -10,8 +10,8 @@
 
 #include "core/project/package.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/figure_dialog.h"
-#include "ui/package_dialog.h"
+#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/package_dialog.h"
 
 namespace relievo {
 namespace {

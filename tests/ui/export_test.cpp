@@ -14,7 +14,7 @@
 #include <QtTest/QTest>
 
 #include "core/io/import.h"
-#include "core/io/raster.h"
+#include "core/io/raster/raster.h"
 #include "core/session/export_map.h"
 #include "tests/ui/gui_fixture.h"
 

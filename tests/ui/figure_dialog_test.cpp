@@ -18,9 +18,9 @@
 
 #include "core/base/error.h"
 #include "tests/ui/gui_fixture.h"
+#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/figure_preview.h"
 #include "ui/figure/figure.h"
-#include "ui/figure_dialog.h"
-#include "ui/figure_preview.h"
 
 namespace relievo {
 namespace {

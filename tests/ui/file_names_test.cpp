@@ -25,8 +25,8 @@
 #include "core/project/carried_state.h"
 #include "core/project/project.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/file_names.h"
-#include "ui/message_strip.h"
+#include "ui/frame/message_strip.h"
+#include "ui/work/file_names.h"
 
 namespace relievo {
 namespace {

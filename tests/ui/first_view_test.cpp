@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/first_view.h"
+#include "ui/window/first_view.h"
 
 #include <QApplication>
 #include <QFile>

@@ -11,9 +11,9 @@
 
 #include "core/project/project.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/file_names.h"
-#include "ui/message_strip.h"
-#include "ui/package_dialog.h"
+#include "ui/dialogs/package_dialog.h"
+#include "ui/frame/message_strip.h"
+#include "ui/work/file_names.h"
 
 namespace relievo {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever is thrown in a running window is said, and the window and its document go on.
-#include "ui/guarded_application.h"
+#include "ui/window/guarded_application.h"
 
 #include <array>
 #include <cmath>
@@ -12,8 +12,8 @@
 
 #include "core/base/error.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/latest_worker.h"
-#include "ui/work_queue.h"
+#include "ui/work/latest_worker.h"
+#include "ui/work/work_queue.h"
 
 namespace relievo {
 namespace {

@@ -7,9 +7,9 @@
 #include <QString>
 #include <QTemporaryDir>
 
-#include "ui/detail_view.h"
-#include "ui/main_window.h"
-#include "ui/reference_view.h"
+#include "ui/views/detail_view.h"
+#include "ui/views/reference_view.h"
+#include "ui/window/main_window.h"
 
 class QAction;
 

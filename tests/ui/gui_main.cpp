@@ -6,10 +6,10 @@
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
 
-#include "ui/file_names.h"
-#include "ui/guarded_application.h"
-#include "ui/surface_view.h"
+#include "ui/views/surface_view.h"
 #include "ui/vtk/offscreen.h"
+#include "ui/window/guarded_application.h"
+#include "ui/work/file_names.h"
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);

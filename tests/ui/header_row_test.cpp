@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/header_row.h"
+#include "ui/frame/header_row.h"
 
 #include <gtest/gtest.h>
 #include <QBoxLayout>

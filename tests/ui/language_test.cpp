@@ -26,12 +26,12 @@
 #include "core/message/message.h"
 #include "core/relief/relief_image.h"
 #include "core/relief/stereo.h"
-#include "core/session/memory_guard.h"
+#include "core/session/large/memory_guard.h"
 #include "tests/ui/gui_fixture.h"
 #include "ui/figure/figure.h"
-#include "ui/language.h"
-#include "ui/palette.h"
-#include "ui/spoken_error.h"
+#include "ui/language/language.h"
+#include "ui/language/spoken_error.h"
+#include "ui/style/palette.h"
 
 namespace relievo {
 namespace {

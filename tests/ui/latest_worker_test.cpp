@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/latest_worker.h"
+#include "ui/work/latest_worker.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

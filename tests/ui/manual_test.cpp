@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/manual.h"
+#include "ui/window/manual.h"
 
 #include <filesystem>
 #include <fstream>

@@ -12,9 +12,9 @@
 #include <QUrl>
 
 #include "tests/ui/gui_fixture.h"
-#include "ui/message_strip.h"
+#include "ui/frame/message_strip.h"
+#include "ui/frame/start_page.h"
 #include "ui/prepare/prepare_dialog.h"
-#include "ui/start_page.h"
 
 namespace relievo {
 namespace {

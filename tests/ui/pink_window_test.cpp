@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/pink_window.h"
+#include "ui/views/pink_window.h"
 
 #include <gtest/gtest.h>
 

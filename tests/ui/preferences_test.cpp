@@ -21,11 +21,11 @@
 
 #include "core/relief/stereo.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/message_strip.h"
-#include "ui/palette.h"
-#include "ui/preferences_dialog.h"
-#include "ui/stereo_panel.h"
-#include "ui/text.h"
+#include "ui/dialogs/preferences_dialog.h"
+#include "ui/frame/message_strip.h"
+#include "ui/panels/stereo_panel.h"
+#include "ui/style/palette.h"
+#include "ui/style/text.h"
 
 namespace relievo {
 namespace {

@@ -18,18 +18,18 @@
 #include <QtTest/QTest>
 #include <thread>
 
-#include "core/io/text_file.h"
+#include "core/io/formats/text_file.h"
 #include "core/measure/measure_text.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
 #include "core/provenance/sha256.h"
 #include "core/session/map_facts.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/colour_bar.h"
+#include "ui/dialogs/figure_dialog.h"
 #include "ui/figure/figure.h"
-#include "ui/figure_dialog.h"
-#include "ui/grid_painter.h"
-#include "ui/measure_panel.h"
+#include "ui/panels/measure_panel.h"
+#include "ui/views/colour_bar.h"
+#include "ui/views/grid_painter.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {

@@ -9,7 +9,7 @@
 #include <QUndoStack>
 
 #include "tests/ui/gui_fixture.h"
-#include "ui/message_strip.h"
+#include "ui/frame/message_strip.h"
 
 namespace relievo {
 namespace {

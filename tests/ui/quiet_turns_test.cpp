@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/quiet_turns.h"
+#include "ui/views/quiet_turns.h"
 
 #include <gtest/gtest.h>
 #include <memory>

@@ -14,8 +14,8 @@
 #include "core/base/error.h"
 #include "core/project/project.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/replay_panel.h"
-#include "ui/strip_plot.h"
+#include "ui/panels/replay_panel.h"
+#include "ui/plots/strip_plot.h"
 
 namespace relievo {
 namespace {

@@ -17,9 +17,9 @@
 #include "core/project/package.h"
 #include "haptics/record/sample_log.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/measure_panel.h"
-#include "ui/message_strip.h"
-#include "ui/package_dialog.h"
+#include "ui/dialogs/package_dialog.h"
+#include "ui/frame/message_strip.h"
+#include "ui/panels/measure_panel.h"
 
 namespace relievo {
 namespace {

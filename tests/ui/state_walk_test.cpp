@@ -13,8 +13,8 @@
 #include <set>
 
 #include "tests/ui/gui_fixture.h"
-#include "ui/measure_panel.h"
-#include "ui/places_panel.h"
+#include "ui/panels/measure_panel.h"
+#include "ui/panels/places_panel.h"
 
 namespace relievo {
 namespace {

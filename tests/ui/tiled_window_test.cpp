@@ -13,9 +13,9 @@
 #include "core/tiles/tiled_map.h"
 #include "tests/core/session/tiled_fixture.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/depth_map_dialog.h"
-#include "ui/measure_panel.h"
-#include "ui/relief_picture.h"
+#include "ui/dialogs/depth_map_dialog.h"
+#include "ui/panels/measure_panel.h"
+#include "ui/views/relief_picture.h"
 
 namespace relievo {
 namespace {

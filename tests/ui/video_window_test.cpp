@@ -13,10 +13,10 @@
 #include <QtTest/QTest>
 
 #include "tests/ui/gui_fixture.h"
-#include "ui/path_preview.h"
+#include "ui/dialogs/video_control.h"
+#include "ui/dialogs/video_dialog.h"
 #include "ui/video/video_file.h"
-#include "ui/video_control.h"
-#include "ui/video_dialog.h"
+#include "ui/views/path_preview.h"
 
 namespace relievo {
 namespace {

@@ -23,11 +23,11 @@
 #include <QtTest/QTest>
 
 #include "tests/ui/gui_fixture.h"
-#include "ui/keys_sheet.h"
-#include "ui/message_strip.h"
-#include "ui/palette.h"
-#include "ui/status_fields.h"
-#include "ui/time_plot.h"
+#include "ui/dialogs/keys_sheet.h"
+#include "ui/frame/message_strip.h"
+#include "ui/frame/status_fields.h"
+#include "ui/plots/time_plot.h"
+#include "ui/style/palette.h"
 
 namespace relievo {
 namespace {

@@ -15,10 +15,10 @@
 
 #include "core/project/autosave.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/measure_panel.h"
-#include "ui/message_strip.h"
-#include "ui/places_panel.h"
-#include "ui/replay_control.h"
+#include "ui/frame/message_strip.h"
+#include "ui/panels/measure_panel.h"
+#include "ui/panels/places_panel.h"
+#include "ui/panels/replay_control.h"
 
 namespace relievo {
 namespace {

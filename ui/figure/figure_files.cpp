@@ -13,7 +13,7 @@
 
 #include "core/base/failure.h"
 #include "core/base/replaceable.h"
-#include "core/io/text_file.h"
+#include "core/io/formats/text_file.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/name_text.h"
@@ -22,7 +22,7 @@
 #include "ui/figure/figure_layout.h"
 #include "ui/figure/figure_sheet.h"
 #include "ui/figure/picture_libraries.h"
-#include "ui/vtk/picture_file.h"
+#include "ui/vtk/files/picture_file.h"
 
 namespace relievo {
 namespace {

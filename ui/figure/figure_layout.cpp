@@ -8,8 +8,8 @@
 #include "core/project/caption.h"
 #include "core/project/shown_lengths.h"
 #include "core/relief/relief_image.h"
+#include "core/session/large/tiled_surface.h"
 #include "core/session/map_facts.h"
-#include "core/session/tiled_surface.h"
 #include "ui/figure/figure_plot.h"
 
 namespace relievo {

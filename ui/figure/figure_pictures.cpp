@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/base/failure.h"
-#include "core/session/level_cut.h"
-#include "core/session/surface_colours.h"
+#include "core/session/colours/surface_colours.h"
+#include "core/session/large/level_cut.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {

@@ -12,10 +12,10 @@
 #include "core/provenance/program.h"
 #include "core/provenance/set_mark.h"
 #include "core/relief/relief_image.h"
-#include "core/session/surface_colours.h"
+#include "core/session/colours/surface_colours.h"
 #include "ui/figure/picture_libraries.h"
+#include "ui/vtk/files/picture_file.h"
 #include "ui/vtk/offscreen.h"
-#include "ui/vtk/picture_file.h"
 #include "ui/vtk/relief_scene.h"
 
 namespace relievo {

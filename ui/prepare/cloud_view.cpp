@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "core/prepare/recipe.h"
-#include "ui/palette.h"
-#include "ui/text.h"
+#include "ui/style/palette.h"
+#include "ui/style/text.h"
 
 namespace relievo {
 namespace {

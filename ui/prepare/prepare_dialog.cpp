@@ -16,12 +16,12 @@
 #include <QPushButton>
 #include <QTimer>
 
-#include "ui/core_words.h"
-#include "ui/file_names.h"
+#include "ui/language/core_words.h"
+#include "ui/language/spoken_error.h"
 #include "ui/prepare/step_form.h"
 #include "ui/prepare/step_words.h"
-#include "ui/spoken_error.h"
-#include "ui/surface_work.h"
+#include "ui/work/file_names.h"
+#include "ui/work/surface_work.h"
 
 namespace relievo {
 namespace {

@@ -4,10 +4,10 @@
 #include <functional>
 #include <QDialog>
 
-#include "ui/latest_worker.h"
 #include "ui/prepare/cloud_view.h"
 #include "ui/prepare/prepare_state.h"
 #include "ui/prepare/prepare_work.h"
+#include "ui/work/latest_worker.h"
 
 class QAction;
 class QBoxLayout;

@@ -20,13 +20,13 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "ui/core_words.h"
-#include "ui/dialog_size.h"
-#include "ui/mnemonic.h"
+#include "ui/language/core_words.h"
 #include "ui/prepare/prepare_dialog.h"
 #include "ui/prepare/step_form.h"
 #include "ui/prepare/step_words.h"
-#include "ui/text.h"
+#include "ui/style/dialog_size.h"
+#include "ui/style/mnemonic.h"
+#include "ui/style/text.h"
 
 namespace relievo {
 namespace {

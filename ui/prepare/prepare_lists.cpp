@@ -12,12 +12,12 @@
 #include <QTreeWidget>
 
 #include "core/prepare/crop.h"
-#include "ui/file_names.h"
 #include "ui/message/message_text.h"
 #include "ui/prepare/prepare_dialog.h"
 #include "ui/prepare/step_form.h"
 #include "ui/prepare/step_words.h"
-#include "ui/text.h"
+#include "ui/style/text.h"
+#include "ui/work/file_names.h"
 
 namespace relievo {
 namespace {

@@ -5,11 +5,11 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
-#include "core/prepare/align_picks.h"
+#include "core/prepare/align/align_picks.h"
 #include "ui/message/message_text.h"
 #include "ui/prepare/prepare_dialog.h"
 #include "ui/prepare/step_form.h"
-#include "ui/text.h"
+#include "ui/style/text.h"
 
 namespace relievo {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/io/import.h"
-#include "core/prepare/align.h"
+#include "core/prepare/align/align.h"
 #include "core/prepare/recipe.h"
 
 namespace relievo {

@@ -16,8 +16,8 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "ui/mnemonic.h"
 #include "ui/prepare/step_words.h"
+#include "ui/style/mnemonic.h"
 
 namespace relievo {
 namespace {

@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <QStringList>
 
-#include "ui/text.h"
+#include "ui/style/text.h"
 
 namespace relievo {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/base/failure.h"
 #include "ui/video/video_file.h"
 #include "ui/video/video_formats.h"
-#include "ui/vtk/picture_file.h"
+#include "ui/vtk/files/picture_file.h"
 
 namespace relievo {
 namespace {

@@ -15,7 +15,7 @@
 
 #include "core/base/failure.h"
 #include "core/file/atomic_file.h"
-#include "core/io/spawn.h"
+#include "core/io/worker/spawn.h"
 #include "ui/video/mp4_boxes.h"
 #include "ui/video/video_file.h"
 #include "ui/video/video_formats.h"

@@ -7,7 +7,7 @@
 #include <QJsonObject>
 
 #include "core/file/output_set.h"
-#include "core/io/text_file.h"
+#include "core/io/formats/text_file.h"
 #include "core/provenance/name_text.h"
 #include "ui/video/video_file.h"
 #include "ui/video/video_frames.h"

@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/relief/relief_image.h"
-#include "core/session/tiled_surface.h"
+#include "core/session/large/tiled_surface.h"
 #include "ui/figure/plot_strip.h"
 #include "ui/video/video_surface.h"
 #include "ui/vtk/frame_renderer.h"

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/relief/relief_image.h"
-#include "core/session/level_cut.h"
-#include "core/session/surface_colours.h"
-#include "core/session/tiled_surface.h"
+#include "core/session/colours/surface_colours.h"
+#include "core/session/large/level_cut.h"
+#include "core/session/large/tiled_surface.h"
 
 namespace relievo {
 namespace {

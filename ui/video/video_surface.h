@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/depth/colours.h"
+#include "core/depth/colours/colours.h"
 #include "core/relief/look.h"
 #include "core/session/surface.h"
 #include "ui/vtk/relief_scene.h"

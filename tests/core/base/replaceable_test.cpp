@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/file/atomic_file.h"
-#include "core/io/text_file.h"
+#include "core/io/formats/text_file.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {

@@ -21,9 +21,9 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/io/export_grid.h"
 #include "core/io/import.h"
-#include "core/io/raster.h"
+#include "core/io/raster/export_grid.h"
+#include "core/io/raster/raster.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {

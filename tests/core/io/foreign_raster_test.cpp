@@ -12,13 +12,13 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/depth/rasterize.h"
-#include "core/io/export_grid.h"
+#include "core/depth/rules/rasterize.h"
 #include "core/io/import.h"
 #include "core/io/input_facts.h"
-#include "core/io/raster.h"
-#include "core/io/raster_rows.h"
-#include "core/io/tiff_head.h"
+#include "core/io/raster/export_grid.h"
+#include "core/io/raster/raster.h"
+#include "core/io/raster/raster_rows.h"
+#include "core/io/raster/tiff_head.h"
 #include "core/project/carried_state.h"
 #include "core/session/load.h"
 #include "core/session/map_facts.h"

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "core/io/input_facts.h"
-#include "core/io/worker_process.h"
+#include "core/io/worker/worker_process.h"
 #include "tests/core/io/refusal.h"
 #include "tests/core/io/sample_files.h"
 #include "tests/core/io/temporary_folder.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The other direction of core/io/laz_arithmetic.h and laz_fields.h, for tests: written from the
+// The other direction of core/io/las/laz_arithmetic.h and laz_fields.h, for tests: written from the
 // description of the format, without the program's models, so that a fault in them is seen.
 #pragma once
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/io/las_records.h"
+#include "core/io/las/las_records.h"
 #include "core/io/mapped_file.h"
 #include "core/io/point_stream.h"
 #include "tests/core/io/laz_sample.h"

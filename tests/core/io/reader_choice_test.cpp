@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/formats/pcl_records.h"
 #include "core/io/import.h"
-#include "core/io/pcl_records.h"
 #include "core/io/read_scan.h"
 #include "core/io/reader_choice.h"
 #include "tests/core/io/same_bytes.h"

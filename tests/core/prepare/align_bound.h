@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "core/prepare/align_cloud.h"
-#include "core/prepare/align_math.h"
+#include "core/prepare/align/align_cloud.h"
+#include "core/prepare/align/align_math.h"
 #include "tests/core/prepare/align_objects.h"
 
 namespace relievo::test {

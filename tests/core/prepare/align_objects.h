@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/cloud/scan.h"
-#include "core/prepare/align.h"
+#include "core/prepare/align/align.h"
 #include "data/generate/random.h"
 
 /// Objects whose scans are known, and parts of them that stand elsewhere: truth by construction.

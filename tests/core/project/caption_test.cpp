@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "tests/core/scan_fixtures.h"
 
 namespace relievo {

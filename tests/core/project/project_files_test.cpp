@@ -9,7 +9,7 @@
 #include <random>
 
 #include "core/base/error.h"
-#include "core/io/text_file.h"
+#include "core/io/formats/text_file.h"
 #include "core/project/autosave.h"
 #include "core/project/package.h"
 #include "core/provenance/embedded.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/depth/rasterize.h"
-#include "core/io/raster.h"
+#include "core/depth/rules/rasterize.h"
+#include "core/io/raster/raster.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/program.h"
 #include "tests/core/io/temporary_folder.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/depth/linear_light.h"
+#include "core/depth/colours/linear_light.h"
 
 namespace relievo {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/depth/linear_light.h"
+#include "core/depth/colours/linear_light.h"
 #include "core/pyramid/colour_levels.h"
 
 namespace relievo {

@@ -5,7 +5,7 @@
 
 #include <iostream>
 
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "tests/core/relief_n_accuracy.h"
 
 namespace relievo {

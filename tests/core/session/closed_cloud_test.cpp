@@ -14,8 +14,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/depth/rasterize.h"
-#include "core/session/large_map.h"
+#include "core/depth/rules/rasterize.h"
+#include "core/session/large/large_map.h"
 #include "core/session/surface.h"
 #include "core/tiles/tiled_map.h"
 #include "tests/core/io/las_sample.h"

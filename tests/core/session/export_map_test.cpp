@@ -7,11 +7,11 @@
 #include <iterator>
 
 #include "core/base/error.h"
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "core/io/import.h"
-#include "core/io/raster.h"
-#include "core/session/level_cut.h"
-#include "core/session/tiled_surface.h"
+#include "core/io/raster/raster.h"
+#include "core/session/large/level_cut.h"
+#include "core/session/large/tiled_surface.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/core/scan_fixtures.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/session/large_map.h"
+#include "core/session/large/large_map.h"
 #include "tests/core/io/las_sample.h"
 #include "tests/core/io/laz_sample.h"
 #include "tests/core/io/temporary_folder.h"

@@ -8,8 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/io/import.h"
-#include "core/io/raster.h"
-#include "core/session/large_map.h"
+#include "core/io/raster/raster.h"
+#include "core/session/large/large_map.h"
 #include "core/session/surface.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <iostream>
 
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "core/session/surface.h"
 #include "data/generate/coin.h"
 #include "data/generate/panel.h"

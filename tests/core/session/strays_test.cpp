@@ -10,10 +10,10 @@
 
 #include "core/base/error.h"
 #include "core/cloud/part_of_scan.h"
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "core/io/import.h"
 #include "core/io/input_facts.h"
-#include "core/session/large_map.h"
+#include "core/session/large/large_map.h"
 #include "core/session/surface.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/core/scan_fixtures.h"

@@ -9,9 +9,9 @@
 #include <random>
 #include <stop_token>
 
-#include "core/depth/point_rule.h"
-#include "core/depth/rasterize.h"
-#include "core/io/raster.h"
+#include "core/depth/rules/point_rule.h"
+#include "core/depth/rules/rasterize.h"
+#include "core/io/raster/raster.h"
 #include "core/region/window.h"
 #include "data/generate/relief_f.h"
 #include "tests/core/io/temporary_folder.h"

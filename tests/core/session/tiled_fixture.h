@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <random>
 
-#include "core/io/raster.h"
+#include "core/io/raster/raster.h"
+#include "core/session/large/tiled_surface.h"
 #include "core/session/surface.h"
-#include "core/session/tiled_surface.h"
 #include "core/tiles/level_files.h"
 #include "tests/core/tiles/tile_fixtures.h"
 

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/io/raster.h"
+#include "core/io/raster/raster.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/tile_raster.h"
 #include "tests/core/tiles/tile_fixtures.h"

@@ -8,7 +8,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/base/error.h"
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "core/provenance/embedded.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/core/scan_fixtures.h"

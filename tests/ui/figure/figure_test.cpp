@@ -10,12 +10,12 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/depth/rasterize.h"
-#include "core/io/raster.h"
+#include "core/depth/rules/rasterize.h"
+#include "core/io/raster/raster.h"
 #include "core/provenance/embedded.h"
 #include "core/relief/relief_image.h"
 #include "tests/core/session/tiled_fixture.h"
-#include "ui/vtk/picture_file.h"
+#include "ui/vtk/files/picture_file.h"
 #include "ui/vtk/scale_length.h"
 
 namespace relievo {

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/core/scan_fixtures.h"
 #include "ui/figure/figure.h"

@@ -11,9 +11,9 @@
 #include <QPainter>
 
 #include "core/base/error.h"
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
+#include "core/session/large/tiled_surface.h"
 #include "core/session/map_facts.h"
-#include "core/session/tiled_surface.h"
 #include "tests/core/scan_fixtures.h"
 #include "ui/figure/figure_legend.h"
 #include "ui/figure/figure_plot.h"

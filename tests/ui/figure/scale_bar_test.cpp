@@ -13,7 +13,7 @@
 #include <regex>
 #include <sstream>
 
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "data/generate/relief_f.h"
 #include "tests/core/io/temporary_folder.h"
 #include "ui/figure/figure.h"

@@ -18,14 +18,14 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "core/depth/rasterize.h"
-#include "core/io/raster.h"
+#include "core/depth/rules/rasterize.h"
+#include "core/io/raster/raster.h"
 #include "core/provenance/embedded.h"
 #include "ui/figure/figure.h"
 #include "ui/video/live_video.h"
 #include "ui/video/video_file.h"
 #include "ui/video/video_frames.h"
-#include "ui/vtk/picture_file.h"
+#include "ui/vtk/files/picture_file.h"
 
 namespace relievo {
 namespace {

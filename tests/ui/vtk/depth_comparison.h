@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "core/depth/rasterize.h"
+#include "core/depth/rules/rasterize.h"
 #include "ui/vtk/depth_capture.h"
 
 namespace relievo {

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/large.h"
+#include "app/cli/report_text.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "app/cli/json.h"
+#include "app/cli/map_report.h"
+#include "app/cli/options/number_option.h"
+#include "app/cli/state.h"
+#include "core/base/failure.h"
+#include "core/io/raster/colour_raster.h"
+#include "core/project/caption.h"
+#include "core/region/smoothing.h"
+#include "core/session/large/large_map.h"
+#include "core/session/large/tiled_surface.h"
+#include "core/tiles/level_files.h"
+#include "core/tiles/tiled_map.h"
+
+namespace relievo::batch {
+namespace {
+
+/// Steps and percents on one line of a terminal, nothing into files and pipes.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool shown) : shown_(shown) {}
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(std::string_view step, double fraction) {
+    if (!shown_) return;
+    const int percent = static_cast<int>(100 * fraction);
+    if (step == step_ && percent == percent_) return;
+    step_ = step;
+    percent_ = percent;
+    std::cerr << "\r\033[Krelievo: " << step << ", " << percent << " %" << std::flush;
+  }
+  void clear() {
+    if (shown_ && percent_ >= 0) std::cerr << "\r\033[K" << std::flush;
+    percent_ = -1;
+  }
+
+ private:
+  bool shown_;
+  std::string step_;
+  int percent_ = -1;
+};
+
+void sayView(const Surface& view) {
+  const HeightRange range = heightRange(view.map);
+  const GridSize size = view.map.frame.size;
+  tell(view.messages.back() + " " + std::to_string(size.cols) + " x " + std::to_string(size.rows) +
+       " cells of " + shortNumber(view.map.frame.spacing_mm) + " mm, heights " +
+       shortNumber(range.min_mm) + " to " + shortNumber(range.max_mm) + " mm.");
+}
+
+/// @param factor  the M that its levels were made with
+Json levelsJson(const LargeMap& map, double factor) {
+  DetailLadder ladder{.spacings_mm = {}, .factor = factor};
+  for (const GridFrame& frame : map.frames) ladder.spacings_mm.push_back(frame.spacing_mm);
+  Json levels = Json::array();
+  for (std::size_t l = 0; l < map.frames.size(); ++l) {
+    const GridFrame& frame = map.frames[l];
+    levels.push_back({{"level", l},
+                      {"cells", {frame.size.cols, frame.size.rows}},
+                      {"spacing_mm", frame.spacing_mm},
+                      {"sigma_mm", smoothingMm(ladder, {static_cast<int>(l)})},
+                      {"file", levelFile(map.file, static_cast<int>(l)).string()}});
+  }
+  return levels;
+}
+
+Json reportOf(const LargeMap& map, double factor) {
+  const GridFrame& frame = map.frames.front();
+  Json json;
+  json["cells"] = {frame.size.cols, frame.size.rows};
+  json["spacing_mm"] = frame.spacing_mm;
+  json["engine"] = map.engine;
+  json["rule"] = map.rule;
+  json["shares"] = sharesJson(map.shares);
+  json["view_from_file"] = batch::jsonOf(map.view_from_file);
+  json["height_mm"] = {{"min", map.heights.min_mm}, {"max", map.heights.max_mm}};
+  json["seconds"] = {{"first_view", map.first_view_s}, {"read", map.seconds.read},
+                     {"grid", map.seconds.grid},       {"fill", map.seconds.fill},
+                     {"pyramid", map.seconds.pyramid}, {"colours", map.seconds.colours}};
+  json["colour_file"] = map.has_colours ? Json(colourFileOf(map.file).string()) : Json(nullptr);
+  json["intensity_file"] =
+      map.has_intensities ? Json(intensityFileOf(map.file).string()) : Json(nullptr);
+  json["spilled_bytes"] = map.spilled_bytes;
+  json["view"] = map.view_name;
+  json["unit"] = name(map.unit);
+  json["unit_source"] = name(map.unit_source);
+  json["holes"] = holesJson(map.holes);
+  json["losses"] = lossesJson(map.losses);
+  json["strays"] = straysJson(map.strays);
+  json["missing"] = map.missing;
+  json["not_done"] = map.not_done;
+  json["levels"] = levelsJson(map, factor);
+  return json;
+}
+
+}  // namespace
+
+void addMemoryOption(CLI::App& verb, std::optional<double>& memory_mb) {
+  takes(verb.add_option(
+            "--memory", memory_mb,
+            "Make the map by tiles within so many MB (LAS, LAZ, binary PLY, rasters); all "
+            "levels are written"),
+        {.low = 64, .high = 1e9, .unit = "MB"});
+}
+
+Outcome runByTiles(const MapArguments& arguments, double memory_mb,
+                   const std::filesystem::path& finest, const Task& task) {
+  if (!(memory_mb > 0) || !(memory_mb < 1e9)) {
+    throw failure<MessageId::option_memory>();
+  }
+  const ImportOptions import = importOptions(arguments.scan);
+  ProgressLine line(::isatty(STDERR_FILENO) != 0);
+  const Task shown{.stop = task.stop, .progress = [&](std::string_view step, double fraction) {
+                     line.show(step, fraction);
+                   }};
+  LargeMapOptions large{.file = finest,
+                        .memory_bytes = static_cast<std::uint64_t>(memory_mb * 1e6),
+                        .threads = 0,
+                        .on_view =
+                            [&](const Surface& view) {
+                              line.clear();
+                              sayView(view);
+                            },
+                        .state =
+                            [&](const LargeMap& map) {
+                              return toJson(provenanceOfVerb(arguments, map, finest, task), -1);
+                            }};
+  const LargeMap map =
+      makeLargeMap(arguments.file, surfaceOptions(arguments), large, import, shown);
+  line.clear();
+  for (const std::string& message : map.messages) tell(message);
+  for (const std::string& left : map.not_done) tell(left);
+  const Json json = reportOf(map, arguments.factor);
+  Outcome outcome{.json = reportText(json), .lines = {}};
+  for (const Json& level : json["levels"]) {
+    outcome.lines.push_back(level["file"].get<std::string>() + ": " + level["cells"][0].dump() +
+                            " x " + level["cells"][1].dump());
+  }
+  outcome.lines.push_back("cells: " + sharesText(map.shares));
+  outcome.lines.push_back(lossesText(map.losses));
+  outcome.exit_code = map.not_done.empty() ? 0 : 4;
+  return outcome;
+}
+
+Surface openForVerb(const MapArguments& arguments, const Task& task) {
+  if (!TiledMap::isOne(arguments.file)) return loadForVerb(arguments, task);
+  surfaceOptions(arguments);  // Words that make no sense are refused here as well.
+  Surface surface = openTiledSurface(arguments.file);
+  if (surface.ladder.factor != arguments.factor) {
+    tell("The map's levels were made with M = " + Json(surface.ladder.factor).dump() +
+         " and are used as they are.");
+  }
+  return surface;
+}
+
+}  // namespace relievo::batch

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+
+#include "app/cli/json.h"
+#include "app/cli/map_report.h"
+#include "app/cli/report_text.h"
+#include "app/cli/verb.h"
+#include "core/base/failure.h"
+#include "core/io/file_check.h"
+#include "core/io/formats/number_text.h"
+#include "core/io/input_facts.h"
+#include "core/io/raster/raster.h"
+#include "core/project/carried_state.h"
+#include "core/project/file_set.h"
+#include "core/provenance/name_text.h"
+#include "core/provenance/provenance.h"
+#include "core/session/nodata.h"
+#include "core/session/open_input.h"
+#include "core/session/strays.h"
+#include "core/session/unit_guess.h"
+
+namespace relievo::batch {
+namespace {
+
+/// Of a file that is only looked at: what surfaces are made with and without.
+std::vector<std::string> strayTexts(const Strays& strays) {
+  const auto said = [](std::string words, const std::string& end, const std::string& instead) {
+    if (const auto at = words.find(end); at != std::string::npos) {
+      words.replace(at, end.size(), instead);
+    }
+    return words;
+  };
+  std::vector<std::string> texts;
+  if (strays.points > 0) {
+    const bool one = strays.points == 1;
+    texts.push_back(said(strayWords(strays), one ? "it was left out." : "they were left out.",
+                         "surfaces are made without " + std::string(one ? "it" : "them") +
+                             ", unless --strays keep is given."));
+  }
+  if (strays.grouped > 0) {
+    texts.push_back(said(groupWords(strays), "they were kept, as they may belong to the object.",
+                         "surfaces are made with them, as they may belong to the object, unless "
+                         "--strays drop-groups is given."));
+  }
+  return texts;
+}
+
+Json jsonOf(const FilePoint& p) {
+  return Json{p.x, p.y, p.z};
+}
+
+struct InfoArguments {
+  std::string file, unit;
+  std::vector<std::string> with;
+  ScanArguments scan;
+};
+
+/// What is told of a file beside its ScanInfo.
+struct FileFacts {
+  ScanInfo info;
+  std::map<int, std::uint64_t> classes;     ///< Points of each class.
+  std::optional<IntensityRange> intensity;  ///< Smallest and largest of the points.
+  Strays strays;
+  std::optional<SuspectHeight> suspect_height;
+  std::optional<FileBounds> box;  ///< What the unit is guessed from: the box without strays.
+};
+
+FileFacts factsOf(const Scan& scan, const Task& task) {
+  const ScanInUse in_use(scan, StrayRule::drop, std::nullopt, task);
+  FileFacts facts{.info = scan.info,
+                  .classes = {},
+                  .intensity = std::nullopt,
+                  .strays = in_use.strays(),
+                  .suspect_height = suspectHeight(scan),
+                  .box = in_use.scan().info.bounds};
+  for (const std::uint8_t number : scan.classes) ++facts.classes[number];
+  if (scan.info.intensity && !scan.intensities.empty()) {
+    const auto [least, most] =
+        std::minmax_element(scan.intensities.begin(), scan.intensities.end());
+    const IntensityRange& range = *scan.info.intensity;
+    const auto value = [&range](std::uint16_t stored) {
+      return range.low + (range.high - range.low) * stored / 65535;
+    };
+    facts.intensity = IntensityRange{value(*least), value(*most)};
+  }
+  return facts;
+}
+
+FileFacts readFacts(const InfoArguments& a, const InputFacts& facts, const Task& task) {
+  const OpenedInput source =
+      openInput(a.file, {.import = importOptions(a.scan), .by_tiles = false, .facts = facts}, task);
+  if (source.raster) {
+    const RasterMap& raster = *source.raster;
+    return {.info = raster.info,
+            .classes = {},
+            .intensity = std::nullopt,
+            .strays = {},
+            .suspect_height = suspectHeight(raster),
+            .box = raster.info.bounds};
+  }
+  return factsOf(*source.scan, task);
+}
+
+/// The keys for what is stored with the points; null or empty where there is none.
+void addValues(const FileFacts& facts, Json& json) {
+  const ScanInfo& info = facts.info;
+  json["reader"] = info.reader;
+  json["reference_system"] = nullptr;
+  if (!info.reference_system.empty()) json["reference_system"] = info.reference_system;
+  json["colour"] = nullptr;
+  if (info.colour) {
+    json["colour"] = {{"source", info.colour->source},
+                      {"bits", info.colour->bits},
+                      {"points", info.colour->points}};
+  }
+  json["intensity"] = nullptr;
+  if (facts.intensity) {
+    json["intensity"] = {{"low", facts.intensity->low}, {"high", facts.intensity->high}};
+  }
+  json["classes"] = Json::object();
+  for (const auto& [number, points] : facts.classes) {
+    json["classes"][std::to_string(number)] = points;
+  }
+  json["withheld"] = info.withheld;
+  json["parts"] = Json::array();
+  for (const ScanPart& part : info.parts) {
+    Json entry{{"name", part.name}, {"points", part.points}, {"viewpoint", nullptr}};
+    if (part.viewpoint) entry["viewpoint"] = jsonOf(*part.viewpoint);
+    json["parts"].push_back(std::move(entry));
+  }
+}
+
+/// The same for people: only what there is.
+void addValueLines(const FileFacts& facts, std::vector<std::string>& lines) {
+  const ScanInfo& info = facts.info;
+  if (!info.reader.empty()) lines.push_back("read by " + info.reader);
+  if (info.colour) {
+    lines.push_back("colours from " + info.colour->source + ", " +
+                    std::to_string(info.colour->bits) + " bits, of " +
+                    std::to_string(info.colour->points) +
+                    (info.colour->source == "texture" ? " corners" : " points"));
+  }
+  if (facts.intensity) {
+    lines.push_back("intensities from " + roundTripText(std::array{facts.intensity->low}) + " to " +
+                    roundTripText(std::array{facts.intensity->high}));
+  }
+  for (const auto& [number, points] : facts.classes) {
+    lines.push_back("class " + std::to_string(number) + ": " + std::to_string(points) + " points");
+  }
+  for (std::size_t i = 0; i < info.parts.size() && info.parts.size() > 1; ++i) {
+    const ScanPart& part = info.parts[i];
+    lines.push_back("scan " + std::to_string(i + 1) +
+                    (part.name.empty() ? "" : " \"" + part.name + "\"") + ": " +
+                    std::to_string(part.points) + " points");
+  }
+}
+
+/// "300 x 200 x 41.3 mm"
+std::string sizeText(const FilePoint& size_mm) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "%.4g x %.4g x %.4g mm", size_mm.x, size_mm.y, size_mm.z);
+  return text.data();
+}
+
+bool isOnePlace(const std::filesystem::path& a, const std::filesystem::path& b) {
+  return std::filesystem::absolute(a).lexically_normal() ==
+         std::filesystem::absolute(b).lexically_normal();
+}
+
+/// Says of the files that commands write beside this one, and of those that were named, whether
+/// they belong to it. @return  is one of those that were named of another set?
+bool addSet(const InfoArguments& a, Json& json, std::vector<std::string>& lines) {
+  std::vector<SetMember> members = filesBeside(a.file);
+  bool named_other = false;
+  for (const std::string& file : a.with) {
+    std::erase_if(members, [&](const SetMember& m) { return isOnePlace(m.file, file); });
+    members.push_back({file, membershipIn(a.file, file)});
+    named_other = named_other || members.back().membership == SetMembership::other;
+  }
+  json["set"] = Json::array();
+  for (const SetMember& member : members) {
+    const std::string shown = shownName(member.file);
+    json["set"].push_back(
+        {{"file", textOfName(member.file.string())}, {"belongs", name(member.membership)}});
+    switch (member.membership) {
+      case SetMembership::same:
+        lines.push_back(shown + " was written with it");
+        break;
+      case SetMembership::other:
+        lines.push_back(shown + " was not written with it");
+        tell(shown + " was not written with " + shownName(a.file) +
+             ". Make both again before you use them together.");
+        break;
+      case SetMembership::unsaid:
+        lines.push_back(shown + " does not say what it was written with");
+    }
+  }
+  return named_other;
+}
+
+/// A file that shows or tells something of a scan, and is none.
+struct Shown {
+  std::string kind;
+  InputFile of;
+  std::string version;  ///< Of the program that made it.
+  std::optional<Region> region;
+};
+
+/// Empty: points or heights, or nothing of ours.
+std::string kindOf(const InputFacts& facts) {
+  switch (facts.carrier) {
+    case CarrierKind::picture:
+      return "picture";
+    case CarrierKind::recording:
+      return "recording";
+    case CarrierKind::table:
+      return "table";
+    default:
+      return {};
+  }
+}
+
+/// Pictures, drawings, recordings and tables of ours; maps and clouds hold points of their own.
+std::optional<Shown> shownBy(const std::filesystem::path& file, const InputFacts& facts) {
+  const std::string kind = kindOf(facts);
+  const auto state = kind.empty() ? std::nullopt : stateCarriedBy(file);
+  if (!state) return std::nullopt;
+  Shown shown{.kind = kind, .of = {}, .version = {}, .region = {}};
+  if (const std::optional<Project> project = carriedProject(file, *state)) {
+    shown.of = {project->file, project->sha256, project->bytes};
+    shown.version = project->version;
+    shown.region = project->region;
+  } else {
+    const Provenance made = provenanceFromJson(*state, shownName(file));
+    shown.of = made.input;
+    shown.version = made.version;
+  }
+  return shown;
+}
+
+Outcome infoOfShown(const InfoArguments& a, const Shown& shown) {
+  Json json;
+  json["file"] = a.file;
+  json["format"] = shown.kind + " of relievo";
+  json["shows"] = textOfName(shown.of.file);
+  json["input_sha256"] = shown.of.sha256;
+  json["version"] = shown.version;
+  json["level"] = nullptr;
+  json["region_mm"] = nullptr;
+  if (shown.region) {
+    json["level"] = shown.region->level.value;
+    json["region_mm"] = batch::jsonOf(*shown.region);
+  }
+  Outcome outcome;
+  outcome.lines = {a.file + ": " + shown.kind + " of relievo " + shown.version,
+                   "of " + shownName(shown.of.file) + ", sha256 " + shown.of.sha256};
+  if (addSet(a, json, outcome.lines)) outcome.exit_code = 5;
+  outcome.json = reportText(json);
+  return outcome;
+}
+
+Outcome runInfo(const InfoArguments& a, const Task& task) {
+  std::optional<LengthUnit> given;
+  if (!a.unit.empty()) {
+    given = lengthUnit(a.unit);
+    if (!given) {
+      throw failure<MessageId::option_none_of>("--unit", a.unit, "mm, cm, m, in, ft and us-ft");
+    }
+  }
+  const InputFacts facts = inputFacts(a.file, task);
+  if (const auto shown = shownBy(a.file, facts)) return infoOfShown(a, *shown);
+  const FileFacts found = readFacts(a, facts, task);
+  const ScanInfo& info = found.info;
+  ScanInfo without_strays = info;
+  without_strays.bounds = found.box;
+  const auto [unit, source] = unitInUse(without_strays, given, UnitSource::given);
+  for (const std::string& warning : info.warnings) tell(warning);
+  for (const std::string& text : strayTexts(found.strays)) tell(text);
+  if (found.suspect_height) tell(suspectWords(*found.suspect_height));
+  if (const std::string words = unitWords(without_strays, {unit, source}); !words.empty()) {
+    tell(words);
+  }
+  const bool nobody_said = source == UnitSource::assumed || source == UnitSource::guessed;
+
+  Json json;
+  json["file"] = a.file;
+  json["format"] = info.format;
+  json["points"] = info.points;
+  json["finite_points"] = info.finite_points;
+  json["faces"] = info.faces;
+  json["bounds"] = nullptr;
+  if (info.bounds) {
+    json["bounds"] = {{"min", jsonOf(info.bounds->min)}, {"max", jsonOf(info.bounds->max)}};
+  }
+  json["size_mm"] = nullptr;
+  json["likely_unit"] = nullptr;
+  json["unit"] = name(unit);
+  json["unit_source"] = name(source);
+  json["dropped_faces"] = info.dropped_faces;
+  if (info.bounds) {
+    json["size_mm"] = jsonOf(mmPer(unit) * (info.bounds->max - info.bounds->min));
+    if (nobody_said) json["likely_unit"] = name(guessUnit(without_strays).unit);
+  }
+  json["strays"] = straysJson(found.strays);
+  json["likely_nodata"] = suspectJson(found.suspect_height);
+
+  addValues(found, json);
+
+  // Names of a file's scans need not be UTF-8; JSON must be.
+  Outcome outcome;
+  outcome.lines = {a.file + ": " + info.format,
+                   std::to_string(info.points) + " points, " + std::to_string(info.finite_points) +
+                       " finite, " + std::to_string(info.faces) + " faces",
+                   "unit " + std::string(name(unit)) + " (" + std::string(name(source)) + ")"};
+  if (info.bounds) {
+    outcome.lines.push_back("from " + json["bounds"]["min"].dump() + " to " +
+                            json["bounds"]["max"].dump());
+    const FilePoint size_mm = mmPer(unit) * (info.bounds->max - info.bounds->min);
+    outcome.lines.push_back("size " + sizeText(size_mm) +
+                            (nobody_said ? ", if one unit is 1 " + std::string(name(unit)) : ""));
+  }
+  addValueLines(found, outcome.lines);
+  if (addSet(a, json, outcome.lines)) outcome.exit_code = 5;
+  outcome.json = reportText(json);
+  return outcome;
+}
+
+}  // namespace
+
+Verb infoVerb() {
+  auto arguments = std::make_shared<InfoArguments>();
+  return {.name = "info",
+          .help = "What a file holds: format, points, faces, box, unit",
+          .declare =
+              [arguments](CLI::App& verb) {
+                verb.add_option("FILE", arguments->file, "Scan or raster")->required();
+                verb.add_option("--with", arguments->with,
+                                "Was this file written with FILE? More may follow; exit 5 if one "
+                                "was not");
+                verb.add_option("--unit", arguments->unit, "mm cm m in ft us-ft");
+                addScanOptions(verb, arguments->scan);
+              },
+          .run = [arguments](const Task& task) { return runInfo(*arguments, task); }};
+}
+
+}  // namespace relievo::batch

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/cli/json.h"
+#include "app/cli/large.h"
+#include "app/cli/options/look_arguments.h"
+#include "app/cli/report_text.h"
+#include "app/cli/state.h"
+#include "app/cli/verb.h"
+#include "app/cli/verbs/force_plot.h"
+#include "app/cli/verbs/touch_setup.h"
+#include "core/base/failure.h"
+#include "core/file/output_set.h"
+#include "core/io/formats/text_file.h"
+#include "core/project/caption.h"
+#include "core/provenance/embedded.h"
+#include "core/provenance/name_text.h"
+#include "core/recording/log_table.h"
+#include "core/region/hand.h"
+#include "core/session/finer_heights.h"
+#include "core/session/firmness.h"
+#include "core/session/large/tiled_surface.h"
+#include "haptics/device_catalog.h"
+#include "haptics/loop/device_limits.h"
+#include "haptics/proxy/surface.h"
+#include "haptics/proxy/texture.h"
+#include "haptics/record/events.h"
+#include "haptics/record/force_law.h"
+#include "haptics/record/sample_log.h"
+
+namespace relievo::batch {
+namespace {
+
+/// One coefficient for both, or the static and the dynamic one.
+void setFriction(const std::vector<double>& friction, ProxyOptions& options) {
+  if (friction.empty()) return;
+  options.static_friction = friction.front();
+  options.dynamic_friction = friction.back();
+  if (options.static_friction > 0 && options.kind != ProxyKind::converged) {
+    throw failure<MessageId::option_friction_of_paper>();
+  }
+  const bool in_order =
+      options.dynamic_friction >= 0 && options.static_friction >= options.dynamic_friction;
+  if (!in_order || !(options.static_friction <= kMostFriction)) {
+    throw failure<MessageId::option_friction>(Json(kMostFriction).dump());
+  }
+}
+
+/// A device must not be able to jump; without one F = k d can be checked from outside.
+bool safetyOf(const TouchArguments& a) {
+  return a.safety.empty() ? !a.device.empty() : a.safety == "on";
+}
+
+StrokeOptions strokeOptions(const TouchArguments& a) {
+  const SurfaceFeel feel = feelOf(a);
+  StrokeOptions options;
+  options.proxy = proxyOptions(feel);
+  setFriction(a.friction, options.proxy);
+  options.stiffness_n_per_mm = feel.stiffness_n_per_mm;
+  options.stiffness_by_detail = feel.stiffness_by_detail;
+  options.detail_stiffness = feel.detail_stiffness;
+  options.damping_n_s_per_mm = feel.damping_n_s_per_mm;
+  options.fields = feel.fields;
+  options.transient = feel.transient;
+  options.chain = safetyOf(a) ? ForceChain::whole : ForceChain::bare;
+  options.frame = a.frame == "device" ? StrokeFrame::device : StrokeFrame::view;
+  return options;
+}
+
+std::string proxyName(const TouchArguments& a) {
+  return Json::parse(feelJson(a))["proxy"].get<std::string>();
+}
+
+/// What a stroke showed, judged without the solver: by the heights of the window itself, or where
+/// the surface is not bilinear by the surface's.
+struct StrokeFindings {
+  const RegionWindow& window;
+  const HapticSpace& space;
+  double limit_n = 0;  ///< Of a device.
+  double largest_force_n = 0;
+  std::uint64_t beyond_ticks = 0;  ///< With more than a device gives.
+  double off_surface_mm = 0;       ///< Largest distance in z of a touching proxy from the surface.
+  double force_to_normal_deg = 0;  ///< Largest angle between force and surface normal.
+  std::uint64_t contact_ticks = 0;
+
+  double heightUnder(const ViewMm& p) const {
+    if (space.surface == SurfaceKind::bilinear) return windowHeightMm(window, p.x, p.y);
+    const GridPoint grid = space.gridFromView(p);
+    return space.viewFromGrid({grid.x, grid.y, surfaceHeight(space, grid.x, grid.y)}).z;
+  }
+  void add(const HapticSample& sample) {
+    if (!sample.contact) return;
+    ++contact_ticks;
+    const double force_n = norm(sample.force);
+    largest_force_n = std::max(largest_force_n, force_n);
+    beyond_ticks += force_n > limit_n ? 1 : 0;
+    const ViewMm& proxy = sample.proxy_view;
+    off_surface_mm = std::max(off_surface_mm, std::abs(proxy.z - heightUnder(proxy)));
+    if (force_n < 1e-6) return;
+    const DeviceN along{sample.normal.x, sample.normal.y, sample.normal.z};
+    const DeviceN across = (1 / force_n) * sample.force - along;
+    // Chord to angle: exact for small angles, where the arc cosine is not.
+    const double angle = 2 * std::asin(std::min(1.0, 0.5 * norm(across)));
+    force_to_normal_deg = std::max(force_to_normal_deg, angle * 180 / 3.14159265358979323846);
+  }
+};
+
+/// The device's own limit; without a device the Falcon's, which a hand might hold.
+ForceLimit limitOf(const Device* device) {
+  if (device != nullptr && device->info().max_force_n > 0) {
+    return {device->info().name, device->info().max_force_n};
+  }
+  return falconLimit();
+}
+
+/// Where the log comes from, in one line; what decides the force stands in the header's parameters.
+std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Surface& surface,
+                         const Task& task) {
+  Provenance provenance = provenanceOfVerb(a.map, surface, a.out, task);
+  provenance.view = ViewState{.region = setup.window.region, .gain = a.region.gain};
+  Json touch = Json::parse(feelJson(a));
+  if (!a.stroke.empty()) {
+    const InputFile stroke = inputFile(a.stroke, {}, task);
+    touch["stroke"] = {{"file", textOfName(stroke.file)}, {"sha256", stroke.sha256}};
+  }
+  if (!a.firmness.empty()) {
+    const InputFile firmness = inputFile(a.firmness, {}, task);
+    touch["firmness"] = {{"file", textOfName(firmness.file)}, {"sha256", firmness.sha256}};
+  }
+  touch["frame"] = a.frame;
+  touch["device"] = a.device;
+  touch["safety"] = safetyOf(a);
+  provenance.touch = touch.dump();
+  return toJson(provenance, -1);
+}
+
+Outcome runTouch(const TouchArguments& a, const Task& task) {
+  checkTouch(a);
+  const Stroke stroke = readStroke(a.stroke);
+  TouchSetup setup = prepareTouch(a, task);
+  const RegionWindow& window = setup.window;
+  const Region& region = window.region;
+  OutputSet beside;  // What lies beside the recording, which takes its place first.
+  writeWindowIfAsked(a.region, setup.surface, window, beside);
+  std::unique_ptr<Device> device;
+  if (!a.device.empty()) {
+    device = makeDevice(a.device);
+    setup.options.device = dynamic_cast<SteeredDevice*>(device.get());
+    if (setup.options.device == nullptr) {
+      throw failure<MessageId::stroke_moves_no_hand>(a.device);
+    }
+    device->open();
+  }
+
+  if (!setup.limited.empty()) tell(setup.limited);
+  const std::string header = touchHeader(a, setup, task);
+  const std::unique_ptr<SampleLog> log = openLog(a.out, header, setup.space.get());
+  const ForceLimit limit = limitOf(device.get());
+  StrokeFindings findings{window, *setup.space, limit.force_n};
+  std::vector<ForcePoint> plot;
+  const std::uint64_t ticks = touchAlong(
+      stroke, setup, log.get(),
+      [&](const HapticSample& sample, double t_s) {
+        findings.add(sample);
+        if (!a.plot.empty()) plot.push_back(forcePoint(touchRow(sample, t_s)));
+      },
+      task);
+  if (!a.plot.empty()) {
+    writeTextFile(beside.file(a.plot),
+                  withState(forcePlotSvg(plot, touchTitle(a, setup.surface), limit),
+                            headerLine(header, std::string(kStateKey) + " ")));
+  }
+  log->close();
+  beside.commit();
+
+  const HandMapping hand = handMapping(window);
+  Json json;
+  json["level"] = region.level.value;
+  json["region_mm"] = jsonOf(region);
+  json["scale_device_per_view"] = hand.device_per_view;
+  json["device_from_view"] = jsonOf(hand.device_from_view);
+  json["stiffness_n_per_mm"] =
+      setup.core.stiffness_by_detail
+          ? stiffnessForDetail(setup.space->detail, setup.core.detail_stiffness)
+          : setup.core.force.stiffness_n_per_mm;
+  const Json feel = Json::parse(feelJson(a));
+  for (const char* entry : {"preset", "damping_n_s_per_mm", "surface", "friction", "proxy",
+                            "softest_part", "texture_mm", "magnet_n", "contact_n", "crossing_n"}) {
+    json[entry] = feel[entry];
+  }
+  json["ticks"] = ticks;
+  json["view_from_file"] = jsonOf(setup.surface.view_from_file);
+  json["gain"] = window.gain;
+  json["safety"] = safetyOf(a) ? "on" : "off";
+  json["limited"] = setup.limited.empty() ? Json() : Json(setup.limited);
+  json["device"] = a.device.empty() ? Json() : Json(device->info().id);
+  json["largest_force_n"] = findings.largest_force_n;
+  json["device_limit"] = {{"device", limit.device}, {"force_n", limit.force_n}};
+  json["largest_device_force_n"] = std::min(findings.largest_force_n, limit.force_n);
+  json["beyond_device_ticks"] = findings.beyond_ticks;
+  json["contact_ticks"] = findings.contact_ticks;
+  json["proxy_off_surface_mm"] = findings.off_surface_mm;
+  json["force_to_normal_deg"] = findings.force_to_normal_deg;
+  return {
+      .json = reportText(json),
+      .lines = {a.out + ": " + std::to_string(ticks) + " ticks, largest force " +
+                shortNumber(findings.largest_force_n) + " N" +
+                (findings.beyond_ticks > 0
+                     ? " (" + limit.device + ": " + shortNumber(limit.force_n) + " N at most, in " +
+                           std::to_string(findings.beyond_ticks) + " ticks less than the log says)"
+                     : std::string()) +
+                ", 1 mm of hand = " + shortNumber(hand.objectMmPerHandMm()) + " mm on the object"}};
+}
+
+}  // namespace
+
+void checkTouch(const TouchArguments& a) {
+  requireUse("--magnet-reach", a.magnet_reach_mm.has_value(), feelOf(a).fields.magnet_n > 0,
+             "--magnet");
+  if (a.stiffness_n_per_mm && !a.detail_stiffness_n_per_mm.empty()) {
+    throw failure<MessageId::option_stiffness_of_levels>();
+  }
+}
+
+std::string touchTitle(const TouchArguments& a, const Surface& surface) {
+  return escapedName(surface.info.file.filename().string()) + ", proxy " + proxyName(a);
+}
+
+std::uint64_t touchAlong(const Stroke& stroke, const TouchSetup& setup, SampleLog* log,
+                         const std::function<void(const HapticSample&, double t_s)>& each,
+                         const Task& task) {
+  std::optional<HapticSample> before;
+  return runStroke(
+      *setup.space, setup.options, stroke,
+      [&](const HapticSample& sample, double t_s) {
+        each(sample, t_s);
+        if (log == nullptr) return;
+        log->write(sample, t_s, before ? eventBetween(*before, sample) : eventAtStart(sample));
+        before = sample;
+      },
+      task);
+}
+
+namespace {
+
+/// What is felt, and with which limits, whatever is touched.
+TouchSetup setupWithoutSurface(const TouchArguments& a) {
+  TouchSetup setup;
+  setup.options = strokeOptions(a);
+  setup.core = strokeHapticOptions(setup.options);
+  setup.device = a.device.empty() ? "none" : a.device;
+  if (!a.device.empty()) {
+    const DeviceInfo device = makeDevice(a.device)->info();
+    setup.limited = limitedText(setup.core, device);
+    setup.core = withinDevice(setup.core, device);
+    if (a.lift_n) setup.core.force.lift_n = *a.lift_n;
+  }
+  return setup;
+}
+
+void layUnderTheHand(TouchSetup& setup, const TouchArguments& a, const Surface& surface,
+                     const Task& task) {
+  const Region region = chosenRegion(surface, a.region);
+  setup.window = windowOf(surface, region, a.region.gain);
+  setup.space = std::make_unique<HapticSpace>();
+  std::vector<float> firmness;
+  if (!a.firmness.empty()) {
+    firmness = firmnessUnder(readFirmness(a.firmness, task), surface.ladder, region);
+  }
+  fill(*setup.space, setup.window,
+       {.detail = surface.ladder.detailOf(region.level), .levels = surface.ladder.levels()},
+       feelOf(a).surface, {}, firmness);
+  if (setup.options.fields.texture_mm > 0) {
+    fillTexture(*setup.space, finerHeights(surface, region, a.region.gain));
+  }
+}
+
+}  // namespace
+
+TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
+  TouchSetup setup = setupWithoutSurface(a);
+  setup.surface = openForVerb(a.map, task);
+  warnIfAliased(setup.surface, chosenRegion(setup.surface, a.region));
+  layUnderTheHand(setup, a, setup.surface, task);
+  return setup;
+}
+
+TouchSetup prepareTouch(const TouchArguments& a, const Surface& surface, const Task& task) {
+  TouchSetup setup = setupWithoutSurface(a);
+  layUnderTheHand(setup, a, surface, task);
+  return setup;
+}
+
+std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
+  return touchHeader(a, setup, setup.surface, task);
+}
+
+std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const Surface& surface,
+                        const Task& task) {
+  const std::string stroke =
+      a.stroke.empty()
+          ? "by hand"
+          : "stroke " + escapedName(std::filesystem::path(a.stroke).filename().string());
+  Json parameters = Json::parse(feelJson(a));
+  parameters["command"] = Json::array();
+  for (const std::string& word : a.words) parameters["command"].push_back(textOfName(word));
+  parameters["safety"] = safetyOf(a);
+  return "relievo log, schema 2\nversion " + std::string(RELIEVO_VERSION_STRING) + "\n" +
+         lawLine() + "\ninput " + escapedName(surface.info.file.filename().string()) + "\nunit " +
+         std::string(name(surface.unit)) + " (" + std::string(name(surface.unit_source)) +
+         ")\ndevice " + setup.device + " (" + stroke + ")\nregion_mm " +
+         jsonOf(setup.window.region).dump() + " level " +
+         std::to_string(setup.window.region.level.value) + "\nproxy " + proxyName(a) +
+         ", surface " + parameters["surface"].get<std::string>() + ", stiffness " +
+         (parameters.contains("stiffness_n_per_mm") ? parameters["stiffness_n_per_mm"].dump()
+                                                    : std::string("by detail")) +
+         " N/mm, friction " + parameters["friction"].dump() + ", damping " +
+         parameters["damping_n_s_per_mm"].dump() + " N s/mm, safety " +
+         (safetyOf(a) ? "on" : "off") +
+         (setup.core.force.lift_n > 0
+              ? "\n" + std::string(kLiftWords) + Json(setup.core.force.lift_n).dump() + " N upward"
+              : "") +
+         (setup.limited.empty() ? "" : "\nlimits " + setup.limited) + "\nparameters " +
+         parameters.dump() + "\n" + stateLine(stateOfTouch(a, setup, surface, task));
+}
+
+void addTouchOptions(CLI::App& verb, TouchArguments& arguments) {
+  addMapOptions(verb, arguments.map);
+  addRegionOptions(verb, arguments.region);
+  addFeelOptions(verb, arguments);
+  verb.add_option("--safety", arguments.safety,
+                  "on: ramp, slew, limit and passivity as at a device; default with --device. off "
+                  "only without one, or with a simulated one")
+      ->check(CLI::IsMember({"on", "off"}));
+}
+
+void declareTouch(CLI::App& verb, TouchArguments& arguments) {
+  addTouchOptions(verb, arguments);
+  verb.add_option("--stroke", arguments.stroke, "CSV: t_s,x_mm,y_mm,z_mm")->required();
+  verb.add_option("-o,--output", arguments.out, "LOG.csv or LOG.h5")->required();
+  verb.add_option("--plot", arguments.plot, "Also draw z and force against time, SVG");
+  verb.add_option("--device", arguments.device,
+                  "virtual[:light|relaxed|firm]: a hand that aims along the stroke and is pushed");
+  verb.add_option("--frame", arguments.frame, "Frame of the stroke: view or device")
+      ->check(CLI::IsMember({"view", "device"}));
+}
+
+VerbFiles filesOf(const TouchArguments& a) {
+  VerbFiles files;
+  files.reads(a.map.file);
+  files.reads(a.stroke, "the stroke that is read");
+  files.reads(a.firmness, "the raster of firm ground that is read");
+  files.writes(a.out);
+  files.writes(a.plot);
+  files.writesMap(a.region.window_out);
+  return files;
+}
+
+Verb touchVerb(std::vector<std::string> words) {
+  auto arguments = std::make_shared<TouchArguments>();
+  arguments->words = std::move(words);
+  return {.name = "touch",
+          .help = "Run a stroke over a region and log proxy and force at every millisecond",
+          .declare = [arguments](CLI::App& verb) { declareTouch(verb, *arguments); },
+          .files = [arguments] { return filesOf(*arguments); },
+          .run = [arguments](const Task& task) { return runTouch(*arguments, task); }};
+}
+
+}  // namespace relievo::batch

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/depth/fill/push_pull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace relievo {
+namespace {
+
+/// Push: bilinear value of the coarse grid under a fine cell; fine cell f lies at (f - 0.5) / 2.
+float coarseValue(const PushPullLayer& coarse, Cell fine) {
+  const auto split = [](int f, int count, int& low, int& high) {
+    const double x = std::clamp((f - 0.5) / 2, 0.0, count - 1.0);
+    low = static_cast<int>(x);
+    high = std::min(low + 1, count - 1);
+    return static_cast<float>(x - low);
+  };
+  int c0 = 0;
+  int c1 = 0;
+  int r0 = 0;
+  int r1 = 0;
+  const float u = split(fine.col, coarse.size.cols, c0, c1);
+  const float v = split(fine.row, coarse.size.rows, r0, r1);
+  const auto at = [&](int col, int row) {
+    return coarse.values[coarse.size.index({.col = col, .row = row})];
+  };
+  return (1 - v) * ((1 - u) * at(c0, r0) + u * at(c1, r0)) +
+         v * ((1 - u) * at(c0, r1) + u * at(c1, r1));
+}
+
+/// From sums of weighted values to means.
+void finishPull(PushPullLayer& coarse) {
+  for (std::size_t i = 0; i < coarse.values.size(); ++i) {
+    if (coarse.weights[i] > 0) coarse.values[i] /= coarse.weights[i];
+    coarse.weights[i] = std::min(coarse.weights[i], 1.0F);
+  }
+}
+
+/// The second lowest and the second highest of some values.
+struct NeighbourRange {
+  static constexpr float kFar = std::numeric_limits<float>::infinity();
+  float lowest = kFar, low = kFar, high = -kFar, highest = -kFar;
+  int found = 0;
+
+  void add(float z) {
+    low = std::min(low, z < lowest ? std::exchange(lowest, z) : z);
+    high = std::max(high, z > highest ? std::exchange(highest, z) : z);
+    ++found;
+  }
+};
+
+}  // namespace
+
+PushPullLayer pulled(const PushPullLayer& fine) {
+  PushPullLayer coarse;
+  coarse.size = {.cols = (fine.size.cols + 1) / 2, .rows = (fine.size.rows + 1) / 2};
+  coarse.values.assign(coarse.size.count(), 0.0F);
+  coarse.weights.assign(coarse.size.count(), 0.0F);
+  for (int row = 0; row < fine.size.rows; ++row) {
+    for (int col = 0; col < fine.size.cols; ++col) {
+      const std::size_t from = fine.size.index({.col = col, .row = row});
+      const std::size_t to = coarse.size.index({.col = col / 2, .row = row / 2});
+      coarse.values[to] += fine.weights[from] * fine.values[from];
+      coarse.weights[to] += fine.weights[from];
+    }
+  }
+  finishPull(coarse);
+  return coarse;
+}
+
+void pushInto(PushPullLayer& fine, const PushPullLayer& coarse) {
+  for (int row = 0; row < fine.size.rows; ++row) {
+    for (int col = 0; col < fine.size.cols; ++col) {
+      const std::size_t i = fine.size.index({.col = col, .row = row});
+      const float w = fine.weights[i];
+      if (w >= 1) continue;
+      fine.values[i] = w * fine.values[i] + (1 - w) * coarseValue(coarse, {.col = col, .row = row});
+    }
+  }
+}
+
+void pushPull(std::vector<float>& values, const Mask& known, GridSize size, const Task& task) {
+  // As `pulled` and `pushInto`, with the mask for the weights of the finest layer.
+  std::vector<PushPullLayer> layers(1);
+  layers[0].size = {.cols = (size.cols + 1) / 2, .rows = (size.rows + 1) / 2};
+  layers[0].values.assign(layers[0].size.count(), 0.0F);
+  layers[0].weights.assign(layers[0].size.count(), 0.0F);
+  for (int row = 0; row < size.rows; ++row) {
+    if (row % 64 == 0) task.check();
+    for (int col = 0; col < size.cols; ++col) {
+      const std::size_t from = size.index({.col = col, .row = row});
+      if (known[from] == 0) continue;
+      const std::size_t to = layers[0].size.index({.col = col / 2, .row = row / 2});
+      layers[0].values[to] += values[from];
+      layers[0].weights[to] += 1;
+    }
+  }
+  finishPull(layers[0]);
+  while (layers.back().size.cols > 1 || layers.back().size.rows > 1) {
+    task.check();
+    layers.push_back(pulled(layers.back()));
+  }
+  for (std::size_t level = layers.size() - 1; level-- > 0;) {
+    task.check();
+    pushInto(layers[level], layers[level + 1]);
+  }
+  for (int row = 0; row < size.rows; ++row) {
+    if (row % 64 == 0) task.check();
+    for (int col = 0; col < size.cols; ++col) {
+      const std::size_t i = size.index({.col = col, .row = row});
+      if (known[i] == 0) values[i] = coarseValue(layers[0], {.col = col, .row = row});
+    }
+  }
+}
+
+void keepWithinNeighbours(std::vector<float>& values, Mask known, const Mask& gaps, GridSize size) {
+  constexpr int kEnough = 4;
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (gaps[i] != 0) left.push_back(i);
+  }
+  std::vector<std::size_t> kept;
+  for (int round = 0; round < kNeighbourRounds; ++round) {
+    kept.clear();
+    const auto is_kept = [&](std::size_t i) {
+      const int row = static_cast<int>(i / static_cast<std::size_t>(size.cols));
+      const int col = static_cast<int>(i % static_cast<std::size_t>(size.cols));
+      NeighbourRange range;
+      for (int r = std::max(row - 1, 0); r < std::min(row + 2, size.rows); ++r) {
+        for (int c = std::max(col - 1, 0); c < std::min(col + 2, size.cols); ++c) {
+          const std::size_t k = size.index({.col = c, .row = r});
+          if (known[k] != 0) range.add(values[k]);
+        }
+      }
+      if (range.found < kEnough) return false;
+      values[i] = std::clamp(values[i], range.low, range.high);
+      kept.push_back(i);
+      return true;
+    };
+    std::erase_if(left, is_kept);
+    for (const std::size_t i : kept) known[i] = 1;
+  }
+}
+
+}  // namespace relievo

@@ -1,0 +1,630 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/session/large/large_map.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/base/failure.h"
+#include "core/depth/fill/losses.h"
+#include "core/depth/rules/point_rule.h"
+#include "core/depth/rules/rasterize.h"
+#include "core/io/file_check.h"
+#include "core/io/input_facts.h"
+#include "core/io/point_stream.h"
+#include "core/io/raster/raster_rows.h"
+#include "core/io/scan_builder.h"
+#include "core/session/choices.h"
+#include "core/session/closed_cloud.h"
+#include "core/session/colours/cloud_colours.h"
+#include "core/session/large/large_colours.h"
+#include "core/session/large/large_memory.h"
+#include "core/session/loss_words.h"
+#include "core/session/raster_in_use.h"
+#include "core/session/source_in_use.h"
+#include "core/tiles/band_fill.h"
+#include "core/tiles/colours/colour_files.h"
+#include "core/tiles/level_files.h"
+#include "core/tiles/scatter.h"
+#include "core/tiles/threads.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::uint64_t kFirstSample = 250'000;
+constexpr std::uint64_t kSecondSample = 2'000'000;
+constexpr int kFirstViewCells = 400;
+constexpr int kSecondViewCells = 800;
+
+using Clock = std::chrono::steady_clock;
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// @throw FileError  it is none, or triangles would be lost
+void requireStreamable(const std::filesystem::path& file, const InputFacts& facts) {
+  if (!facts.in_blocks) throw failure<MessageId::not_read_in_blocks>(shownName(file));
+  if (facts.has_faces) throw failure<MessageId::mesh_in_blocks>(shownName(file));
+}
+
+PointSource sourceOf(const PointStream& stream) {
+  return {.count = stream.info().points,
+          .read = [&stream](std::uint64_t first, std::span<FilePoint> block) {
+            return stream.read(first, block);
+          }};
+}
+
+/// About `wanted` points in short runs at even distances: scans are often stored line by line, and
+/// single points would each cost a page of the disk.
+std::vector<PointRange> evenRuns(const PointStream& stream, std::uint64_t wanted) {
+  constexpr std::uint64_t kRun = 256;
+  const std::uint64_t count = stream.info().points;
+  const std::uint64_t runs = std::max<std::uint64_t>(1, wanted / kRun);
+  std::vector<PointRange> ranges;
+  std::uint64_t next = 0;  // Overlapping runs in small files are read once.
+  for (std::uint64_t i = 0; i < runs && next < count; ++i) {
+    const std::uint64_t start = std::max(next, count / runs * i + count % runs * i / runs);
+    next = std::min(start + kRun, count);
+    ranges.push_back({start, next - start});
+  }
+  return ranges;
+}
+
+/// Points for a look, as soon as they can be had: packed files cost where they are opened.
+std::vector<PointRange> firstRuns(const PointStream& stream, std::uint64_t wanted) {
+  const std::vector<PointRange> cheap = stream.cheapSample(wanted);
+  return cheap.empty() ? evenRuns(stream, wanted) : cheap;
+}
+
+Scan sampleOf(const PointStream& stream, const std::vector<PointRange>& ranges, const Task& task) {
+  constexpr std::uint64_t kAtOnce = 16384;
+  ScanBuilder builder(stream.info().file, std::numeric_limits<std::uint64_t>::max());
+  std::vector<FilePoint> block(kAtOnce);
+  // Short runs are asked for together.
+  std::vector<PointRange> together;
+  std::size_t points = 0;
+  const auto take = [&] {
+    task.check();
+    const std::span<FilePoint> found = std::span(block).first(std::exchange(points, 0));
+    stream.read(together, found);
+    together.clear();
+    for (const FilePoint& p : found) builder.addPoint(p.x, p.y, p.z);
+  };
+  for (const PointRange& range : ranges) {
+    for (std::uint64_t done = 0; done < range.count;) {
+      const std::uint64_t part = std::min(range.count - done, kAtOnce - points);
+      together.push_back({range.first + done, part});
+      points += static_cast<std::size_t>(part);
+      done += part;
+      if (points == kAtOnce) take();
+    }
+  }
+  take();
+  ScanInfo info = stream.info();
+  Scan scan = builder.finish();
+  info.bounds = scan.info.bounds;
+  info.finite_points = scan.info.finite_points;
+  scan.info = info;
+  if (scan.points.empty()) {
+    throw failure<MessageId::sample_not_finite>(shownName(info.file));
+  }
+  return scan;
+}
+
+Surface viewOf(const Scan& sample, SurfaceOptions options, int most_cells, const Task& task) {
+  const double share = static_cast<double>(sample.points.size()) /
+                       static_cast<double>(std::max<std::uint64_t>(sample.info.points, 1));
+  // As fine as its points carry, and never finer than what is asked for.
+  const int cells = std::min(
+      most_cells, static_cast<int>(std::sqrt(static_cast<double>(sample.points.size()) / 2)));
+  options.cells = std::min(options.cells.value_or(cells), std::max(cells, 24));
+  options.spacing_mm.reset();
+  options.engine = "cpu";
+  Surface surface = makeSurface(sample, options, rasterize, task);
+  surface.messages.push_back("A first view from " +
+                             std::to_string(static_cast<int>(std::ceil(100 * share))) +
+                             " % of the points.");
+  return surface;
+}
+
+/// Counts what the report says of the finest level.
+class FinestLevel {
+ public:
+  void add(const float* heights_mm, const Origin* origins, int cols) {
+    for (int i = 0; i < cols; ++i) {
+      ++counts_[static_cast<std::size_t>(origins[i])];
+      if (origins[i] == Origin::outside) continue;
+      low_ = std::min(low_, heights_mm[i]);
+      high_ = std::max(high_, heights_mm[i]);
+    }
+  }
+  const OriginCounts& counts() const { return counts_; }
+  void into(LargeMap& map) const {
+    std::size_t all = 0;
+    for (const std::size_t count : counts_) all += count;
+    for (std::size_t i = 0; i < counts_.size(); ++i) {
+      map.shares[i] = static_cast<double>(counts_[i]) / static_cast<double>(all);
+    }
+    if (low_ <= high_) map.heights = {.min_mm = low_, .max_mm = high_};
+  }
+
+ private:
+  OriginCounts counts_{};
+  float low_ = std::numeric_limits<float>::infinity();
+  float high_ = -std::numeric_limits<float>::infinity();
+};
+
+void copyFacts(const Surface& from, LargeMap& to) {
+  to.info = from.info;
+  to.unit = from.unit;
+  to.unit_source = from.unit_source;
+  to.view_name = from.view_name;
+  to.messages = from.messages;
+}
+
+/// Depths of all cells by rows, and what was seen while they were made.
+struct DepthSource {
+  BandDepths depths;
+  GridFrame frame;
+  FillSource fill;
+  std::optional<HiddenSurface> hidden = std::nullopt;  ///< Of the points in the tiles.
+  const FrontSurface* front = nullptr;                 ///< Of a cloud that lies behind itself ...
+  LeftOut left_out;                                    ///< ... and what is not on it.
+  std::size_t flyers = 0;
+  const StreamedValues* values = nullptr;  ///< What a cloud's points say beside; null: nothing ...
+  std::function<bool(const FilePoint&)> keeps = {};  ///< ... and which of them take part.
+};
+
+void sayLosses(LargeMap& map, const DepthSource& source, const BandFill& fill,
+               const OriginCounts& cells, const std::optional<PointRule>& chosen) {
+  const auto say = [&map](std::vector<std::string> sentences) {
+    std::move(sentences.begin(), sentences.end(), std::back_inserter(map.messages));
+  };
+  std::optional<HiddenSurface> hidden = source.hidden;
+  if (hidden && source.front != nullptr) {
+    addHidden(*source.front, static_cast<double>(source.left_out.hidden), cells, *hidden);
+  }
+  if (hidden) map.losses = lossesOf(*hidden, source.flyers, fill.seenThroughPoints(), cells);
+  say(lossWords(map.losses.value_or(DepthLosses{}), fill.seenThrough(), map.shares));
+  if (source.hidden && chosen) say(mixedLayerWords(*chosen, *source.hidden, cells));
+}
+
+/// From depths to files: what both kinds of input have in common.
+/// @param view  gives the matrix for the base plane that was found
+void fillAndWrite(LargeMap& map, const DepthSource& source, const SurfaceOptions& options,
+                  const LargeMapOptions& large, const MemoryPlan& plan,
+                  const std::function<ViewFromFile(double base_z_mm)>& view, const Task& task) {
+  const auto start = Clock::now();
+  std::optional<BandFill> fill(std::in_place, source.depths, source.frame, source.fill,
+                               options.holes,
+                               BandOptions{.memory_bytes = plan.depths_bytes,
+                                           .spill_folder = spillFolder(large),
+                                           .threads = large.threads},
+                               task);
+  map.seconds.fill = secondsSince(start);
+  map.view_from_file = view(fill->baseZMm());
+  map.holes = fill->holes();
+  if (std::string left = holesLeft(map.holes, options.holes); !left.empty()) {
+    map.not_done.push_back(std::move(left));
+  }
+  std::optional<CloudColours> colours;
+  if (source.values != nullptr) {
+    colours.emplace(map, source.frame, *source.values, source.keeps, large, plan.values_bytes,
+                    task);
+  }
+  const auto write_start = Clock::now();
+  LevelFiles files(large.file, source.frame, options.pyramid);
+  FinestLevel finest;
+  fill->write(
+      [&](int, const float* heights, const Origin* origins) {
+        finest.add(heights, origins, source.frame.size.cols);
+        files.add(heights, origins);
+        if (colours) colours->add(heights, origins, task);
+      },
+      task);
+  finest.into(map);
+  sayLosses(map, source, *fill, finest.counts(), options.rule);
+  map.frames = files.frames();
+  map.seconds.pyramid = secondsSince(write_start);
+  fill.reset();  // Its memory is for the colours.
+  const auto colours_start = Clock::now();
+  std::unique_ptr<ColourFiles> colour_files;
+  if (colours) {
+    colour_files = colours->write(map, options.pyramid.factor, task);
+  }
+  map.seconds.colours = secondsSince(colours_start);
+  files.finish(map.view_from_file, large.state ? large.state(map) : std::string(),
+               colour_files.get());
+}
+
+/// The cloud's frame, its view and what the points are mapped with, z from the lowest point.
+struct Placed {
+  GridFrame frame;
+  ViewFromFile view_from_file;
+  NamedRotation rotation;
+  double lowest_mm = 0, range_mm = 0;
+  SourceInUse points;
+  std::optional<FrontSurface> front;  ///< Of a cloud that lies behind itself.
+};
+
+/// The points in the view, from the lower corner of their box.
+ViewBlocks blocksOf(const PointSource& source, const ViewFromFile& view_from_file,
+                    const ViewMm& corner) {
+  return [&source, view_from_file, corner](const auto& take) {
+    std::vector<ViewMm> moved;
+    forEachBlock(source, 0, source.count, [&](std::span<const FilePoint> block) {
+      moved.clear();
+      for (const FilePoint& p : block) moved.push_back(view_from_file(p) - corner);
+      take(moved);
+    });
+  };
+}
+
+/// Decides in 3-D what is seen, as for clouds in memory.
+void findFront(Placed& placed, const Scan& sample, const ViewFromFile& view_from_file,
+               const Task& task) {
+  const SourceBounds& bounds = placed.points.bounds;
+  std::vector<ViewMm> seen;
+  const ViewBox box{.min = {}, .max = bounds.max - bounds.min};
+  for (std::size_t i = 0; i < sample.points.size(); ++i) {
+    seen.push_back(view_from_file(sample.point(i)) - bounds.min);
+  }
+  placed.front = frontOf(blocksOf(placed.points.source, view_from_file, bounds.min), seen, box,
+                         bounds.finite_points, task);
+}
+
+/// How fine a grid the points on the front carry, by a sample of them.
+CellProposal cellsByFront(const FrontSurface& front, const Scan& sample,
+                          const ViewFromFile& view_from_file, const SourceBounds& bounds) {
+  std::vector<ViewMm> on_front;
+  for (std::size_t i = 0; i < sample.points.size(); ++i) {
+    const ViewMm p = view_from_file(sample.point(i)) - bounds.min;
+    if (front.sideOf(p) == FrontSurface::Side::front) on_front.push_back(p);
+  }
+  const double share = static_cast<double>(on_front.size()) /
+                       static_cast<double>(std::max<std::size_t>(sample.points.size(), 1));
+  const double noise_mm =
+      noiseOnFront(front, on_front.size(), [&](std::size_t i) { return on_front[i]; });
+  return cellsOf(front, {.min = bounds.min, .max = bounds.max},
+                 static_cast<std::uint64_t>(share * static_cast<double>(bounds.finite_points)),
+                 noise_mm);
+}
+
+/// @param sample  without strays
+Placed place(Surface& facts, const PointStream& stream, const Scan& sample,
+             const SurfaceOptions& options, const LargeMapOptions& large, const Task& task) {
+  Placed placed;
+  facts.info.bounds = sample.info.bounds;
+  chooseUnit(facts, options);
+  placed.rotation = chosenRotation(
+      sample, options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
+  if (!placed.rotation.note.empty()) facts.messages.push_back(placed.rotation.note);
+  const double mm = mmPer(facts.unit);
+  const ViewFromFile turned = viewFromFile(placed.rotation.rotation, mm, 0, 0, 0);
+  placed.points = sourceInUse(sourceOf(stream), sample, placed.rotation.rotation, turned, options,
+                              large.threads, task);
+  const SourceBounds& bounds = placed.points.bounds;
+  facts.info.finite_points = bounds.finite_points;
+  facts.info.bounds = bounds.file;
+  const RotatedBounds box{.min = bounds.min, .max = bounds.max};
+  findFront(placed, sample, turned, task);
+  placed.frame = chooseFrame(facts, options, box, [&] {
+    return placed.front ? cellsByFront(*placed.front, sample, turned, bounds)
+                        : proposeCells(sample, placed.rotation.rotation, bounds.finite_points);
+  });
+  placed.lowest_mm = bounds.min.z;
+  placed.range_mm = bounds.max.z - bounds.min.z;
+  placed.view_from_file =
+      viewFromFile(placed.rotation.rotation, mm, placed.frame.first_x_mm - bounds.min.x,
+                   placed.frame.first_y_mm - bounds.min.y, -bounds.min.z);
+  facts.view_name = placed.rotation.name;
+  return placed;
+}
+
+void sayRule(LargeMap& map, const RuleProposal& rule, bool merges) {
+  map.rule = rule.reason + ": " + std::string(describe(rule.rule));
+  map.messages.push_back("Heights: " + map.rule + ".");
+  if (merges) {
+    map.messages.emplace_back("The points were merged as they came; flyers were not looked for.");
+  }
+}
+
+/// Depths of all cells, on disk.
+struct StoredDepths {
+  RowStore front;
+  std::unique_ptr<RowStore> between, points;
+  BitRows steep;
+  bool one_layer = false;
+  std::optional<HiddenSurface> hidden;
+  std::size_t flyers = 0;
+  LeftOut left_out;
+
+  /// Writes rows where there are any; the first ones decide.
+  static void keep(std::unique_ptr<RowStore>& store, const DepthRows& rows,
+                   const std::vector<float>& values, GridSize size,
+                   const std::filesystem::path& folder) {
+    if (values.empty()) return;
+    if (!store) store = std::make_unique<RowStore>(size, 0, folder);
+    store->write(rows.first_row, rows.rows, values.data());
+  }
+
+  BandDepths rows() const {
+    const auto of = [](const RowStore& store) {
+      return [&store](int first, int rows, float* out) { store.read(first, rows, out); };
+    };
+    return {.front = of(front),
+            .between = between ? of(*between) : RowsOf{},
+            .steep = &steep,
+            .one_layer = one_layer,
+            .points = points ? of(*points) : RowsOf{}};
+  }
+};
+
+/// A band of rows as the surface in front says.
+DepthRows withFront(const FrontSurface& front, const GridFrame& frame, DepthRows rows) {
+  rows.between.resize(rows.front.size(), std::numeric_limits<float>::quiet_NaN());
+  addFront(front, frame,
+           {.rows = {.first = rows.first_row, .end = rows.first_row + rows.rows},
+            .depths = rows.front.data(),
+            .between = rows.between.data(),
+            .steep = rows.steep.empty() ? nullptr : rows.steep.data()});
+  return rows;
+}
+
+void sayLeftOut(Surface& facts, const SourceInUse& points, const PointStream& stream,
+                const SurfaceOptions& options) {
+  if (points.missing > 0) {
+    facts.messages.push_back(missingWords(points.missing, *options.nodata->value));
+  }
+  for (std::string words : {strayWords(points.strays), groupWords(points.strays)}) {
+    if (!words.empty()) facts.messages.push_back(std::move(words));
+  }
+  const FileBounds& box = points.bounds.file;
+  if (options.nodata || !(isUsualNodata(box.min.z) || isUsualNodata(box.max.z))) return;
+  if (const auto suspect = suspectHeight(sourceOf(stream))) {
+    facts.messages.push_back(suspectWords(*suspect));
+  }
+}
+
+std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& stream,
+                                         const Placed& placed, const SurfaceOptions& options,
+                                         const LargeMapOptions& large, const MemoryPlan& plan,
+                                         const Task& task) {
+  TileStore store(placed.frame.size, {.merges = options.rule && isMergeable(*options.rule),
+                                      .memory_bytes = plan.points_bytes,
+                                      .spill_folder = spillFolder(large),
+                                      .sum_unit_mm = sumUnit(stream.info().points, placed.range_mm),
+                                      .threads = large.threads});
+  const FrontSurface* front = placed.front ? &*placed.front : nullptr;
+  const LeftOut left_out = scatterIntoTiles(placed.points.source, placed.view_from_file,
+                                            placed.frame, store, task, front);
+  const RuleProposal rule = options.rule
+                                ? RuleProposal{.rule = *options.rule, .reason = "as chosen"}
+                                : proposeRule(store, placed.frame.spacing_mm, task);
+  sayRule(map, rule, store.merges());
+  if (!store.merges()) {
+    store.keepWithin(
+        storeBytes(plan, placed.frame, large, store.bytesOfRows(3),
+                   store.bytesOfRows(1) / static_cast<std::size_t>(store.layout().across())));
+  }
+  map.spilled_bytes = store.spilledBytes();
+  // The store has its memory; depths go to the disk.
+  const GridSize size = placed.frame.size;
+  std::unique_ptr<StoredDepths> depths(new StoredDepths{.front = {size, 0, spillFolder(large)},
+                                                        .between = {},
+                                                        .points = {},
+                                                        .steep = BitRows(size),
+                                                        .hidden = {},
+                                                        .left_out = {}});
+  depths->one_layer = !options.rule && isForOneLayer(rule.rule);
+  makeDepths(
+      store, rule.rule, placed.frame.spacing_mm,
+      [&](const DepthRows& found) {
+        const DepthRows seen =
+            front != nullptr ? withFront(*front, placed.frame, found) : DepthRows{};
+        const DepthRows& rows = front != nullptr ? seen : found;
+        depths->front.write(rows.first_row, rows.rows, rows.front.data());
+        StoredDepths::keep(depths->between, rows, rows.between, size, spillFolder(large));
+        // What shows through gaps is looked for in clouds of several layers only.
+        if (!depths->one_layer) {
+          StoredDepths::keep(depths->points, rows, rows.points, size, spillFolder(large));
+        }
+        if (rows.hidden) depths->hidden = depths->hidden.value_or(HiddenSurface{}) + *rows.hidden;
+        depths->flyers += rows.flyers;
+        depths->steep.setRows(rows.first_row, rows.steep);
+      },
+      task);
+  depths->left_out = left_out;
+  depths->flyers += left_out.strays;
+  // Where points are merged as they come, what is behind was never put in.
+  if (front != nullptr && store.merges()) {
+    depths->hidden = HiddenSurface{.hidden = 0, .all = static_cast<double>(left_out.on_front)};
+  }
+  return depths;
+}
+
+/// What is in memory beside the tiles as long as points are read: the surface in front, and what of
+/// a packed file is unpacked, once for the places and once for what is stored beside them.
+std::uint64_t heldBytes(const PointStream& stream, const Placed& placed,
+                        const LargeMapOptions& large) {
+  const auto threads = static_cast<std::uint64_t>(threadCount(large.threads));
+  return (placed.front ? placed.front->bytes() : 0) + 2 * threads * stream.keptBytes();
+}
+
+LargeMap fromPoints(const std::filesystem::path& file, const InputFacts& facts,
+                    const SurfaceOptions& options, const LargeMapOptions& large,
+                    const ImportOptions& import, const Task& task) {
+  const auto start = Clock::now();
+  requireStreamable(file, facts);
+  if (options.engine != "cpu") {
+    throw failure<MessageId::tiles_by_cpu_only>();
+  }
+  const PointStream stream(file, import, task);
+  LargeMap map;
+  if (large.on_view) {
+    const Scan sample = sampleOf(stream, firstRuns(stream, kFirstSample), task);
+    const Surface view = viewOf(sample, options, kFirstViewCells, task);
+    map.first_view_s = secondsSince(start);
+    large.on_view(view);
+  }
+  Surface made;
+  made.info = stream.info();
+  made.messages = stream.info().warnings;
+  Scan sample = sampleOf(stream, evenRuns(stream, kSecondSample), task);
+  const ScanInUse sample_in_use(sample, options.strays,
+                                options.nodata ? options.nodata->value : std::nullopt, task);
+  const Placed placed = place(made, stream, sample_in_use.scan(), options, large, task);
+  map.strays = placed.points.strays;
+  map.missing = placed.points.missing;
+  sayLeftOut(made, placed.points, stream, options);
+  const MemoryPlan plan = planMemory(placed.frame, large, heldBytes(stream, placed, large));
+  if (large.on_view) large.on_view(viewOf(sample, options, kSecondViewCells, task));
+  sample = {};
+  copyFacts(made, map);
+  map.engine = "cpu";
+  const StreamedValues values(file, import, large.threads, task);
+  const bool with_values = takeValues(map, values, plan);
+  if (with_values) requireFreeNames(PyramidRows::frames(placed.frame, options.pyramid), large.file);
+  map.seconds.read = secondsSince(start);
+
+  const auto grid_start = Clock::now();
+  const auto depths = gridPoints(map, stream, placed, options, large, plan, task);
+  map.seconds.grid = secondsSince(grid_start);
+  fillAndWrite(
+      map,
+      {.depths = depths->rows(),
+       .frame = placed.frame,
+       .fill = {.has_sampling_gaps = true, .gaps_are_known = placed.front.has_value()},
+       .hidden = depths->hidden,
+       .front = placed.front ? &*placed.front : nullptr,
+       .left_out = depths->left_out,
+       .flyers = depths->flyers,
+       .values = with_values ? &values : nullptr,
+       .keeps = placed.points.keeps},
+      options, large, plan,
+      [&](double base_z_mm) {
+        ViewFromFile view = placed.view_from_file;
+        view.m[11] = -placed.lowest_mm - base_z_mm;
+        return view;
+      },
+      task);
+  return map;
+}
+
+/// An own map's rows become levels as they are.
+void writeOwnMap(LargeMap& map, const RasterRows& raster, const GridFrame& frame,
+                 const SurfaceOptions& options, const LargeMapOptions& large, const Task& task) {
+  const auto start = Clock::now();
+  LevelFiles files(large.file, frame, options.pyramid);
+  FinestLevel finest;
+  std::vector<float> heights(static_cast<std::size_t>(frame.size.cols));
+  std::vector<Origin> origins(heights.size());
+  for (int row = 0; row < frame.size.rows; ++row) {
+    if (row % 16 == 0) task.check();
+    std::fill(origins.begin(), origins.end(), Origin::measured);
+    raster.read(row, 1, heights.data(), origins.data());
+    for (std::size_t col = 0; col < heights.size(); ++col) {
+      if (std::isnan(heights[col])) origins[col] = Origin::outside;
+      if (origins[col] == Origin::outside) heights[col] = 0;
+    }
+    finest.add(heights.data(), origins.data(), frame.size.cols);
+    files.add(heights.data(), origins.data());
+  }
+  map.view_from_file = raster.head().view_from_file.value_or(ViewFromFile{});
+  finest.into(map);
+  map.frames = files.frames();
+  files.finish(map.view_from_file, large.state ? large.state(map) : std::string());
+  map.seconds.pyramid = secondsSince(start);
+}
+
+LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& options,
+                    const LargeMapOptions& large, const ImportOptions& import, const Task& task) {
+  const auto start = Clock::now();
+  const RasterRows rows = importRasterRows(file, spillFolder(large), import, task);
+  const RasterHead& raster = rows.head();
+  LargeMap map;
+  Surface facts;
+  facts.info = raster.info;
+  facts.messages = raster.info.warnings;
+  facts.view_name = raster.is_own_map ? "as stored" : "top";
+  if (raster.is_own_map) {
+    facts.unit_source = UnitSource::file;
+    if (!rows.hasOrigins()) {
+      facts.messages.emplace_back(
+          "The map has no origins of its own; every height was taken as measured.");
+    }
+  } else {
+    chooseUnit(facts, options);
+  }
+  if (raster.is_own_map && hasOwnColours(file)) {
+    facts.messages.emplace_back(
+        "Colours beside a map are not read by tiles; its levels are made without. Leave out "
+        "--memory, or make the map from its scan.");
+  }
+  copyFacts(facts, map);
+  map.engine = raster.is_own_map ? "as stored" : "raster";
+  map.rule = "as stored";
+  const double mm = mmPer(facts.unit);
+  const double spacing = raster.pixel * mm;
+  GridFrame frame{.size = raster.size,
+                  .spacing_mm = spacing,
+                  .first_x_mm = 0.5 * spacing,
+                  .first_y_mm = 0.5 * spacing};
+  if (raster.is_own_map) {
+    frame.first_x_mm = raster.first.x;
+    frame.first_y_mm = raster.first.y;
+  }
+  const MemoryPlan plan = planMemory(frame, large);
+  map.seconds.read = secondsSince(start);
+  if (raster.is_own_map) {
+    writeOwnMap(map, rows, frame, options, large, task);
+    return map;
+  }
+  if (options.view && options.view->name != "top" && options.view->name != "auto" &&
+      options.view->name != kEarlierAutomatic) {
+    throw failure<MessageId::raster_from_the_top_only>();
+  }
+  const RasterInUse in_use(rows, options.nodata, task);
+  map.missing = in_use.missing();
+  map.messages.insert(map.messages.end(), in_use.messages().begin(), in_use.messages().end());
+  const double lowest = in_use.lowest();
+  fillAndWrite(
+      map,
+      {.depths = {.front = in_use.depths(mm), .between = {}},
+       .frame = frame,
+       .fill = {.has_sampling_gaps = false, .base_quantile = 0},
+       .left_out = {}},
+      options, large, plan,
+      [&](double base_z_mm) {
+        return viewFromFile(*standardRotation("top"), mm, frame.first_x_mm - mm * raster.first.x,
+                            frame.first_y_mm - mm * raster.first.y, -(base_z_mm + lowest * mm));
+      },
+      task);
+  return map;
+}
+
+}  // namespace
+
+LargeMap makeLargeMap(const std::filesystem::path& file, const SurfaceOptions& options,
+                      const LargeMapOptions& large, const ImportOptions& import, const Task& task) {
+  const InputFacts facts = inputFacts(file, task);
+  LargeMap map = facts.kind == InputKind::scan
+                     ? fromPoints(file, facts, options, large, import, task)
+                     : fromRaster(file, options, large, import, task);
+  map.file = large.file;
+  return map;
+}
+
+Surface sampleSurface(const std::filesystem::path& file, const SurfaceOptions& options,
+                      std::uint64_t points, const ImportOptions& import, const Task& task) {
+  requireStreamable(file, inputFacts(file, task));
+  const PointStream stream(file, import, task);
+  return viewOf(sampleOf(stream, firstRuns(stream, points), task), options, kSecondViewCells, task);
+}
+
+}  // namespace relievo

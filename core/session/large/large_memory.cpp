@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/session/large/large_memory.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/base/failure.h"
+#include "core/tiles/colours/band_colours.h"
+#include "core/tiles/threads.h"
+#include "core/tiles/tile_layout.h"
+#include "core/tiles/tile_store.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::uint64_t kMegabyte = 1'000'000;
+constexpr std::uint64_t kProgram = 80 * kMegabyte;  ///< Code, libraries, GDAL's blocks of tiles.
+
+/// Bands of one row of tiles while gaps are filled: depths, layers and masks of each thread.
+std::uint64_t bandBytes(GridSize size, int threads) {
+  constexpr std::uint64_t kBytesPerCell = 40;
+  constexpr std::uint64_t kRows = kTileSide + 32;
+  return kBytesPerCell * kRows * static_cast<std::uint64_t>(size.cols) *
+         static_cast<std::uint64_t>(threads);
+}
+
+/// Rows of tiles of every level that are being written, and one bit and a 64th of push-pull per
+/// cell.
+std::uint64_t writingBytes(GridSize size) {
+  return 2 * 6 * static_cast<std::uint64_t>(kTileSide) * static_cast<std::uint64_t>(size.cols) +
+         size.count() / 2;
+}
+
+std::uint64_t megabytes(std::uint64_t bytes) {
+  return (bytes + kMegabyte - 1) / kMegabyte;
+}
+
+}  // namespace
+
+namespace {
+
+[[noreturn]] void refuse(const GridFrame& frame, const LargeMapOptions& large,
+                         std::uint64_t needed) {
+  throw failure<MessageId::tiles_need_memory>(frame.size.cols, frame.size.rows, megabytes(needed),
+                                              megabytes(large.memory_bytes));
+}
+
+}  // namespace
+
+MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large,
+                      std::uint64_t held_bytes) {
+  const std::uint64_t held = kProgram + held_bytes;
+  const int threads = threadCount(large.threads);
+  const std::uint64_t filling = bandBytes(frame.size, threads) + writingBytes(frame.size);
+  // While points are sorted into tiles: the store and a block of points being sorted; while cells
+  // get their heights: the store and three rows of tiles, which hold what the store let go of.
+  const std::uint64_t gridding = 2 * TileStore::leastMemoryBytes(frame.size) + 64 * kMegabyte;
+  const std::uint64_t needed = held + std::max(filling, gridding);
+  if (needed > large.memory_bytes) refuse(frame, large, needed);
+  const std::uint64_t free_bytes = large.memory_bytes - held;
+  // While gaps are filled, depths may take 0.4 of what filling leaves; so may colours.
+  const std::uint64_t making = BandColours::memoryBytes(frame.size, threads);
+  const std::uint64_t colours = making + ValueStore::leastMemoryBytes(frame.size) + 8 * kMegabyte;
+  const std::uint64_t room = (free_bytes - filling) * 5 / 10;
+  return {.held_bytes = held,
+          .points_bytes = static_cast<std::size_t>((free_bytes - 64 * kMegabyte) * 6 / 10),
+          .gridding_bytes = static_cast<std::size_t>(free_bytes),
+          .depths_bytes = static_cast<std::size_t>((free_bytes - filling) * 8 / 10),
+          .values_bytes = room >= colours ? static_cast<std::size_t>(room - making) * 8 / 10 : 0,
+          .colours_need = held + filling + 2 * colours};
+}
+
+std::size_t storeBytes(const MemoryPlan& plan, const GridFrame& frame, const LargeMapOptions& large,
+                       std::size_t rows_bytes, std::size_t tile_bytes) {
+  // Of a tile's 16 bytes a point the rules make places, order and neighbours: thrice as much
+  // (measured: 2.7).
+  const auto threads = static_cast<std::uint64_t>(threadCount(large.threads));
+  const std::uint64_t work = rows_bytes + 3 * threads * tile_bytes;
+  const std::uint64_t least = TileStore::leastMemoryBytes(frame.size);
+  if (work + least > plan.gridding_bytes) refuse(frame, large, plan.held_bytes + work + least);
+  return static_cast<std::size_t>(plan.gridding_bytes - work);
+}
+
+}  // namespace relievo

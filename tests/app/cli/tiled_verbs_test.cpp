@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Maps by tiles by the command line, tried from outside: the same as maps in memory.
+#include <filesystem>
+#include <sstream>
+
+#include "core/io/raster/raster.h"
+#include "core/project/package.h"
+#include "core/tiles/tiled_map.h"
+#include "tests/app/command_test.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test::CommandResult;
+using test::runRelievo;
+
+/// Relief F by tiles, 1500 cells across, and the same cells as one file.
+class TiledVerbs : public test::CommandTest {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(runRelievo({"depthmap", test::kReliefF, "--unit", "mm", "--view", "top", "--cells",
+                          "1500", "--memory", "400", "-o", path("map.tif")})
+                  .exit_code,
+              0);
+    ASSERT_TRUE(TiledMap::isOne(path("map.tif")));
+    const RasterMap whole = readRaster(path("map.tif"));
+    DepthMap map{.frame = {.size = whole.size,
+                           .spacing_mm = whole.pixel,
+                           .first_x_mm = whole.first.x,
+                           .first_y_mm = whole.first.y},
+                 .heights_mm = whole.values,
+                 .origins = whole.origins};
+    writeMap(path("plain.tif"), map, {.view_from_file = *whole.view_from_file});
+    ASSERT_FALSE(TiledMap::isOne(path("plain.tif")));
+  }
+  /// Without what names the file.
+  static std::string rowsOf(const std::string& csv) {
+    std::istringstream in(csv);
+    std::string rows;
+    for (std::string line; std::getline(in, line);) {
+      if (line[0] != '#') rows += line + '\n';
+    }
+    return rows;
+  }
+};
+
+TEST_F(TiledVerbs, MeasureTheSameWithoutReadingThemWhole) {
+  const auto measured = [&](const std::string& map) {
+    const CommandResult result =
+        runRelievo({"measure",           path(map),       "--point",
+                    "40.03,29.97",       "--depth",       "20,20,70,60",
+                    "--profile",         "3,3,90,70",     "--area",
+                    "10,10,90,10,90,70", "--plane",       "1",
+                    "--section",         "0,0,1,4",       "--profile-csv",
+                    path(map + ".csv"),  "--section-csv", path(map + ".cut.csv"),
+                    "--report",          "json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return json::parse(result.out);
+  };
+  const json tiled = measured("map.tif");
+  EXPECT_EQ(tiled, measured("plain.tif"));
+  EXPECT_GT(tiled["measurements"].back()["curves"].size(), 0U);
+  EXPECT_EQ(rowsOf(test::bytesOf(path("map.tif.csv"))),
+            rowsOf(test::bytesOf(path("plain.tif.csv"))));
+  EXPECT_EQ(rowsOf(test::bytesOf(path("map.tif.cut.csv"))),
+            rowsOf(test::bytesOf(path("plain.tif.cut.csv"))));
+}
+
+/// Rows of comma-separated values without one of their columns.
+std::string without(const std::string& column, const std::string& rows) {
+  std::istringstream in(rows);
+  std::string kept;
+  std::size_t left_out = std::string::npos;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream cells(line);
+    std::size_t i = 0;
+    for (std::string cell; std::getline(cells, cell, ','); ++i) {
+      if (cell == column) left_out = i;
+      if (i != left_out) kept += cell + ',';
+    }
+    kept += '\n';
+  }
+  EXPECT_NE(left_out, std::string::npos);
+  return kept;
+}
+
+TEST_F(TiledVerbs, FeelTheSameAtEveryLevel) {
+  std::ofstream(path("s.csv")) << "t_s,x_mm,y_mm,z_mm\n0,40,30,9\n0.05,40,30,1\n0.15,44,33,1\n";
+  for (const char* level : {"0", "1", "2"}) {
+    const auto felt = [&](const std::string& map) {
+      const CommandResult result =
+          runRelievo({"touch", path(map), "--region", "30,20,20,20", "--level", level, "--stroke",
+                      path("s.csv"), "-o", path(map + ".log.csv")});
+      EXPECT_EQ(result.exit_code, 0) << result.err;
+      return rowsOf(test::bytesOf(path(map + ".log.csv")));
+    };
+    const std::string tiled = felt("map.tif");
+    EXPECT_GT(tiled.size(), 10'000U);
+    const std::string whole = felt("plain.tif");
+    if (level == std::string("0")) {
+      EXPECT_EQ(tiled, whole);
+    }
+    // At a coarse level a window's origins are those of its nodes (docs/adr/0037).
+    EXPECT_EQ(without("origin", tiled), without("origin", whole)) << level;
+  }
+}
+
+TEST_F(TiledVerbs, AreDrawnAndPackedWithAllTheirLevels) {
+  const CommandResult drawn = runRelievo({"figure", path("map.tif"), "--region", "30,20,20,20",
+                                          "--dpi", "60", "-o", path("fig.png"), "--report", "json"},
+                                         {"DISPLAY"});
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_NE(json::parse(drawn.out)["caption"].get<std::string>().find("Depth map of 1500"),
+            std::string::npos)
+      << drawn.out;
+  ASSERT_EQ(runRelievo({"project", "new", path("fig.png"), "-o", path("p.json")}).exit_code, 0);
+  const CommandResult packed =
+      runRelievo({"project", "package", path("p.json"), "-o", path("cite.zip")});
+  ASSERT_EQ(packed.exit_code, 0) << packed.err;
+  fs::create_directories(path("out"));
+  unpackPackage(path("cite.zip"), path("out"));
+  const TiledMap there(path("map.tif"));
+  const TiledMap here(path("out/input/map.tif"));
+  EXPECT_EQ(here.frames(), there.frames());
+  EXPECT_TRUE(verifyPackage(path("cite.zip")).problems.empty());
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/depth/layers/disc_raster.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <random>
+
+namespace relievo {
+namespace {
+
+constexpr DiscRaster kRaster{.size = {.cols = 210, .rows = 170}, .pixel_mm = 0.5};
+
+/// As surfaceDiscs makes them.
+SurfaceDisc disc(std::array<float, 3> centre, std::array<float, 3> normal, float spacing) {
+  SurfaceDisc made;
+  made.centre = centre;
+  made.normal = normal;
+  const float length = std::hypot(normal[2], normal[0]);
+  made.right = {normal[2] / length, 0, -normal[0] / length};
+  const auto& [a, b, c] = normal;
+  const auto& r = made.right;
+  made.up = {b * r[2] - c * r[1], c * r[0] - a * r[2], a * r[1] - b * r[0]};
+  made.radius = 1.95F * spacing;
+  made.reach.fill(made.radius);
+  made.spacing = spacing;
+  return made;
+}
+
+/// A ball of 40 mm around the raster's middle, both its sides, in no order.
+std::vector<SurfaceDisc> ballOfDiscs(std::size_t count) {
+  std::mt19937 random(82);
+  std::normal_distribution<float> normal(0, 1);
+  std::vector<SurfaceDisc> discs;
+  const auto spacing = static_cast<float>(40 * std::sqrt(4 * std::numbers::pi / double(count)));
+  while (discs.size() < count) {
+    std::array<float, 3> n{normal(random), normal(random), normal(random)};
+    const float length = std::hypot(n[0], n[1], n[2]);
+    for (float& c : n) c /= length;
+    const std::array<float, 3> centre{52 + 40 * n[0], 42 + 40 * n[1], 50 + 40 * n[2]};
+    if (n[2] < 0) n = {-n[0], -n[1], -n[2]};
+    discs.push_back(disc(centre, n, spacing));
+  }
+  return discs;
+}
+
+bool areTheSameBytes(const std::vector<FrontPiece>& a, const std::vector<FrontPiece>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+}
+
+TEST(DiscRaster, HiddenDiscsThatAreSkippedChangeNoByte) {
+  for (const std::size_t count : {300U, 5000U, 40'000U}) {
+    const std::vector<SurfaceDisc> discs = ballOfDiscs(count);
+    EXPECT_TRUE(areTheSameBytes(drawDiscs(discs, kRaster, HiddenDiscs::skipped, {}),
+                                drawDiscs(discs, kRaster, HiddenDiscs::drawn, {})))
+        << count;
+  }
+}
+
+TEST(DiscRaster, ADiscThatRisesOutOfTheFrontIsDrawnThoughItsMiddleIsHidden) {
+  std::vector<SurfaceDisc> discs;
+  for (int row = 0; row < 43; ++row) {
+    for (int col = 0; col < 53; ++col) {
+      discs.push_back(
+          disc({2.0F * static_cast<float>(col), 2.0F * static_cast<float>(row), 10}, {0, 0, 1}, 2));
+    }
+  }
+  SurfaceDisc rising = disc({60, 40, 5}, {-0.70710678F, 0, 0.70710678F}, 2);
+  rising.radius = 16;
+  rising.reach.fill(rising.radius);
+  discs.push_back(rising);
+  const auto pieces = drawDiscs(discs, kRaster, HiddenDiscs::skipped, {});
+  EXPECT_TRUE(areTheSameBytes(pieces, drawDiscs(discs, kRaster, HiddenDiscs::drawn, {})));
+  // 10 mm to the right of its middle it is 10 mm higher.
+  const FrontPiece& piece = pieces[kRaster.size.index({.col = 140, .row = 80})];
+  EXPECT_NEAR(static_cast<double>(piece.z), 15, 0.5);
+}
+
+TEST(DiscRaster, ShowsTheNearHalfOfABall) {
+  const auto pieces = drawDiscs(ballOfDiscs(20'000), kRaster, HiddenDiscs::skipped, {});
+  for (int row = 0; row < kRaster.size.rows; ++row) {
+    for (int col = 0; col < kRaster.size.cols; ++col) {
+      const double x = (col + 0.5) * kRaster.pixel_mm - 52;
+      const double y = (row + 0.5) * kRaster.pixel_mm - 42;
+      if (std::hypot(x, y) > 30) continue;
+      const FrontPiece& piece = pieces[kRaster.size.index({.col = col, .row = row})];
+      ASSERT_NEAR(static_cast<double>(piece.z), 50 + std::sqrt(1600 - x * x - y * y), 0.5);
+    }
+  }
+}
+
+TEST(DiscRaster, OfPiecesEquallyHighTheFirstOneSaysHowDenseThePointsAre) {
+  std::vector<SurfaceDisc> discs;
+  for (const float spacing : {4.0F, 8.0F, 2.0F, 6.0F, 3.0F}) {
+    discs.push_back(disc({50, 40, 10}, {0, 0, 1}, spacing));
+  }
+  const std::size_t middle = kRaster.size.index({.col = 100, .row = 80});
+  EXPECT_EQ(drawDiscs(discs, kRaster, HiddenDiscs::skipped, {})[middle].spacing, 4);
+  // The fifth is drawn before the second.
+  discs.front().centre[2] = 9;
+  EXPECT_EQ(drawDiscs(discs, kRaster, HiddenDiscs::skipped, {})[middle].spacing, 8);
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/frame/side_panels.h"
+
+#include <algorithm>
+#include <QApplication>
+#include <QScrollBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/style/palette.h"
+
+namespace relievo {
+namespace {
+constexpr int kWidth = 280;
+}
+
+SidePanels::SidePanels(QWidget* parent) : QScrollArea(parent) {
+  setObjectName(QStringLiteral("side_panels"));
+  setAccessibleName(tr("Panels"));
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+  setFrameShape(QFrame::NoFrame);
+  setFixedWidth(kWidth);
+  setFocusPolicy(Qt::NoFocus);
+  auto* content = new QWidget(this);
+  column_ = new QVBoxLayout(content);
+  column_->setContentsMargins(8, 6, 8, 6);
+  column_->setSpacing(4);
+  column_->addStretch(1);
+  setWidget(content);
+  // Wherever the keyboard goes in here, by whatever command, is seen.
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    if (now != nullptr && widget()->isAncestorOf(now)) ensureWidgetVisible(now);
+  });
+}
+
+void SidePanels::add(const QString& title, QWidget* panel) {
+  insert(static_cast<int>(headers_.size()), title, panel);
+}
+
+void SidePanels::insert(int index, const QString& title, QWidget* panel) {
+  auto* header = new QToolButton(widget());
+  header->setText(title);
+  header->setToolTip(tr("Show or hide %1").arg(title));
+  header->setAccessibleName(tr("%1 panel").arg(title));
+  header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  header->setAutoRaise(true);
+  header->setArrowType(Qt::DownArrow);
+  header->setFocusPolicy(Qt::StrongFocus);
+  header->setStyleSheet(
+      QStringLiteral("QToolButton:focus { border: 1px solid palette(highlight); }"));
+  QFont font = header->font();
+  font.setBold(true);
+  header->setFont(font);
+  header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  connect(header, &QToolButton::clicked, panel, [header, panel] {
+    const bool open = panel->isHidden();
+    header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+    panel->setVisible(open);
+  });
+  column_->insertWidget(2 * index, header);  // Headers and panels alternate.
+  column_->insertWidget(2 * index + 1, panel);
+  headers_.insert(headers_.begin() + index, header);
+  if (window_width_ > 0) fitTo(window_width_);
+}
+
+void SidePanels::remove(QWidget* panel) {
+  const int index = column_->indexOf(panel);
+  if (index < 1) return;
+  const auto header = headers_.begin() + index / 2;
+  delete *header;
+  headers_.erase(header);
+  delete panel;
+}
+
+void SidePanels::reveal(QWidget* panel) {
+  const int index = column_->indexOf(panel);
+  if (index < 1) return;
+  panel->show();
+  headers_[static_cast<std::size_t>(index / 2)]->setArrowType(Qt::DownArrow);
+  column_->activate();
+  widget()->adjustSize();
+  ensureWidgetVisible(panel);
+}
+
+void SidePanels::fitTo(int window_width) {
+  window_width_ = window_width;
+  const int wanted = static_cast<int>(kWidth * textScale());
+  // What cannot wrap, such as a check box's text, may take half of the window.
+  const int needed = widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
+  const int most = std::clamp(needed, window_width * 2 / 5, window_width / 2);
+  setFixedWidth(std::max(kWidth, std::min(wanted, most)));
+}
+
+QStringList SidePanels::titles() const {
+  QStringList titles;
+  for (const QToolButton* header : headers_) titles << header->text();
+  return titles;
+}
+
+}  // namespace relievo

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/panels/measure_readings.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/session/map_facts.h"
+#include "ui/language/spoken_error.h"
+
+namespace relievo {
+namespace {
+
+/// But for the name.
+bool readsTheSame(const Measurement& a, const Measurement& b) {
+  return a.kind == b.kind && a.places == b.places && a.plane_mm == b.plane_mm &&
+         a.normal == b.normal;
+}
+
+/// Of a larger map an area may take longer than the window may be held up.
+constexpr std::size_t kMostCellsAtOnce = 1'000'000;
+
+bool atOnce(const Surface& surface, MeasureKind kind) {
+  switch (kind) {
+    case MeasureKind::section:
+      return false;
+    case MeasureKind::profile:
+      return surface.tiles == nullptr;
+    case MeasureKind::area:
+      return surface.tiles == nullptr && surface.map.frame.size.count() <= kMostCellsAtOnce;
+    default:
+      return true;
+  }
+}
+
+MeasureReadings::Entry entryOf(const MapCells& cells, const Measurement& m) {
+  MeasureReadings::Entry entry;
+  try {
+    entry.reading = read(cells, m);
+    if (m.kind == MeasureKind::profile) entry.rows = profile(cells, m.places);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    entry.problem = spokenError(error);
+  }
+  return entry;
+}
+
+}  // namespace
+
+MeasureReadings::MeasureReadings(Document& document, QObject* parent)
+    : QObject(parent), document_(document) {
+  connect(&document_, &Document::surfaceChanged, this, [this] {
+    worker_.cancel();
+    known_.clear();
+  });
+}
+
+std::shared_ptr<const MeasureReadings::Entry> MeasureReadings::of(const Measurement& m) {
+  const auto found = std::find_if(known_.begin(), known_.end(),
+                                  [&](const Known& known) { return readsTheSame(known.first, m); });
+  if (found != known_.end()) return found->second;
+  const Surface& surface = *document_.surface();
+  if (atOnce(surface, m.kind)) {
+    known_.emplace_back(m, std::make_shared<const Entry>(entryOf(mapCells(surface), m)));
+  } else {
+    known_.emplace_back(m, nullptr);
+    // Several may be missing: one job reads them all.
+    if (!std::exchange(asked_, true)) {
+      QMetaObject::invokeMethod(
+          this, [this] { readMissing(); }, Qt::QueuedConnection);
+    }
+  }
+  return known_.back().second;
+}
+
+void MeasureReadings::keepOnly(const std::vector<Measurement>& list) {
+  std::erase_if(known_, [&](const Known& known) {
+    return std::none_of(list.begin(), list.end(),
+                        [&](const Measurement& m) { return readsTheSame(known.first, m); });
+  });
+}
+
+std::optional<SurfacePoint> MeasureReadings::pointAt(const PlaceMm& place) const {
+  return surfacePoint(mapCells(*document_.surface()), place);
+}
+
+void MeasureReadings::readMissing() {
+  asked_ = false;
+  const auto missing = std::make_shared<std::vector<Known>>();
+  std::copy_if(known_.begin(), known_.end(), std::back_inserter(*missing),
+               [](const Known& known) { return known.second == nullptr; });
+  if (missing->empty()) return;
+  worker_.start(
+      [missing, surface = document_.surface()](const Task& task) {
+        try {
+          const MapCells cells = mapCells(*surface, task);
+          for (auto& [m, entry] : *missing) {
+            entry = std::make_shared<const Entry>(entryOf(cells, m));
+          }
+        } catch (const Cancelled&) {
+          return;  // Of another surface, or asked for again with others.
+        }
+      },
+      [this, missing] {
+        for (const auto& [m, entry] : *missing) {
+          for (Known& known : known_) {
+            if (readsTheSame(known.first, m)) known.second = entry;
+          }
+        }
+        Q_EMIT changed();
+      });
+}
+
+}  // namespace relievo

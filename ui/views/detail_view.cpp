@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/views/detail_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "core/session/colours/surface_colours.h"
+
+namespace relievo {
+namespace {
+
+constexpr int kWheelStep = 120;  // One notch, in eighths of a degree.
+constexpr double kZoomStep = 1.25;
+constexpr double kDepthStepMm = 0.25;  // Of hand, per notch or key press.
+constexpr double kMostDepthMm = 10;
+constexpr double kTurnDegPerPixel = 0.4;
+constexpr double kMostTiltDeg = 85;
+constexpr double kBallOfSide = 0.017;
+constexpr double kLeastCells = 8;  // Side of the smallest window, in finest cells.
+constexpr double kDeg = 3.14159265358979323846 / 180;
+
+std::shared_ptr<const HeldGrid> gridOf(const Surface& surface, const RegionWindow& window) {
+  auto grid = std::make_shared<HeldGrid>();
+  const double step = window.spacingMm();
+  grid->frame = {{kWindowSamples, kWindowSamples},
+                 step,
+                 window.region.x_mm + 0.5 * step,
+                 window.region.y_mm + 0.5 * step};
+  grid->heights_mm = window.heights_mm;
+  grid->origins = window.origins;
+  grid->own = windowColours(surface, window);
+  return grid;
+}
+
+}  // namespace
+
+DetailView::DetailView(Document& document, QuietTurns& turns, QWidget* parent)
+    : SurfaceView(turns, parent), document_(document) {
+  setObjectName(QStringLiteral("detail_view"));
+  setAccessibleName(tr("Detail view"));
+  setWhatsThis(
+      tr("The part inside the pink window. The pointer carries the hand just above the surface; "
+         "hold the left button to press in, turn the wheel meanwhile to press deeper. Middle drag "
+         "turns, right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up."));
+  setCursor(Qt::CrossCursor);
+  connect(&document_, &Document::windowChanged, this, &DetailView::showWindow);
+  connect(&document_, &Document::turnChanged, this, &DetailView::showTurn);
+  showWindow();
+}
+
+void DetailView::showWindow() {
+  const auto window = document_.window();
+  if (!window) {
+    setGrid(nullptr);
+    return;
+  }
+  setGrid(gridOf(*document_.surface(), *window));
+  if (camera_region_ != window->region) fitCamera();
+  camera_region_ = window->region;
+  clearProbe();
+  if (inside_ && drag_ == Drag::none) keepHand();
+}
+
+/// Over another window: at its place, so that steps of detail go on about it; where that is not in
+/// the window, below the pointer that carries it, or as far as the window goes.
+void DetailView::keepHand() {
+  const Region& r = document_.window()->region;
+  const double x = std::clamp(hand_.x, r.x_mm, r.x_mm + r.side_mm);
+  const double y = std::clamp(hand_.y, r.y_mm, r.y_mm + r.side_mm);
+  const bool is_over = x == hand_.x && y == hand_.y;
+  if (!is_over && pointer_ && !pressing()) return pointHandAt(*pointer_);
+  placeHand(x, y);
+}
+
+void DetailView::fitCamera() {
+  const Region& r = document_.project().region;
+  ReliefCamera next = camera();
+  next.rect = {r.x_mm, r.y_mm, r.side_mm, r.side_mm};
+  setCamera(next);
+}
+
+bool DetailView::isTurned() const {
+  const Project& shown = document_.project();
+  return shown.azimuth_deg != 0 || shown.elevation_deg != 0;
+}
+
+void DetailView::straighten() {
+  document_.setTurn(0, 0);
+}
+
+void DetailView::turnBy(double azimuth_deg, double elevation_deg) {
+  const Project& shown = document_.project();
+  document_.setTurn(std::remainder(shown.azimuth_deg + azimuth_deg, 360.0),
+                    std::clamp(shown.elevation_deg + elevation_deg, -kMostTiltDeg, kMostTiltDeg));
+}
+
+void DetailView::showTurn() {
+  ReliefCamera next = camera();
+  next.azimuth_deg = document_.project().azimuth_deg;
+  next.elevation_deg = document_.project().elevation_deg;
+  setCamera(next);
+  Q_EMIT turned(isTurned());
+}
+
+Rotation DetailView::cameraRotation() const {
+  const double a = camera().azimuth_deg * kDeg;
+  const double e = camera().elevation_deg * kDeg;
+  // Rows: the camera's right, up, and the direction towards the viewer, in view axes.
+  return {std::cos(a),
+          0,
+          -std::sin(a),
+          -std::sin(a) * std::sin(e),
+          std::cos(e),
+          -std::cos(a) * std::sin(e),
+          std::sin(a) * std::cos(e),
+          std::sin(e),
+          std::cos(a) * std::cos(e)};
+}
+
+void DetailView::showProbe(const Probe& probe) {
+  const auto window = document_.window();
+  if (!window || probe.window_id != window->id) return;
+  setProbeDrawn(probe, kBallOfSide * window->region.side_mm);
+}
+
+void DetailView::clearProbe() {
+  setProbeDrawn({}, 1);
+}
+
+void DetailView::setPressDepthMm(double depth_hand_mm) {
+  const double depth = std::clamp(depth_hand_mm, kDepthStepMm, kMostDepthMm);
+  if (depth == press_depth_mm_) return;
+  press_depth_mm_ = depth;
+  Q_EMIT pressDepthChanged(depth);
+  if (mouse_presses_) placeHand(hand_.x, hand_.y);
+}
+
+ViewMm DetailView::onSurface(const QPointF& point) const {
+  const auto window = document_.window();
+  const auto top = static_cast<double>(window->max_mm);
+  const auto bottom = static_cast<double>(window->min_mm);
+  const ViewMm high = at(point, top);
+  if (!isTurned() || !(top > bottom)) return high;
+  const ViewMm low = at(point, bottom);
+  // From the viewer downwards, in steps of about a sample, to the first place below the surface.
+  const double run = std::hypot(low.x - high.x, low.y - high.y);
+  const int steps = std::clamp(static_cast<int>(run / window->spacingMm()) + 1, 1, 1000);
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    const ViewMm p = high + t * (low - high);
+    if (windowHeightMm(*window, p.x, p.y) >= p.z) return p;
+  }
+  return low;
+}
+
+void DetailView::pointHandAt(const QPointF& point) {
+  pointer_ = point;
+  const ViewMm p = onSurface(point);
+  placeHand(p.x, p.y);
+}
+
+void DetailView::placeHand(double x_mm, double y_mm) {
+  const auto window = document_.window();
+  if (!window) return;
+  const double depth = mouse_presses_ ? press_depth_mm_ : key_depth_mm_;
+  hand_ = handOver(*window, x_mm, y_mm, pressing(), depth);
+  inside_ = true;
+  Q_EMIT handMoved(hand_, true);
+}
+
+void DetailView::mousePressEvent(QMouseEvent* event) {
+  if (!document_.isOpen() || drag_ != Drag::none) return;
+  drag_point_ = event->localPos();
+  drag_start_ = document_.project().region;
+  switch (event->button()) {
+    case Qt::LeftButton:
+      if (picking_) {
+        const ViewMm p = onSurface(event->localPos());
+        Q_EMIT picked(p.x, p.y);
+        return;
+      }
+      mouse_presses_ = true;
+      key_depth_mm_ = 0;
+      pointHandAt(event->localPos());
+      break;
+    case Qt::MiddleButton:
+      drag_ = Drag::turn;
+      setCursor(Qt::ClosedHandCursor);
+      break;
+    case Qt::RightButton:
+      drag_ = Drag::pan;
+      setCursor(Qt::SizeAllCursor);
+      break;
+    default:
+      QWidget::mousePressEvent(event);
+  }
+}
+
+void DetailView::setPicking(bool on) {
+  picking_ = on;
+  if (drag_ == Drag::none) setCursor(on ? Qt::PointingHandCursor : Qt::CrossCursor);
+}
+
+void DetailView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (picking_ && event->button() == Qt::LeftButton) {
+    Q_EMIT pickingEnded();
+  } else {
+    mousePressEvent(event);
+  }
+}
+
+void DetailView::mouseMoveEvent(QMouseEvent* event) {
+  if (!document_.isOpen()) return;
+  const QPointF point = event->localPos();
+  if (drag_ == Drag::turn) {
+    const QPointF way = point - std::exchange(drag_point_, point);
+    turnBy(-kTurnDegPerPixel * way.x(), kTurnDegPerPixel * way.y());
+  } else if (drag_ == Drag::pan) {
+    follow([this, point] {
+      if (drag_ == Drag::pan) pan(point);
+    });
+  } else {
+    pointHandAt(point);
+  }
+}
+
+void DetailView::pan(const QPointF& point) {
+  const double mm = mmPerPixel() / drag_start_.side_mm;
+  const QPointF way = point - drag_point_;
+  const auto next = moved(document_.surface()->ladder, drag_start_, -way.x() * mm, way.y() * mm);
+  document_.preview(next.value_or(drag_start_));
+}
+
+void DetailView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && mouse_presses_) {
+    mouse_presses_ = false;
+    if (document_.isOpen()) pointHandAt(event->localPos());
+    return;
+  }
+  const bool ends = (drag_ == Drag::turn && event->button() == Qt::MiddleButton) ||
+                    (drag_ == Drag::pan && event->button() == Qt::RightButton);
+  if (!ends) return;
+  if (drag_ == Drag::pan) {
+    forgetNewest();
+    if (event->localPos() != drag_point_) pan(event->localPos());
+  }
+  drag_ = Drag::none;
+  setCursor(picking_ ? Qt::PointingHandCursor : Qt::CrossCursor);
+  document_.commit(tr("Move window"));
+}
+
+void DetailView::leaveEvent(QEvent* event) {
+  QWidget::leaveEvent(event);
+  if (mouse_presses_ || !inside_ || key_depth_mm_ > 0) return;
+  inside_ = false;
+  pointer_.reset();
+  Q_EMIT handMoved(hand_, false);
+}
+
+void DetailView::wheelEvent(QWheelEvent* event) {
+  event->accept();
+  if (!document_.isOpen() || drag_ != Drag::none) return;
+  wheel_rest_ += event->angleDelta().y();
+  const int notches = wheel_rest_ / kWheelStep;
+  wheel_rest_ -= notches * kWheelStep;
+  if (notches == 0) return;
+  if (mouse_presses_ || (event->modifiers() & Qt::ControlModifier) != 0) {
+    // Pushing the wheel away from oneself pushes into the surface.
+    setPressDepthMm(press_depth_mm_ + kDepthStepMm * notches);
+  } else {
+    zoomAbout(event->position(), notches);
+  }
+}
+
+void DetailView::zoomAbout(const QPointF& point, int notches) {
+  const DetailLadder& ladder = document_.surface()->ladder;
+  const Region& from = document_.project().region;
+  const ViewMm p = onSurface(point);
+  const double least = std::min(kLeastCells * ladder.spacings_mm.front(), from.side_mm);
+  const double side = std::max(from.side_mm * std::pow(kZoomStep, -notches), least);
+  if (side >= ladder.sideMm(1)) {
+    document_.whole();
+    return;
+  }
+  const double keep = side / from.side_mm;
+  const Region wanted = regionFromRect(
+      ladder, {p.x - (p.x - from.x_mm) * keep, p.y - (p.y - from.y_mm) * keep, side, side});
+  document_.zoomTo(moved(ladder, wanted, 0, 0).value_or(wanted));
+}
+
+bool DetailView::moveHandByKey(int key, double cells) {
+  const auto window = document_.window();
+  const double step = cells * window->spacingMm();
+  const Region& r = window->region;
+  if (!inside_) hand_ = {r.centreX(), r.centreY(), 0};
+  double x = hand_.x;
+  double y = hand_.y;
+  switch (key) {
+    case Qt::Key_Left:
+      x -= step;
+      break;
+    case Qt::Key_Right:
+      x += step;
+      break;
+    case Qt::Key_Down:
+      y -= step;
+      break;
+    case Qt::Key_Up:
+      y += step;
+      break;
+    case Qt::Key_PageDown:
+      key_depth_mm_ = std::min(key_depth_mm_ + kDepthStepMm, kMostDepthMm);
+      break;
+    case Qt::Key_PageUp:
+      key_depth_mm_ = std::max(key_depth_mm_ - kDepthStepMm, 0.0);
+      break;
+    default:
+      return false;
+  }
+  pointer_.reset();
+  placeHand(std::clamp(x, r.x_mm, r.x_mm + r.side_mm), std::clamp(y, r.y_mm, r.y_mm + r.side_mm));
+  return true;
+}
+
+void DetailView::keyPressEvent(QKeyEvent* event) {
+  const bool ours =
+      document_.isOpen() && (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0;
+  if (event->key() == Qt::Key_Escape && drag_ == Drag::pan) {
+    forgetNewest();
+    document_.revert();
+    drag_ = Drag::none;
+    setCursor(Qt::CrossCursor);
+    return;
+  }
+  if (ours && picking_) {
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && inside_) {
+      Q_EMIT picked(hand_.x, hand_.y);
+      return;
+    }
+    if (event->key() == Qt::Key_F) {
+      Q_EMIT pickingEnded();
+      return;
+    }
+  }
+  const double cells = (event->modifiers() & Qt::ShiftModifier) != 0 ? 10 : 1;
+  if (ours && moveHandByKey(event->key(), cells)) return;
+  SurfaceView::keyPressEvent(event);
+}
+
+}  // namespace relievo

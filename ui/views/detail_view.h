@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "core/depth/view.h"
+#include "core/region/hand.h"
+#include "ui/views/surface_view.h"
+#include "ui/work/document.h"
+
+namespace relievo {
+
+/// The window's 200 x 200 samples, and the hand on them. The pointer carries the hand just above
+/// the surface, the left button presses it in, Ctrl+wheel or the wheel while pressing changes the
+/// depth. Middle drag turns, right drag moves the window, the wheel zooms about the pointer.
+/// Keys: arrows move the hand one cell (Shift: ten), Page Down and Page Up press in and lift.
+/// [GUI thread]
+class DetailView : public SurfaceView {
+  Q_OBJECT
+ public:
+  DetailView(Document& document, QuietTurns& turns, QWidget* parent = nullptr);
+
+  /// Draws the hand where the force loop says it is; ignored if it belongs to another window.
+  void showProbe(const Probe& probe);
+  void clearProbe();
+
+  double pressDepthMm() const { return press_depth_mm_; }
+  void setPressDepthMm(double depth_hand_mm);
+  bool pressing() const { return mouse_presses_ || key_depth_mm_ > 0; }
+  std::optional<ViewMm> hand() const { return inside_ ? std::optional(hand_) : std::nullopt; }
+
+  /// While something is measured, the left button and Enter pick places instead of pressing in.
+  void setPicking(bool on);
+
+  bool isTurned() const;
+  /// Back to looking straight down on the relief.
+  void straighten();
+  void turnBy(double azimuth_deg, double elevation_deg);
+  /// Rotation from the present view frame to the one the camera looks along.
+  Rotation cameraRotation() const;
+
+ Q_SIGNALS:
+  void handMoved(relievo::ViewMm position, bool inside);
+  void pressDepthChanged(double depth_hand_mm);
+  void picked(double x_mm, double y_mm);
+  void pickingEnded();  ///< A double click or the key F.
+  void turned(bool away_from_straight);
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  enum class Drag { none, turn, pan };
+
+  void showWindow();
+  void showTurn();
+  void fitCamera();
+  /// Where the sight line through a point first meets the surface.
+  ViewMm onSurface(const QPointF& point) const;
+  void pointHandAt(const QPointF& point);
+  void placeHand(double x_mm, double y_mm);
+  void keepHand();
+  void zoomAbout(const QPointF& point, int notches);
+  void pan(const QPointF& point);
+  bool moveHandByKey(int key, double cells);
+
+  Document& document_;
+  std::optional<Region> camera_region_;
+  Drag drag_ = Drag::none;
+  QPointF drag_point_;
+  Region drag_start_;
+  ViewMm hand_;
+  std::optional<QPointF> pointer_;  ///< Carries the hand; none: the keys do.
+  bool inside_ = false;
+  bool mouse_presses_ = false;
+  bool picking_ = false;
+  double key_depth_mm_ = 0;  ///< Pressed in by keys, mm of hand; 0: hovering.
+  double press_depth_mm_ = kPressDepthMm;
+  int wheel_rest_ = 0;
+};
+
+}  // namespace relievo

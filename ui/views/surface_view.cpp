@@ -1,0 +1,496 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/views/surface_view.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkUnsignedCharArray.h>
+#include <algorithm>
+#include <cstdint>
+#include <QAccessible>
+#include <QAccessibleWidget>
+#include <QLocale>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QPainter>
+#include <QResizeEvent>
+#include <span>
+#include <utility>
+
+#include "core/relief/stereo.h"
+#include "ui/style/palette.h"
+#include "ui/views/cell_legend.h"
+#include "ui/views/colour_bar.h"
+#include "ui/views/grid_painter.h"
+#include "ui/views/quiet_turns.h"
+#include "ui/vtk/first_draws.h"
+#include "ui/vtk/scale_length.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kPlainDpi = 96;
+constexpr int kFocusFrame = 2;  // Pixels around the picture that show the focus.
+constexpr int kPatienceMs = 100;
+
+class AccessibleView : public QAccessibleWidget {
+ public:
+  explicit AccessibleView(SurfaceView* view) : QAccessibleWidget(view, QAccessible::Graphic) {}
+  QString text(QAccessible::Text kind) const override {
+    if (kind == QAccessible::Value) return static_cast<SurfaceView*>(widget())->whereAmI();
+    return QAccessibleWidget::text(kind);
+  }
+};
+
+QAccessibleInterface* accessibleView(const QString&, QObject* object) {
+  auto* view = qobject_cast<SurfaceView*>(object);
+  return view != nullptr ? new AccessibleView(view) : nullptr;
+}
+
+}  // namespace
+
+void installAccessibleViews() {
+  QAccessible::installFactory(accessibleView);
+}
+
+void SceneState::applyTo(ReliefScene& scene) const {
+  if (grid) {
+    scene.setSurface(grid->drawn());
+  } else {
+    scene.clearSurface();
+  }
+  scene.setBackground(background.redF(), background.greenF(), background.blueF());
+  scene.setLight(light);
+  scene.setInterpolated(interpolatedMark(look));
+  scene.setStereo(stereo);
+  scene.setCamera(camera);
+  scene.setPinkWindow(pink, true);
+  scene.setProbe(probe, ball_radius_mm);
+  scene.setLines(lines, curves);
+  scene.setScaleBar(grid != nullptr);
+}
+
+/// Mixes two eyes' pictures as `renderOffscreen` does; VTK alone knows only channel masks.
+class MixingWindow : public vtkGenericOpenGLRenderWindow {
+ public:
+  static MixingWindow* New();
+  void follow(const ReliefScene* scene) { scene_ = scene; }
+
+ protected:
+  void StereoRenderComplete() override {
+    const int* size = GetSize();
+    vtkNew<vtkUnsignedCharArray> right;
+    GetPixelData(0, 0, size[0] - 1, size[1] - 1, DoubleBuffer == 0 ? 1 : 0, right.GetPointer(), 0);
+    const auto bytes = static_cast<std::size_t>(right->GetNumberOfValues());
+    if (scene_ == nullptr || StereoType != VTK_STEREO_ANAGLYPH || !StereoBuffer ||
+        static_cast<std::size_t>(StereoBuffer->GetNumberOfValues()) != bytes) {
+      vtkGenericOpenGLRenderWindow::StereoRenderComplete();
+      return;
+    }
+    std::span<std::uint8_t> first(StereoBuffer->GetPointer(0), bytes);
+    std::span<std::uint8_t> second(right->GetPointer(0), bytes);
+    const StereoOptions& stereo = scene_->stereo();
+    if (stereo.swap_eyes) std::swap(first, second);
+    mixAnaglyph(printed(stereo.mode), first, second, 3);
+    ResultFrame = stereo.swap_eyes ? right.GetPointer() : StereoBuffer.GetPointer();
+    StereoBuffer = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  }
+
+ private:
+  const ReliefScene* scene_ = nullptr;
+};
+vtkStandardNewMacro(MixingWindow);
+
+/// The OpenGL part; sees no mouse and no keys. Hidden until it is warm: its parent's colour is in
+/// its place.
+class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
+ public:
+  Canvas(SurfaceView* view, ReliefScene& scene, QuietTurns& turns)
+      : QVTKOpenGLNativeWidget(view), scene_(scene), turns_(turns) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setFocusPolicy(Qt::NoFocus);
+    setAcceptDrops(false);
+    setEnableHiDPI(true);
+    setDefaultCursor(Qt::ArrowCursor);
+    setUpdateBehavior(PartialUpdate);  // See paintGL.
+    setRenderWindow(window_);
+    if (interactor() != nullptr) interactor()->SetInteractorStyle(nullptr);
+  }
+
+  void warmUp() {
+    if (stage_ != Stage::cold) return;
+    stage_ = Stage::warming;
+    turns_.ask(this, [this] { warmUpStep(); });
+  }
+  void appearWhenWarm() {
+    wanted_ = true;
+    if (stage_ == Stage::warm) {
+      show();
+    } else {
+      warmUp();
+    }
+  }
+  void appearNow() {
+    wanted_ = true;
+    if (stage_ != Stage::warm) attachScene();
+    drawn_ = unseen_ = true;
+    show();
+  }
+
+  /// Many changes between two frames are one picture.
+  void requestRender() {
+    if (stale_) return;
+    stale_ = true;
+    turns_.ask(this, [this] { renderIfStale(); });
+  }
+  void renderIfStale() {
+    if (!stale_ || !isVisible()) return;
+    stale_ = false;
+    drawn_ = unseen_ = true;
+    prepare();
+    // VTK would have the window composed before the next round, in which keys and mouse are heard.
+    setAttribute(Qt::WA_UpdatesDisabled);
+    renderWindow()->Render();
+    setAttribute(Qt::WA_UpdatesDisabled, false);
+    turns_.ask(this, [this] { update(); });
+  }
+
+ protected:
+  void showEvent(QShowEvent* event) override {
+    QVTKOpenGLNativeWidget::showEvent(event);
+    stale_ = false;
+    requestRender();
+  }
+  // A layout may give several sizes one after the other. Qt would draw each at once; the last one
+  // is drawn with the window.
+  void resizeEvent(QResizeEvent* event) override {
+    setUpdatesEnabled(false);
+    unseen_ = true;
+    QVTKOpenGLNativeWidget::resizeEvent(event);
+    setUpdatesEnabled(true);
+  }
+  void paintGL() override {
+    if (!drawn_) {  // Qt compiles, too, to compose a window with OpenGL in it: in another turn.
+      context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
+      return;
+    }
+    // What lies over the picture, the pink frame or a bar of colours, is painted together with what
+    // is below it. VTK would draw the relief for that; it is still there.
+    const QSize pixels = size() * devicePixelRatioF();
+    const bool same_place = pixels == seen_pixels_ && defaultFramebufferObject() == seen_in_;
+    if (!std::exchange(unseen_, false) && same_place) return;
+    seen_pixels_ = pixels;
+    seen_in_ = defaultFramebufferObject();
+    prepare();  // After a change of size VTK draws in here.
+    QVTKOpenGLNativeWidget::paintGL();
+  }
+
+ private:
+  enum class Stage { cold, warming, warm };
+
+  void warmUpStep() {
+    if (stage_ != Stage::warming) return;
+    if (!first_draws_) {
+      grabFramebuffer();  // Makes the context of a hidden widget.
+      if (!isValid()) {   // The window was not on screen yet.
+        stage_ = Stage::cold;
+        return;
+      }
+      first_draws_ = std::make_unique<FirstDraws>(window_);
+    } else if (first_draws_->step()) {
+      // One more thing is drawn.
+    } else if (!copied_) {
+      copied_ = drawn_ = unseen_ = true;
+      grabFramebuffer();  // From VTK's frame buffer into Qt's, which is a shader, too.
+      drawn_ = false;
+    } else {
+      attachScene();
+      if (wanted_) show();
+      return;
+    }
+    turns_.ask(this, [this] { warmUpStep(); });
+  }
+  void attachScene() {
+    first_draws_.reset();
+    window_->follow(&scene_);
+    scene_.attachTo(window_);
+    stage_ = Stage::warm;
+  }
+  void prepare() {
+    const QSize pixels = size() * devicePixelRatioF();
+    // Lines and the scale bar grow with the screen's density and, like text, with its size and the
+    // dots that the desktop asks for.
+    const int width = std::max(1, pixels.width()), height = std::max(1, pixels.height());
+    scene_.setMarkScale(fittingMarkScale(
+        devicePixelRatioF() * std::max(1.0, logicalDpiX() / kPlainDpi) * textScale(), width,
+        height));
+    // Qt tells a size when it changes. What warmed up was a speck, and a widget that had its size
+    // by then is not told it again.
+    if (window_->GetSize()[0] != width || window_->GetSize()[1] != height) {
+      window_->SetSize(width, height);
+    }
+    scene_.prepare(width, height);
+  }
+
+  ReliefScene& scene_;
+  QuietTurns& turns_;
+  Stage stage_ = Stage::cold;
+  bool wanted_ = false, copied_ = false, drawn_ = false, stale_ = false;
+  bool unseen_ = false;  ///< There is a picture that is not in Qt's frame buffer yet.
+  QSize seen_pixels_;    ///< Of the one that is, and which it is in.
+  GLuint seen_in_ = 0;
+  vtkNew<MixingWindow> window_;
+  std::unique_ptr<FirstDraws> first_draws_;
+};
+
+SurfaceView::SurfaceView(QuietTurns& turns, QWidget* parent)
+    : QWidget(parent), turns_(turns), scene_(std::make_unique<ReliefScene>()) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(120, 120);
+  canvas_ = new Canvas(this, *scene_, turns);
+  canvas_->hide();
+  bar_ = new ColourBar(this);
+  legend_ = new CellLegend(this);
+  painter_ = new GridPainter(this);
+  patience_.setSingleShot(true);
+  connect(painter_, &GridPainter::painted, this, &SurfaceView::showPainted);
+  connect(&patience_, &QTimer::timeout, this, &SurfaceView::showPlain);
+  scene_->setDecimalMark(QLocale().decimalPoint().toLatin1());
+  state_.applyTo(*scene_);
+}
+
+// The canvas draws the scene: it goes first.
+SurfaceView::~SurfaceView() {
+  delete canvas_;
+}
+
+void SurfaceView::warmUp() {
+  if (window()->windowHandle() != nullptr) canvas_->warmUp();
+}
+
+void SurfaceView::appear() {
+  canvas_->appearNow();
+}
+
+void SurfaceView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (canvas_->isHidden()) canvas_->appearWhenWarm();
+}
+
+void SurfaceView::requestRender() {
+  canvas_->requestRender();
+}
+
+void SurfaceView::setStereo(const StereoOptions& stereo) {
+  if (stereo == state_.stereo) return;
+  state_.stereo = stereo;
+  scene_->setStereo(stereo);
+  bar_->setPrint(printed(stereo.mode));
+  showLegend();
+  requestRender();
+}
+
+void SurfaceView::setLight(const LightOptions& light) {
+  if (light == state_.light) return;
+  state_.light = light;
+  scene_->setLight(light);
+  state_.look.light = light;
+  if (state_.look.kind == ReliefKind::hillshade ||
+      state_.look.kind == ReliefKind::multi_hillshade || showsOwnColours(state_.look.kind)) {
+    paintGrid();
+  }
+  requestRender();
+}
+
+void SurfaceView::setLook(const ReliefLook& look) {
+  ReliefLook wanted = look;
+  wanted.light = state_.look.light;
+  if (wanted == state_.look) return;
+  state_.look = wanted;
+  scene_->setInterpolated(interpolatedMark(look));
+  paintGrid();
+}
+
+void SurfaceView::setRange(const std::optional<std::array<double, 2>>& range) {
+  if (range == range_) return;
+  range_ = range;
+  if (hasLegend(state_.look.kind)) paintGrid();
+}
+
+ReliefLook SurfaceView::paintedLook() const {
+  ReliefLook look = state_.look;
+  if (!look.range) look.range = range_;
+  return look;
+}
+
+void SurfaceView::setLines(const std::vector<std::vector<ViewMm>>& lines,
+                           const std::vector<std::vector<ViewMm>>& curves) {
+  if (lines == state_.lines && curves == state_.curves) return;
+  state_.lines = lines;
+  state_.curves = curves;
+  scene_->setLines(lines, curves);
+  requestRender();
+}
+
+void SurfaceView::paintGrid() {
+  painter_->cancel();
+  if (!plain_ || !GridPainter::canPaint(*plain_, state_.look.kind)) {
+    showPlain();
+  } else if (!GridPainter::isSlow(state_.look.kind)) {
+    showPainted(GridPainter::paintNow(*plain_, paintedLook()));
+  } else {
+    painter_->start(plain_, paintedLook());
+    if (!state_.grid || state_.grid->colours.empty()) {
+      showPlain();
+    } else if (!patience_.isActive()) {
+      patience_.start(kPatienceMs);
+    }
+  }
+}
+
+void SurfaceView::showPlain() {
+  patience_.stop();
+  bar_->hide();
+  shown_range_.reset();
+  showGrid(plain_);
+}
+
+void SurfaceView::showPainted(const PaintedGrid& painted) {
+  patience_.stop();
+  bar_->show(painted.values, state_.look);
+  shown_range_.reset();
+  if (hasLegend(state_.look.kind)) shown_range_ = {{painted.values.low, painted.values.high}};
+  showGrid(painted.grid);
+  Q_EMIT this->painted();
+}
+
+void SurfaceView::showGrid(std::shared_ptr<const HeldGrid> grid) {
+  state_.grid = std::move(grid);
+  if (state_.grid) {
+    scene_->setSurface(state_.grid->drawn());
+  } else {
+    scene_->clearSurface();
+  }
+  scene_->setScaleBar(state_.grid != nullptr);
+  showLegend();
+  requestRender();
+}
+
+void SurfaceView::showLegend() {
+  if (state_.look.unmeasured && state_.grid) {
+    legend_->show(state_.grid->origins, printed(state_.stereo.mode));
+  } else {
+    legend_->hide();
+  }
+}
+
+SceneState SurfaceView::plainState() const {
+  SceneState plain = state_;
+  plain.grid = plain_;
+  return plain;
+}
+
+void SurfaceView::setBackground(const QColor& colour) {
+  state_.background = colour;
+  scene_->setBackground(colour.redF(), colour.greenF(), colour.blueF());
+  requestRender();
+}
+
+void SurfaceView::setWhereAmI(const QString& text) {
+  if (text == where_am_i_) return;
+  where_am_i_ = text;
+  if (!QAccessible::isActive()) return;
+  QAccessibleValueChangeEvent event(this, text);
+  QAccessible::updateAccessibility(&event);
+}
+
+void SurfaceView::setGrid(std::shared_ptr<const HeldGrid> grid) {
+  plain_ = std::move(grid);
+  paintGrid();
+}
+
+void SurfaceView::setCamera(const ReliefCamera& camera) {
+  state_.camera = camera;
+  scene_->setCamera(camera);
+  requestRender();
+}
+
+void SurfaceView::setPink(const std::optional<RectMm>& pink) {
+  state_.pink = pink;
+}
+
+void SurfaceView::follow(std::function<void()> work) {
+  if (following_) {
+    newest_ = std::move(work);
+    return;
+  }
+  work();
+  following_ = true;
+  turns_.ask(this, [this] {
+    following_ = false;
+    if (newest_) follow(std::exchange(newest_, nullptr));
+  });
+}
+
+void SurfaceView::setProbeDrawn(const std::optional<Probe>& probe, double ball_radius_mm) {
+  state_.probe = probe;
+  state_.ball_radius_mm = ball_radius_mm;
+  scene_->setProbe(probe, ball_radius_mm);
+  requestRender();
+}
+
+ViewMm SurfaceView::at(const QPointF& point, double z_mm) const {
+  const double ratio = canvas_->devicePixelRatioF();
+  const QPointF p = (point - QPointF(canvas_->pos())) * ratio;
+  const QSize pixels = canvas_->size() * ratio;
+  return scene_->viewFromPixel(p.x(), p.y(), std::max(1, pixels.width()),
+                               std::max(1, pixels.height()), z_mm);
+}
+
+double SurfaceView::mmPerPixel() const {
+  const double shorter_x = state_.camera.rect.width_mm / std::max(1, canvas_->width());
+  const double shorter_y = state_.camera.rect.height_mm / std::max(1, canvas_->height());
+  return std::max({shorter_x, shorter_y, 1e-12});
+}
+
+QImage SurfaceView::shot() {
+  appear();
+  canvas_->renderIfStale();
+  return canvas_->grabFramebuffer();
+}
+
+QSize SurfaceView::shotSize() const {
+  return canvas_->size() * canvas_->devicePixelRatioF();
+}
+
+void SurfaceView::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.fillRect(rect(), hasFocus() ? palette().color(QPalette::Highlight) : state_.background);
+}
+
+void SurfaceView::resizeEvent(QResizeEvent* /*event*/) {
+  canvas_->setGeometry(rect().adjusted(kFocusFrame, kFocusFrame, -kFocusFrame, -kFocusFrame));
+  bar_->place();
+  legend_->place();
+  Q_EMIT sized();
+}
+
+void SurfaceView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::StyleChange) requestRender();  // The size of text, too.
+}
+
+void SurfaceView::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  update();
+}
+
+void SurfaceView::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  update();
+}
+
+}  // namespace relievo
