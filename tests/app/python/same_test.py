@@ -117,12 +117,12 @@ class SameBits(Case):
             self.assertSameBits(np.asarray(ours[name], np.float64) + 0, given + 0)
 
     def test_touch_with_everything(self):
-        feel = ["--preset=bronze", "--stiffness=0.75", "--friction=0.5,0.25", "--damping=0.001",
+        feel = ["--preset=bronze", f"--stiffness={1 / 3!r}", "--friction=0.5,0.25", "--damping=0.001",
                 "--texture=0.05", "--knock=0.25", "--magnet=0.125", "--magnet-reach=1"]  # fmt: skip
         words = ["--level=0", "--region=65,75,50,50", *feel]
         command("touch", RELIEF, *words, f"--stroke={CURVED}", "-o", self.path("feel.csv"))
         ours = self.surface.touch(
-            CURVED, level=0, region_mm=[65, 75, 50, 50], preset="bronze", stiffness_n_per_mm=0.75,
+            CURVED, level=0, region_mm=[65, 75, 50, 50], preset="bronze", stiffness_n_per_mm=1 / 3,
             friction=(0.5, 0.25), damping_n_s_per_mm=0.001, texture_mm=0.05, knock_n=0.25,
             magnet_n=0.125, magnet_reach_mm=1,
         )  # fmt: skip
