@@ -158,12 +158,17 @@ Surface loadForVerb(const std::string& file, const SurfaceOptions& options,
   return surface;
 }
 
-void warnIfAliased(const Surface& surface, const Region& region) {
+std::string aliasNote(const Surface& surface, const Region& region) {
   const Level fitting = defaultLevel(surface.ladder, region.side_mm);
-  if (region.level >= fitting) return;
-  tell("Level " + std::to_string(region.level.value) +
-       " is finer than 200 samples across this region can carry; fine structure aliases. Level " +
-       std::to_string(fitting.value) + " fits, or choose a smaller region.");
+  if (region.level >= fitting) return {};
+  return "Level " + std::to_string(region.level.value) +
+         " is finer than 200 samples across this region can carry; fine structure aliases. Level " +
+         std::to_string(fitting.value) + " fits, or choose a smaller region.";
+}
+
+void warnIfAliased(const Surface& surface, const Region& region) {
+  const std::string note = aliasNote(surface, region);
+  if (!note.empty()) tell(note);
 }
 
 void tellRivalry(const Surface& surface, const RegionWindow& window, ReliefKind kind,

@@ -62,6 +62,8 @@ inline int exitCodeAfter(const Surface& surface) {
 Surface loadForVerb(const std::string& file, const SurfaceOptions& options,
                     const ImportOptions& import, const Task& task);
 
+/// Where a level is much finer than the 200 samples across its region: so, in a sentence; or empty.
+std::string aliasNote(const Surface& surface, const Region& region);
 /// Says so on stderr where a level is much finer than the 200 samples across its region.
 void warnIfAliased(const Surface& surface, const Region& region);
 /// Warns where coloured glasses would show much of the picture to one eye only.

@@ -14,9 +14,11 @@
 #include "app/python/interruptible.h"
 #include "app/python/numbers.h"
 #include "app/python/plain_numbers.h"
+#include "core/base/failure.h"
 #include "core/provenance/name_text.h"
 #include "core/recording/force_curve.h"
 #include "core/recording/log_table.h"
+#include "core/session/large/memory_guard.h"
 #include "haptics/record/events.h"
 #include "haptics/record/sample_log.h"
 
@@ -54,12 +56,23 @@ Recorded read(const std::filesystem::path& file) {
   });
 }
 
+/// A stroke whose times are no seconds has more rows than any computer remembers.
+void requireRoom(const Stroke& stroke) {
+  constexpr std::uint64_t kMb = 1'000'000;
+  const std::optional<std::uint64_t> available = availableBytes();
+  const std::uint64_t rows = strokeTicks(stroke);
+  const std::uint64_t bytes = rows * (sizeof(TouchRow) + sizeof(double));
+  if (!available || bytes <= *available) return;
+  throw failure<MessageId::touch_needs_memory>(rows, bytes / kMb, *available / kMb);
+}
+
 /// The same ticks that `relievo touch` logs, and its log, if one is asked for.
 Recorded touched(const OpenedSurface& opened, const batch::TouchArguments& arguments,
                  const std::optional<Stroke>& given, const Task& task) {
   batch::check(batch::filesOf(arguments));
   batch::checkTouch(arguments);
   const Stroke stroke = given ? *given : readStroke(arguments.stroke);
+  requireRoom(stroke);
   const batch::TouchSetup setup = batch::prepareTouch(arguments, opened.surface, task);
   auto recording = std::make_shared<Recording>();
   recording->title = batch::touchTitle(arguments, opened.surface);

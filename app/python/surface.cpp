@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "app/cli/verb.h"
 #include "app/python/bindings.h"
 #include "app/python/errors.h"
 #include "app/python/input.h"
@@ -76,6 +77,12 @@ Window windowOfRegion(const Opened& opened, const Words& words) {
     return std::make_shared<RegionWindow>(
         windowOf(surface, batch::chosenRegion(surface, arguments), arguments.gain));
   });
+}
+
+/// What the command line would say of that window on standard error; or empty.
+std::string noteOfRegion(const Opened& opened, const Words& words) {
+  const batch::RegionArguments arguments = regionArguments(words);
+  return batch::aliasNote(opened->surface, batch::chosenRegion(opened->surface, arguments));
 }
 
 constexpr GridSize kWindowSize{.cols = kWindowSamples, .rows = kWindowSamples};
@@ -182,6 +189,12 @@ void bindSurface(py::module_& module) {
           "window",
           [](const std::shared_ptr<OpenedSurface>& s, const Words& words) {
             return windowOfRegion(s, words);
+          },
+          py::arg("words"))
+      .def(
+          "note_of_window",
+          [](const std::shared_ptr<OpenedSurface>& s, const Words& words) {
+            return noteOfRegion(s, words);
           },
           py::arg("words"))
       .def_property_readonly("file",

@@ -100,10 +100,17 @@ def _region(words: Words, level: Any, region_mm: Any, gain: Any) -> Words:
 
 def _points(stroke: Any) -> "npt.NDArray[np.float64]":
     """Rows of t_s, x_mm, y_mm, z_mm."""
+    if isinstance(stroke, np.ma.MaskedArray) and np.ma.is_masked(stroke):
+        raise ArgumentError("stroke has values that are masked.")
     try:
-        points = np.ascontiguousarray(stroke, dtype=np.float64)
+        given = np.asarray(stroke)
+        if given.dtype.kind == "c":  # Their other half would be dropped.
+            raise TypeError
+        points = np.ascontiguousarray(given, dtype=np.float64)
     except (TypeError, ValueError):
         raise TypeError("stroke is a file or an array of numbers, shape (n, 4).") from None
+    except OverflowError:
+        raise ArgumentError("stroke has values that are not finite.") from None
     if points.ndim != 2 or points.shape[1] != 4 or not len(points):
         raise ArgumentError(
             f"stroke has the shape {points.shape}; t_s, x_mm, y_mm, z_mm in each row are (n, 4)."
@@ -216,7 +223,9 @@ class Surface:
         level: of the pyramid; None: the finest that 200 samples across the region can carry
         gain: factor on heights
         """
-        return self._opened.window(_region(Words(), level, region_mm, gain).words)
+        words = _region(Words(), level, region_mm, gain).words
+        self._warn_of_window(words)
+        return self._opened.window(words)
 
     def touch(
         self,
@@ -290,8 +299,11 @@ class Surface:
             words.add_path("log", log)
             if log is not None:
                 self._require_same_file()
-            return _relievo.touch(self._opened, words.words, None)
-        return _relievo.touch(self._opened, words.words, _points(stroke))
+            recording = _relievo.touch(self._opened, words.words, None)
+        else:
+            recording = _relievo.touch(self._opened, words.words, _points(stroke))
+        self._warn_of_window(_region(Words(), level, region_mm, gain).words)
+        return recording
 
     def render(
         self,
@@ -324,7 +336,7 @@ class Surface:
         eye_angle_deg: between the eyes' directions
         zero_plane_mm: height of zero parallax
         relief: how heights are painted: "lit", "height", "hillshade", "multi", "slope", "local",
-            "skyview", "openness", "natural", "intensity"
+            "skyview", "openness", "multiscale", "curvature", "occlusion", "natural", "intensity"
         colours: "cividis", "batlow", "grey"
         light_deg: (azimuth, elevation)
         radius_mm: of reliefs that look around
@@ -347,6 +359,11 @@ class Surface:
         words.add_flag("scale_bar", scale_bar)
         self._require_same_file()
         return _picture.draw(words.words, self.messages + self.not_done)
+
+    def _warn_of_window(self, words: List[bytes]) -> None:
+        note = self._opened.note_of_window(words)
+        if note:
+            warnings.warn(note, RuntimeWarning, stacklevel=3)
 
     def _file_state(self) -> Tuple[int, int, int]:
         try:

@@ -23,7 +23,10 @@ def path(parameter: str, value: Any) -> bytes:
     """The bytes of a file's name, from the root: a working folder that changes later is no matter."""
     if not isinstance(value, (str, bytes, os.PathLike)):
         raise TypeError(f"{parameter} is a file's name or a path, not {_kind(value)}.")
-    name = os.fsencode(value)
+    try:
+        name = os.fsencode(value)
+    except UnicodeEncodeError:
+        raise ArgumentError(f"{parameter} has characters that no file's name has.") from None
     if not name:
         raise ArgumentError(f"{parameter} is empty. Give the name of a file.")
     if b"\0" in name:
@@ -39,7 +42,10 @@ def number(parameter: str, value: Any) -> str:
     """A finite number, with every digit that it has."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TypeError(f"{parameter} is a number, not {_kind(value)}.")
-    exact = float(value)
+    try:
+        exact = float(value)
+    except OverflowError:
+        exact = math.inf
     if not math.isfinite(exact):
         raise ArgumentError(f"{parameter} is {exact}. Give a finite number.")
     return repr(int(exact)) if exact.is_integer() and abs(exact) < 1e15 else repr(exact)
@@ -49,16 +55,27 @@ def whole(parameter: str, value: Any) -> str:
     """A whole number, 400 or numpy.int64(400); 400.0 is none."""
     if isinstance(value, bool) or not isinstance(value, numbers.Integral):
         raise TypeError(f"{parameter} is a whole number, not {_kind(value)}.")
-    return str(int(value))
+    number_of = int(value)
+    if abs(number_of) >= 1 << 63:
+        raise ArgumentError(f"{parameter} is a whole number that is far too large.")
+    return str(number_of)
 
 
 def text(parameter: str, value: Any) -> str:
     """A word that the command line knows."""
     if not isinstance(value, str):
         raise TypeError(f"{parameter} is a text, not {_kind(value)}.")
-    if not value or "\0" in value:
+    if not value or "\0" in value or not _encodes(value):
         raise ArgumentError(f"{parameter} is no word that is known.")
     return value
+
+
+def _encodes(value: str) -> bool:
+    try:
+        value.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def text_or_number(parameter: str, value: Any) -> str:

@@ -106,7 +106,7 @@ class Arrays(Case):
             with open(pipe, "w") as stroke:
                 stroke.write(CURVED.read_text())
 
-        writer = threading.Thread(target=write)
+        writer = threading.Thread(target=write, daemon=True)
         writer.start()
         recording = self.surface.touch(pipe, level=0, region_mm=SQUARES[CURVED])
         writer.join()

@@ -195,11 +195,45 @@ class Errors(Case):
             self.refused(relievo.ArgumentError, render, **wrong)
 
     def test_ctrl_c_stops_the_work(self):
-        """A stroke that lasts a day of the hand's time: it can only end by the signal."""
-        threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+        """A stroke of an hour of the hand's time, through a pipe, so that the signal comes after the
+        work has begun and long before it ends."""
+        pipe = self.path("long.csv")
+        os.mkfifo(pipe)
+
+        def write_and_interrupt():
+            with open(pipe, "w") as stroke:
+                stroke.write("t_s,x_mm,y_mm,z_mm\n0,1,1,50\n3600,1,1,50\n")
+            os.kill(os.getpid(), signal.SIGINT)
+
         with self.assertRaises(KeyboardInterrupt):
-            self.surface.touch([[0, 1, 1, 50], [86_400, 1, 1, 50]])
+            threading.Thread(target=write_and_interrupt, daemon=True).start()
+            self.surface.touch(pipe)
         self.assertGreater(len(self.surface.touch([[0, 1, 1, 50], [0.01, 1, 1, 50]])), 1)
+
+    def test_strokes_too_long_for_memory_are_refused(self):
+        with self.assertRaisesRegex(relievo.ArgumentError, "E102.*in seconds"):
+            self.surface.touch([[0, 1, 1, 50], [9_000_000, 1, 1, 50]])
+
+    def test_numbers_and_texts_that_nothing_holds(self):
+        for wrong in (
+            lambda: self.surface.window(gain=10**400),
+            lambda: self.surface.level(10**5000),
+            lambda: relievo.open(RELIEF, cells=10**5000),
+            lambda: relievo.open(RELIEF, unit="\ud800"),
+            lambda: relievo.open("\ud800.ply"),
+            lambda: self.surface.touch([[0, 1, 1, 10**400], [1, 1, 1, 1]]),
+            lambda: self.surface.touch(np.ma.masked_less(np.array([[0.0, 1, 1, 1], [1, 1, 1, 1]]), 0.5)),
+        ):
+            with self.assertRaises(relievo.ArgumentError):
+                wrong()
+        with self.assertRaises(TypeError):
+            self.surface.touch(np.ones((2, 4), dtype=complex))
+
+    def test_a_level_finer_than_the_samples_is_warned_of(self):
+        with self.assertWarnsRegex(RuntimeWarning, "finer than 200 samples"):
+            self.surface.window(level=0)
+        with self.assertWarnsRegex(RuntimeWarning, "finer than 200 samples"):
+            self.surface.touch([[0, 1, 1, 50], [0.01, 1, 1, 50]], level=0)
 
 
 if __name__ == "__main__":
