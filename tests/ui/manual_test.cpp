@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/manual.h"
 
+#include <QtTest/qtestspontaneevent.h>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -97,6 +98,7 @@ TEST_F(ManualTest, TheKeyWorksInADialogAndIsAboutIt) {
     ASSERT_NE(shown, nullptr);
     // As the system hands it to a dialog; which window is active is not asked for.
     QKeyEvent key(QEvent::KeyPress, Qt::Key_F1, Qt::ShiftModifier);
+    QSpontaneKeyEvent::setSpontaneous(&key);
     QCoreApplication::sendEvent(shown->findChild<QPushButton*>(), &key);
     EXPECT_EQ(opened().toStdString(), path(page(name)).toStdString());
     shown->close();
