@@ -42,7 +42,8 @@ set(CPACK_COMPONENT_WINDOW_DESCRIPTION "feel and see scanned heritage at every s
  their uncertainty; recordings can be replayed and verified; figures say how they were made.")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS
   "relievo-cli (= ${PROJECT_VERSION}), fonts-dejavu-core, libqt5svg5")
-set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "ffmpeg, fonts-lohit-deva, libgl1-mesa-dri, qttranslations5-l10n")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "ffmpeg, fonts-lohit-deva, libgl1-mesa-dri, qttranslations5-l10n, xdg-utils")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_SUGGESTS "www-browser")
 
 # For plugins outside of the tree (docs/adr/0144).
 if(RELIEVO_BUILD_UI)

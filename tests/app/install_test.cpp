@@ -43,6 +43,10 @@ TEST_F(Install, ProgramPluginAndRuleNeedNothingOfTheBuild) {
   }
   EXPECT_TRUE(fs::exists(installed("lib/udev/rules.d/60-relievo-falcon.rules")));
   EXPECT_TRUE(fs::exists(installed("share/relievo/data/panel.ply"))) << "for the start page";
+  EXPECT_TRUE(fs::exists(installed("share/doc/relievo/html/docs/user/touch.html")))
+      << "for Help > Manual";
+  EXPECT_TRUE(fs::exists(installed("share/man/man1/relievo.1.gz")));
+  EXPECT_FALSE(fs::exists(installed("share/man/man1/relievo.1"))) << "compressed, as Debian wants";
   EXPECT_NE(saidBy(installed("bin/relievo") + " info " + plane()).find("plane.xyz"),
             std::string::npos);
 }

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <iterator>
 #include <QAction>
-#include <QCoreApplication>
 #include <QDesktopServices>
 #include <QDialog>
 #include <QDir>
@@ -16,7 +15,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTextBrowser>
-#include <tuple>
+#include <utility>
 
 #include "tests/ui/gui_fixture.h"
 
@@ -86,21 +85,25 @@ TEST_F(ManualTest, OpensAtThePageForWhatHasTheKeyboard) {
   EXPECT_EQ(opened().toStdString(), path(page("stereo")).toStdString());
 }
 
+// Asked straight: an event that is sent goes through the shortcuts of whichever window is active.
 TEST_F(ManualTest, TheKeyWorksInADialogAndIsAboutIt) {
-  writePages();
   openRelief();
-  for (const auto& [command, dialog, name] :
-       {std::tuple{"depth_map", "depth_map_dialog", "depth_map"},
-        std::tuple{"preferences", "preferences_dialog", "window"}}) {
+  QStringList topics;
+  ManualKey filter([&](const QWidget* about) { topics << manualTopic(about); }, nullptr);
+  QKeyEvent key(QEvent::KeyPress, Qt::Key_F1, Qt::ShiftModifier);
+  QKeyEvent other(QEvent::KeyPress, Qt::Key_F1, Qt::NoModifier);
+  for (const auto& [command, name] : {std::pair{"depth_map", "depth_map_dialog"},
+                                      std::pair{"preferences", "preferences_dialog"}}) {
     ASSERT_TRUE(window().runCommand(command));
-    auto* shown = child<QDialog>(dialog);
+    auto* shown = child<QDialog>(name);
     ASSERT_NE(shown, nullptr);
-    // As the system hands it to a dialog; which window is active is not asked for.
-    QKeyEvent key(QEvent::KeyPress, Qt::Key_F1, Qt::ShiftModifier);
-    QCoreApplication::sendEvent(shown->findChild<QPushButton*>(), &key);
-    EXPECT_EQ(opened().toStdString(), path(page(name)).toStdString());
+    auto* button = shown->findChild<QPushButton*>();
+    EXPECT_TRUE(filter.eventFilter(button, &key));
+    EXPECT_FALSE(filter.eventFilter(button, &other));
     shown->close();
   }
+  EXPECT_FALSE(filter.eventFilter(&window().detailView(), &key)) << "the window's own command";
+  EXPECT_EQ(topics, (QStringList{"depth_map", "window"}));
 }
 
 TEST_F(ManualTest, IsFoundAmongTheCommandsByItsWords) {
