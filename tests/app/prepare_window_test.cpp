@@ -110,7 +110,7 @@ TEST_F(PrepareWindowTest, AProjectOfAPreparedScanOpensElsewhere) {
   EXPECT_EQ(document().file(), path("elsewhere/relief-prepared.ply"));
   EXPECT_EQ(document().surface()->info.points, 80'400U);
   EXPECT_FALSE(window().message().contains("E501")) << window().message().toStdString();
-  EXPECT_EQ(document().stepNames().back(), "Prepare");
+  EXPECT_EQ(document().project().history.back(), "Prepare");
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ class StateWalk : public GuiTest {
           run("colours_" + std::string(kColourMapNames[static_cast<std::size_t>(any(4))]));
         },
         [this] { run("show_unmeasured"); },
-        [this] { window().detailView().turnBy(between(-40, 40), between(-30, 30)); },
+        [this] { run("turn_left"); },
         [this] { click("straighten"); },
         [this] { run("stereo"); },
         [this] { toggle("stereo_on"); },
@@ -153,7 +153,8 @@ class StateWalk : public GuiTest {
   void step() {
     const int what = any(100);
     if (what < 30) return moveTheWindow();
-    if (what < 55) return lookOtherwise();
+    if (what < 52) return lookOtherwise();
+    if (what < 57) return window().detailView().turnBy(between(-40, 40), between(-30, 30));
     if (what < 70) return nameAPlace();
     if (what < 82) return measureSomething();
     if (what < 85) return makeItAnew();
@@ -213,8 +214,8 @@ class StateWalk : public GuiTest {
     seen_.gain = seen_.gain || p.gain != 1;
   }
   void expectTheWalkWentFar() const {
-    EXPECT_GE(seen_.kinds.size(), 4U);
-    EXPECT_GE(seen_.modes.size(), 3U);
+    EXPECT_GE(seen_.kinds.size(), 3U);
+    EXPECT_GE(seen_.modes.size(), 2U);
     EXPECT_GE(seen_.units.size(), 2U);
     EXPECT_GE(seen_.places, 2U);
     EXPECT_GE(seen_.views, 1U);

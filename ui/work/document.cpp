@@ -32,6 +32,20 @@ QString detailName(int from, int to, bool grows) {
   return Document::tr("Detail %1 \u2192 %2").arg(from).arg(to);
 }
 
+/// Takes the names of steps that come back out of those that only have names, the last ones first.
+/// @return false: they are not all there
+bool takeOut(const std::vector<NamedRegion>& steps, std::vector<std::string>& names) {
+  std::size_t end = names.size();
+  for (std::size_t i = steps.size(); i-- > 0;) {
+    do {
+      if (end == 0) return false;
+      --end;
+    } while (names[end] != steps[i].name);
+    names.erase(names.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  return true;
+}
+
 bool sameGrid(const Surface& a, const Surface& b) {
   return a.map.frame == b.map.frame && a.ladder.spacings_mm == b.ladder.spacings_mm;
 }
@@ -94,8 +108,8 @@ void Document::cancel() {
 }
 
 const OpenedInput& Document::source() const {
-  static const OpenedInput none;
-  return state_.source ? *state_.source : none;
+  static const OpenedInput kNone;
+  return state_.source ? *state_.source : kNone;
 }
 
 QString Document::file() const {
@@ -343,18 +357,6 @@ void Document::showOpened(const Work& work) {
   restoreSteps(work, next);
   noteSaved(work.open.project_file);
   Q_EMIT opened(file());
-}
-
-/// Takes the names of steps that come back out of those that only have names, the last ones first.
-/// @return false: they are not all there
-bool takeOut(const std::vector<NamedRegion>& steps, std::vector<std::string>& names) {
-  auto end = names.rbegin();
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    end = std::find(end, names.rend(), step->name);
-    if (end == names.rend()) return false;
-    end = std::make_reverse_iterator(names.erase(std::next(end).base()));
-  }
-  return true;
 }
 
 // Each step began where its record says, and ended where the next one began.
