@@ -24,12 +24,13 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY
 
 set(CPACK_DEBIAN_CLI_PACKAGE_NAME relievo-cli)
 set(CPACK_COMPONENT_CLI_DESCRIPTION "inspect and touch scans of heritage objects, command line
- A scan of a coin, a relief, a statue or a site becomes a depth map and its Gaussian
- pyramid; regions of it are measured, drawn, and touched along strokes with the force
- of a haptic device at 1 kHz. Scans are read in a process of their own.
- .
- This package has all commands and no window. It gives whoever sits at the computer
- access to a Novint Falcon and to a SpaceMouse, by a udev rule.")
+A scan of a coin, a relief, a statue or a site becomes a depth map and its
+Gaussian pyramid; regions of it are measured, drawn, and touched along strokes
+with the force of a haptic device at 1 kHz. Scans are read in a process of
+their own.
+
+This package has all commands and no window. It gives whoever sits at the
+computer access to a Novint Falcon and to a SpaceMouse, by a udev rule.")
 # Pictures are drawn on a screen in memory where there is none, and videos are packed by ffmpeg.
 # libusb and hidapi are loaded where they are.
 set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libhidapi-hidraw0, libusb-1.0-0, xvfb")
@@ -37,9 +38,10 @@ set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "ffmpeg, relievo")
 
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME relievo)
 set(CPACK_COMPONENT_WINDOW_DESCRIPTION "feel and see scanned heritage at every scale
- relievo opens a scan of a coin, a relief, a statue or a site, shows it in stereo, and
- lets it be touched with a haptic device or a mouse, at any scale. Measurements carry
- their uncertainty; recordings can be replayed and verified; figures say how they were made.")
+relievo opens a scan of a coin, a relief, a statue or a site, shows it in
+stereo, and lets it be touched with a haptic device or a mouse, at any scale.
+Measurements carry their uncertainty; recordings can be replayed and verified;
+figures say how they were made.")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS
   "relievo-cli (= ${PROJECT_VERSION}), fonts-dejavu-core, libqt5svg5")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "ffmpeg, fonts-lohit-deva, libgl1-mesa-dri, qttranslations5-l10n, xdg-utils")
@@ -50,11 +52,11 @@ if(RELIEVO_BUILD_UI)
   list(APPEND CPACK_COMPONENTS_ALL dev)
   set(CPACK_DEBIAN_DEV_PACKAGE_NAME relievo-dev)
   set(CPACK_COMPONENT_DEV_DESCRIPTION "build plugins for relievo
- A plugin of relievo adds panels and commands to its window, hears which part of a
- scan is shown, and shows where a hand is on it.
- .
- This package has the headers, the files for CMake's find_package(), and an example
- as a project of its own.")
+A plugin of relievo adds panels and commands to its window, hears which
+part of a scan is shown, and shows where a hand is on it.
+
+This package has the headers, the files for CMake's find_package(), and an
+example as a project of its own.")
   set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
   set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "relievo (= ${PROJECT_VERSION}), qtbase5-dev")
 endif()
@@ -65,10 +67,10 @@ if(RELIEVO_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-relievo)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION "scans of heritage objects as NumPy arrays
- Opens scans of coins, reliefs and sites as depth maps, makes Gaussian
- pyramids and windows of them, touches them along strokes with the force of
- a haptic device, reads recordings and draws pictures: the numbers of the
- command line relievo, to the last bit.")
+Opens scans of coins, reliefs and sites as depth maps, makes Gaussian
+pyramids and windows of them, touches them along strokes with the force of
+a haptic device, reads recordings and draws pictures: the numbers of the
+command line relievo, to the last bit.")
   # The extension is built for one Python, and starts the programs of one version.
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS

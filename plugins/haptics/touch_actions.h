@@ -5,7 +5,7 @@ class QAction;
 
 namespace relievo {
 
-class Host;
+struct Host;
 
 /// The plugin's entries in the menus Touch and Record. Owned by the host.
 struct TouchActions {

@@ -37,9 +37,9 @@ class PluginLoaderTest : public GuiTest {
     loader_ = std::make_unique<PluginLoader>(*host_, window().settings());
     loader_->load();
   }
-  void keepState(const QByteArray& state) { window().settings().setChoice(kKey, state.toBase64()); }
+  void keepState(const QByteArray& state) { window().settings().setChoice(key_, state.toBase64()); }
   QByteArray keptState() {
-    return QByteArray::fromBase64(window().settings().choice(kKey, {}).toByteArray());
+    return QByteArray::fromBase64(window().settings().choice(key_, {}).toByteArray());
   }
   /// Of all that were found; the haptics plugin, which was built beside the test, has none.
   QString problems() const { return loader_->problems().join('\n'); }
@@ -58,7 +58,7 @@ class PluginLoaderTest : public GuiTest {
     EXPECT_EQ(qgetenv("RELIEVO_TEST_HEARD"), "") << "it hears the host no more";
   }
 
-  const QString kKey = QStringLiteral("plugins/throwing_plugin");
+  const QString key_ = QStringLiteral("plugins/throwing_plugin");
   std::unique_ptr<WindowHost> host_;
   std::unique_ptr<PluginLoader> loader_;
 };
