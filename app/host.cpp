@@ -190,7 +190,7 @@ void WindowHost::recordingSaved(const QString& file) {
 QString WindowHost::mapState(const QString& folder) const {
   const Document& document = window_.document();
   if (!document.isOpen()) return {};
-  Provenance made = document.provenanceIn(folder + QLatin1String("/."));
+  Provenance made = document.provenanceInFolder(folder);
   // A state without a view shows nothing, and a recording has its own.
   made.view = ViewState{.region = wholeRegion(document.surface()->ladder)};
   return QString::fromStdString(toJson(made, -1));

@@ -179,6 +179,12 @@ CameraPath pathFrom(const Json& json) {
   return path;
 }
 
+/// Within the limits of what is drawn. @throw FileError
+void checkEyeAngle(const std::optional<double>& angle_deg) {
+  if (!angle_deg || (*angle_deg >= 0 && *angle_deg <= 90)) return;
+  throw failure<MessageId::field_out_of_range>("chosen_eye_angle_deg", Json(*angle_deg).dump());
+}
+
 Project projectFrom(const Json& json) {
   Project p;
   p.version = json.at("program").at("version").get<std::string>();
@@ -191,6 +197,7 @@ Project projectFrom(const Json& json) {
   p.options = optionsFrom(json.at("depth_map"));
   setView(p, viewFrom(json.at("view")));
   p.chosen_eye_angle_deg = optionalFrom<double>(json, "chosen_eye_angle_deg");
+  checkEyeAngle(p.chosen_eye_angle_deg);
   if (json.contains("picture")) p.picture = pictureFrom(json.at("picture"));
   if (json.contains("figure")) p.figure = figureFrom(json.at("figure"));
   for (const Json& place : json.value("places", Json::array())) {

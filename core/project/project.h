@@ -66,7 +66,7 @@ struct Project {
   std::string saved_as;  ///< Of an automatic copy: the project file it goes on from, absolute.
   std::string others;    ///< JSON object of keys this version does not know.
 
-  /// Field by field; numbers to the bit. Of the options all but the number of threads, which
+  /// Field by field; numbers as they compare. Of the options all but the number of threads, which
   /// changes no result.
   friend bool operator==(const Project& a, const Project& b);
 };

@@ -17,7 +17,6 @@ constexpr double kZoomStep = 1.25;
 constexpr double kDepthStepMm = 0.25;  // Of hand, per notch or key press.
 constexpr double kMostDepthMm = 10;
 constexpr double kTurnDegPerPixel = 0.4;
-constexpr double kMostTiltDeg = 85;
 constexpr double kBallOfSide = 0.017;
 constexpr double kLeastCells = 8;  // Side of the smallest window, in finest cells.
 constexpr double kDeg = 3.14159265358979323846 / 180;
@@ -93,8 +92,7 @@ void DetailView::straighten() {
 
 void DetailView::turnBy(double azimuth_deg, double elevation_deg) {
   const Project& shown = document_.project();
-  document_.setTurn(std::remainder(shown.azimuth_deg + azimuth_deg, 360.0),
-                    std::clamp(shown.elevation_deg + elevation_deg, -kMostTiltDeg, kMostTiltDeg));
+  document_.setTurn(shown.azimuth_deg + azimuth_deg, shown.elevation_deg + elevation_deg);
 }
 
 void DetailView::showTurn() {

@@ -229,6 +229,7 @@ void MainWindow::connectParts() {
                                           : tr("%1 Press F5 to switch forces on.").arg(open_now));
     askQuestions();
     showRestored();
+    warnOfRivalry();
     detail_->setFocus();
     replay_->showWaiting();
   });
@@ -237,7 +238,10 @@ void MainWindow::connectParts() {
     showRecent();
     showTitle();
   });
-  connect(status_, &StatusFields::cancelAsked, &document_, &Document::cancel);
+  connect(status_, &StatusFields::cancelAsked, this, [this] {
+    restoring_.reset();
+    document_.cancel();
+  });
   for (const auto signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged}) {
     connect(&document_.history(), signal, this, &MainWindow::showHistory);
   }
@@ -304,6 +308,13 @@ void MainWindow::open(const OpenRequest& request) {
   strip_->close();
   OpenRequest asked = request;
   asked.file = QFileInfo(request.file).absoluteFilePath();
+  // Only a file that is opened for a state brings it back.
+  if (request.project) {
+    restoring_ = asked;
+  } else {
+    restoring_.reset();
+    recovered_copy_.clear();  // What is opened now does not hold that work.
+  }
   asked.remembered_unit = settings_.unitOfFolder(asked.file);
   if (!asked.remembered_unit) {
     asked.remembered_unit = lengthUnit(

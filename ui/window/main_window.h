@@ -287,6 +287,8 @@ class MainWindow : public QMainWindow {
   /// One step that changes how the relief is painted.
   void chooseLook(const QString& name, const std::function<void(ReliefLook&)>& change,
                   int merge_id = -1);
+  /// Of steps that merge while a slider is dragged; the document's own ids are below.
+  static constexpr int kMergeStereo = 101;
   void warnOfRivalry();
   void chooseStereo(const StereoOptions& stereo);
   void showStereo();

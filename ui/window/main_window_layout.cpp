@@ -160,10 +160,13 @@ void MainWindow::applyPreference(const QString& key) {
     stereo.automatic_depth = settings_.choice(QStringLiteral("stereo_automatic"), true).toBool();
     stereo.swap_eyes = settings_.choice(QStringLiteral("stereo_swap"), false).toBool();
     stereo_panel_->setComfort(settings_.choice(QStringLiteral("stereo_comfort"), true).toBool());
-    document_.edit(tr("Stereo"), [&](Project& p) {
-      p.stereo = stereo;
-      p.chosen_eye_angle_deg.reset();
-    });
+    document_.edit(
+        tr("Stereo"),
+        [&](Project& p) {
+          p.stereo = stereo;
+          p.chosen_eye_angle_deg.reset();
+        },
+        kMergeStereo);
   }
 }
 

@@ -122,8 +122,6 @@ void MainWindow::restoreNow(const Project& project, const QString& from) {
                   {tr("&Choose another\u2026"), [this] { chooseFile(); }}});
     return;
   }
-  restoring_ = request;
-  strip_->close();
   open(request);
 }
 

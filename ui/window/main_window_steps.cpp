@@ -10,12 +10,6 @@
 #include "ui/window/main_window.h"
 
 namespace relievo {
-namespace {
-
-// Of steps that merge while a slider is dragged; the document's own ids are below.
-constexpr int kMergeStereo = 101;
-
-}  // namespace
 
 void MainWindow::tellLookRefused(ReliefKind wanted) {
   announce(wanted == ReliefKind::natural

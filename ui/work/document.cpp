@@ -50,6 +50,14 @@ bool sameGrid(const Surface& a, const Surface& b) {
   return a.map.frame == b.map.frame && a.ladder.spacings_mm == b.ladder.spacings_mm;
 }
 
+double turnedBack(double azimuth_deg) {
+  return std::remainder(azimuth_deg, 360.0);
+}
+
+double tilted(double elevation_deg) {
+  return std::clamp(elevation_deg, -kMostTiltDeg, kMostTiltDeg);
+}
+
 }  // namespace
 
 struct Document::Work {
@@ -121,7 +129,11 @@ Project Document::stored() const {
 }
 
 Provenance Document::provenanceIn(const QString& file) const {
-  return provenanceOf(state_.project, *state_.surface, bytesOfPath(QFileInfo(file).absolutePath()));
+  return provenanceInFolder(QFileInfo(file).absolutePath());
+}
+
+Provenance Document::provenanceInFolder(const QString& folder) const {
+  return provenanceOf(state_.project, *state_.surface, bytesOfPath(folder));
 }
 
 void Document::noteSaved(const QString& project_file) {
@@ -299,6 +311,8 @@ DocumentState Document::stateOf(const Work& work) const {
     p = state_.project;
   } else if (work.open.project) {
     p = *work.open.project;
+    p.azimuth_deg = turnedBack(p.azimuth_deg);
+    p.elevation_deg = tilted(p.elevation_deg);
     p.picture.reset();  // It belongs to what the state came from, as these do.
     p.saved_as.clear();
     p.made.clear();
@@ -354,13 +368,13 @@ void Document::showOpened(const Work& work) {
   history_.clear();
   saved_work_.reset();
   ahead_ = next.surface->tiles ? std::make_unique<TilePrefetcher>(next.surface->tiles) : nullptr;
-  restoreSteps(work, next);
+  if (!restoreSteps(work, next)) return;
   noteSaved(work.open.project_file);
   Q_EMIT opened(file());
 }
 
 // Each step began where its record says, and ended where the next one began.
-void Document::restoreSteps(const Work& work, DocumentState now) {
+bool Document::restoreSteps(const Work& work, DocumentState now) {
   const std::vector<NamedRegion> undo = std::exchange(now.project.undo, {});
   earlier_steps_ = std::exchange(now.project.history, {});
   const Region asked = work.open.project ? work.open.project->region : Region{};
@@ -371,7 +385,7 @@ void Document::restoreSteps(const Work& work, DocumentState now) {
                    std::all_of(undo.begin(), undo.end(), [&](const NamedRegion& step) {
                      return step.region.level.value < levels;
                    });
-  if (!show(now)) return;
+  if (!show(now)) return false;
   if (fit && !undo.empty()) {
     earlier_steps_ = std::move(earlier);
     // They end at what is shown already: of all the windows on the way none is needed.
@@ -391,6 +405,7 @@ void Document::restoreSteps(const Work& work, DocumentState now) {
     steps_come_back_ = false;
   }
   noteSteps();
+  return true;
 }
 
 void Document::noteSteps() {
@@ -423,8 +438,9 @@ StepAbout Document::aboutCentre() const {
 bool Document::push(DocumentState after, const QString& name, int merge_id) {
   fitLook(after);
   if (sameInSteps(state_, after)) return false;
-  history_.push(new StateCommand(*this, state_, std::move(after), name, merge_id));
-  return true;
+  const DocumentState before = state_;
+  history_.push(new StateCommand(*this, before, std::move(after), name, merge_id));
+  return !sameInSteps(before, state_);  // A window that cannot be read is no step.
 }
 
 bool Document::edit(const QString& name, const std::function<void(Project&)>& change,
@@ -446,6 +462,8 @@ void Document::amend(const std::function<void(Project&)>& change) {
 }
 
 void Document::setTurn(double azimuth_deg, double elevation_deg) {
+  azimuth_deg = turnedBack(azimuth_deg);
+  elevation_deg = tilted(elevation_deg);
   if (azimuth_deg == state_.project.azimuth_deg && elevation_deg == state_.project.elevation_deg) {
     return;
   }
@@ -457,6 +475,7 @@ void Document::setTurn(double azimuth_deg, double elevation_deg) {
 
 void Document::setDrawnEyeAngle(double drawn_deg, const std::optional<double>& chosen_deg) {
   Project& p = state_.project;
+  if (!std::isfinite(drawn_deg)) return;  // Of heights that are none.
   if (p.stereo.eye_angle_deg == drawn_deg && p.chosen_eye_angle_deg == chosen_deg) return;
   p.stereo.eye_angle_deg = drawn_deg;
   p.chosen_eye_angle_deg = chosen_deg;
@@ -586,13 +605,15 @@ std::shared_ptr<const RegionWindow> Document::windowFor(const DocumentState& sta
   try {
     return std::make_shared<const RegionWindow>(
         windowOf(*state.surface, state.project.region, state.project.gain));
-  } catch (const FileError& error) {
+  } catch (const Error& error) {
     Q_EMIT failed(spokenError(error), {}, {});
     return nullptr;
   }
 }
 
 bool Document::change(const DocumentState& from, const DocumentState& to) {
+  // A drag began on a map that is no longer shown, and has nothing to go back to.
+  if (from.surface != to.surface) gesture_start_.reset();
   return show(withChange(state_, from, to));
 }
 

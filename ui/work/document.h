@@ -22,6 +22,9 @@ namespace relievo {
 
 class TilePrefetcher;  // core/tiles/tiled_map.h
 
+/// How far the detail view is turned up or down, at most: beyond, its upright would be undefined.
+inline constexpr double kMostTiltDeg = 85;
+
 /// What to open and how; nothing chosen means the defaults of `SurfaceOptions`.
 struct OpenRequest {
   QString file;
@@ -82,6 +85,7 @@ class Document : public QObject {
   Project stored() const;
   /// Where something that is written to `file` comes from. @pre isOpen()
   Provenance provenanceIn(const QString& file) const;
+  Provenance provenanceInFolder(const QString& folder) const;
 
   /// One step of the history that changes what `change` does. False: it changed nothing that steps
   /// bring back. While nothing is open it is done and is no step.
@@ -188,7 +192,8 @@ class Document : public QObject {
   void showFirstViews(const std::shared_ptr<Work>& work, const Task& task);
   void finish(const Work& work);
   void showOpened(const Work& work);
-  void restoreSteps(const Work& work, DocumentState now);
+  /// False, and told by failed(), if its window cannot be read.
+  bool restoreSteps(const Work& work, DocumentState now);
   /// The state that a file was read for. @return the step's, or a new beginning's
   DocumentState stateOf(const Work& work) const;
   void placeWindow(const Work& work, DocumentState& next);

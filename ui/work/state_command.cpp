@@ -11,6 +11,17 @@ void takeChange(T& now, const T& from, const T& to) {
   if (!(from == to)) now = to;
 }
 
+/// What no step changes, and what would otherwise be kept for each of them.
+DocumentState withoutRest(DocumentState state) {
+  Project& p = state.project;
+  p.history.clear();
+  p.undo.clear();
+  p.paths.clear();
+  p.figures.clear();
+  p.recordings.clear();
+  return state;
+}
+
 bool sameStereo(const Project& a, const Project& b) {
   return chosenStereo(a) == chosenStereo(b);
 }
@@ -54,8 +65,8 @@ StateCommand::StateCommand(Document& document, DocumentState before, DocumentSta
                            const QString& name, int merge_id)
     : QUndoCommand(name),
       document_(document),
-      before_(std::move(before)),
-      after_(std::move(after)),
+      before_(withoutRest(std::move(before))),
+      after_(withoutRest(std::move(after))),
       merge_id_(merge_id) {}
 
 // A step to what cannot be read leaves the history.
