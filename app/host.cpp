@@ -5,6 +5,7 @@
 #include <new>
 #include <QFile>
 #include <QFileInfo>
+#include <QMenu>
 #include <vector>
 
 #include "core/base/failure.h"
@@ -46,7 +47,15 @@ void WindowHost::takeAdditionsBack() {
   for (const QPointer<QWidget>& panel : new_panels_) {
     if (panel) window_.removePanel(panel);
   }
-  for (const QPointer<QAction>& action : new_actions_) delete action;
+  for (const QPointer<QAction>& action : new_actions_) {
+    if (!action) continue;
+    const QList<QWidget*> places = action->associatedWidgets();
+    delete action;
+    for (QWidget* place : places) {
+      auto* menu = qobject_cast<QMenu*>(place);
+      if (menu != nullptr && menu->isEmpty()) menu->menuAction()->setVisible(false);
+    }
+  }
   keepAdditions();
 }
 

@@ -155,7 +155,7 @@ void PluginLoader::detachAll() {
 
 bool PluginLoader::has(const QString& name) const {
   return std::any_of(loaded_.begin(), loaded_.end(),
-                     [&](const Loaded& l) { return l.name.contains(name); });
+                     [&](const Loaded& l) { return l.name == name; });
 }
 
 }  // namespace relievo

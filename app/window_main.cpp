@@ -92,7 +92,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   const QStringList problems = plugins.problems();
   for (const QString& problem : problems) std::cerr << problem.toStdString() << '\n';
   if (!problems.isEmpty()) window.showMessage(problems.join(' '));
-  if (!plugins.has(QStringLiteral("haptics"))) {
+  if (!plugins.has(QStringLiteral("haptics_plugin"))) {
     window.showTouchMissing(problems.isEmpty() ? MainWindow::tr("the haptics plugin was not found.")
                                                : problems.join(' '));
   }

@@ -111,7 +111,10 @@ void HapticsPlugin::chooseDevice(const std::string& id) {
 }
 
 void HapticsPlugin::detach() noexcept {
-  if (!session_) return;
+  if (!session_) {  // It was attached and could not go on.
+    host_ = nullptr;
+    return;
+  }
   timer_.stop();
   plugs_.reset();
   sleep_.reset();
@@ -448,8 +451,14 @@ void HapticsPlugin::setUpDevice() {
     settings_.device = kMouse;
     changeDevice();
   }
-  setup_ = makeDeviceSetup(falcon::falconChoice(before).value_or(falcon::FalconChoice{}),
-                           panel_ ? panel_->window() : nullptr);
+  try {
+    setup_ = makeDeviceSetup(falcon::falconChoice(before).value_or(falcon::FalconChoice{}),
+                             panel_ ? panel_->window() : nullptr);
+  } catch (const DeviceError& error) {  // No USB on this computer.
+    host_->messages.showError(messageText(messageOf(error)), {});
+    chooseDevice(before);
+    return;
+  }
   connect(setup_, &DeviceSetupDialog::said, this, [this](const QString& text) {
     if (host_ != nullptr) host_->messages.announce(text);
   });

@@ -33,7 +33,7 @@ class ManyScansTest : public GuiTest {
  protected:
   ManyScansTest() : host_(window()), plugins_(host_, window().settings()) {
     plugins_.load();
-    EXPECT_TRUE(plugins_.has(QStringLiteral("haptics")))
+    EXPECT_TRUE(plugins_.has(QStringLiteral("haptics_plugin")))
         << plugins_.problems().join(' ').toStdString();
   }
 

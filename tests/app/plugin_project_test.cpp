@@ -25,6 +25,7 @@ struct Said {
 Said said(const std::string& command) {
   Said said;
   FILE* const pipe = popen(("(" + command + ") 2>&1").c_str(), "r");
+  if (pipe == nullptr) return {.status = -1, .text = "There is no shell."};
   for (int c = 0; (c = std::fgetc(pipe)) != EOF;) said.text += static_cast<char>(c);
   said.status = pclose(pipe);
   return said;

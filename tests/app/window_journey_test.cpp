@@ -134,7 +134,7 @@ TEST_F(WindowJourney, FromTwoColouredScansToAProjectThatOpensElsewhere) {
   WindowHost host(window());
   PluginLoader plugins(host, window().settings());
   plugins.load();
-  ASSERT_TRUE(plugins.has("haptics")) << plugins.problems().join(' ').toStdString();
+  ASSERT_TRUE(plugins.has("haptics_plugin")) << plugins.problems().join(' ').toStdString();
 
   // Clean, align, join.
   PrepareDialog& dialog = openTogether({path("work/front.ply"), path("work/side.ply")});

@@ -71,6 +71,7 @@ void SidePanels::remove(QWidget* panel) {
   delete *header;
   headers_.erase(header);
   delete panel;
+  if (window_width_ > 0) fitTo(window_width_);
 }
 
 void SidePanels::reveal(QWidget* panel) {
