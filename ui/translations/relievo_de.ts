@@ -7381,6 +7381,10 @@
         <source>SpaceMouse, foot switches and gamepads cannot be used: %1. Install the library, or go on without them.</source>
         <translation>SpaceMouse, Fußschalter und Gamepads können nicht benutzt werden: %1. Installieren Sie die Bibliothek, oder arbeiten Sie ohne sie weiter.</translation>
     </message>
+    <message>
+        <source>A touch along this stroke has %1 rows, which need about %2 MB; %3 MB are free. Nothing was made. Are its times in seconds? Give a shorter stroke.</source>
+        <translation>Eine Berührung entlang dieser Bahn hat %1 Zeilen, die etwa %2 MB brauchen; %3 MB sind frei. Es wurde nichts gemacht. Sind ihre Zeiten in Sekunden? Geben Sie eine kürzere Bahn an.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

@@ -7381,6 +7381,10 @@
         <source>SpaceMouse, foot switches and gamepads cannot be used: %1. Install the library, or go on without them.</source>
         <translation>SpaceMouse, पैर के स्विच और गेमपैड काम में नहीं लिए जा सकते: %1। लाइब्रेरी इंस्टॉल करें, या उनके बिना आगे बढ़ें।</translation>
     </message>
+    <message>
+        <source>A touch along this stroke has %1 rows, which need about %2 MB; %3 MB are free. Nothing was made. Are its times in seconds? Give a shorter stroke.</source>
+        <translation>इस रेखा के साथ स्पर्श में %1 पंक्तियाँ हैं, जिन्हें लगभग %2 MB चाहिए; %3 MB खाली हैं। कुछ नहीं बनाया गया। क्या इसके समय सेकंड में हैं? छोटी रेखा दें।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
