@@ -41,7 +41,8 @@ Outcome runSuggest(const SuggestArguments& a, const Task& task) {
   if (surface.tiles) throw failure<MessageId::suggest_not_in_tiles>();
   const std::vector<FeelableWindow> windows =
       feelableWindows(surface.map, surface.pyramid, a.feel, task);
-  Outcome outcome{.exit_code = exitCodeAfter(surface)};
+  Outcome outcome;
+  outcome.exit_code = exitCodeAfter(surface);
   Json rows = Json::array();
   for (const FeelableWindow& window : windows) {
     rows.push_back(jsonOfWindow(window, surface.ladder));
