@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <regex>
 #include <string>
+#include <vector>
 
 #include "tests/architecture/source_tree.h"
 
@@ -11,6 +13,7 @@ namespace relievo::architecture {
 namespace {
 
 constexpr int kMostLines = 700;
+constexpr int kMostFiles = 40;  ///< Of a folder; about 30 is what one takes in (docs/adr/0155).
 
 /// But for the texts of the licences themselves, which REUSE wants as they are.
 bool needsLicenceLine(const std::string& path) {
@@ -53,6 +56,21 @@ TEST(Tree, HasNoSourceLongerThanOneCanRead) {
   for (const auto& [path, text] : readTree(isCpp)) EXPECT_FALSE(isTooLong(text)) << path;
 }
 
+/// Sources by the folder they lie in.
+std::map<std::string, int> filesOfFolders(const std::vector<std::string>& paths) {
+  std::map<std::string, int> files;
+  for (const std::string& path : paths) ++files[path.substr(0, path.rfind('/'))];
+  return files;
+}
+
+TEST(Tree, HasNoFolderFullerThanOneCanTakeIn) {
+  std::vector<std::string> paths;
+  for (const auto& [path, text] : readTree(isCpp)) paths.push_back(path);
+  for (const auto& [folder, files] : filesOfFolders(paths)) {
+    EXPECT_LE(files, kMostFiles) << folder << ": give it rooms.";
+  }
+}
+
 TEST(Tree, NamesNoPlaceOnAnyMachine) {
   for (const auto& [path, text] : readTree(isText)) EXPECT_FALSE(namesAMachine(text)) << path;
 }
@@ -73,6 +91,7 @@ TEST(TidinessCheck, CatchesWhatItIsFor) {
   EXPECT_TRUE(isTooLong(std::string(kMostLines + 1, '\n')));
   EXPECT_TRUE(namesAMachine(std::string("open(\"/ho") + "me/somebody/scan.ply\")"));
   EXPECT_FALSE(namesAMachine(std::string("see core/wo") + "rk/flow and build/release"));
+  EXPECT_EQ(filesOfFolders({"ui/a.h", "ui/a.cpp", "ui/vtk/b.h"})["ui"], 2);
   EXPECT_TRUE(isUnfinished(std::string("// TO") + "DO: later"));
 }
 
