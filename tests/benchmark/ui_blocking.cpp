@@ -223,7 +223,7 @@ void run(const QString& scan) {
       [&] { return QFile::exists(folder.filePath("figure.png")); });
   if (auto* dialog = window.findChild<QDialog*>("figure_dialog")) dialog->reject();
   settle();
-  const TouchRecording recording = recordingOn(window.document().state().region);
+  const TouchRecording recording = recordingOn(window.document().project().region);
   window.setRecordingReader([&](const std::filesystem::path&, const Task&) { return recording; });
   QFile made(folder.filePath("made.csv"));
   if (!made.open(QIODevice::WriteOnly)) return;
@@ -271,7 +271,7 @@ void run(const QString& scan) {
   settle();
 
   std::printf("\n| Cancel of | ms until it has stopped |\n|---|---|\n");
-  SurfaceOptions options = window.document().state().options;
+  SurfaceOptions options = window.document().project().options;
   for (const double after_ms : {50.0, 300.0, 700.0}) {
     cancelled("load", after_ms, [&](const Task& task) {
       loadSurface(scan.toStdString(), options, rasterize, {}, task);
