@@ -108,7 +108,7 @@ class Photographer {
     QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   }
   QPointF over(double x_mm, double y_mm) {
-    const Region& r = document().state().region;
+    const Region& r = document().project().region;
     const double mm = r.side_mm / std::min(detail().width() - 4, detail().height() - 4);
     return {0.5 * detail().width() + (x_mm - r.centreX()) / mm,
             0.5 * detail().height() - (y_mm - r.centreY()) / mm};
@@ -161,7 +161,7 @@ void takeRegion(Photographer& p) {
 void takeTouch(Photographer& p) {
   DetailView& view = p.detail();
   view.setFocus();
-  const Region& r = p.document().state().region;
+  const Region& r = p.document().project().region;
   const QPointF middle = p.over(r.centreX(), r.centreY());
   Photographer::mouse(view, QEvent::MouseMove, middle, Qt::NoButton, Qt::NoButton);
   QTest::keyClick(&view, Qt::Key_F5);
