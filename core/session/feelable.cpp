@@ -54,6 +54,23 @@ DepthMap mapOfLevel(const DepthMap& map, const PyramidLevel& level) {
   return of;
 }
 
+/// Is a sample so many others away from what is not known, along the axes?
+class Inside {
+ public:
+  explicit Inside(const DepthMap& map) : map_(map) {}
+  bool by(int samples, Cell at) const {
+    const GridSize size = map_.frame.size;
+    for (const Cell far : {Cell{at.col - samples, at.row}, Cell{at.col + samples, at.row},
+                           Cell{at.col, at.row - samples}, Cell{at.col, at.row + samples}}) {
+      if (!size.contains(far) || map_.origin(far) == Origin::outside) return false;
+    }
+    return true;
+  }
+
+ private:
+  const DepthMap& map_;
+};
+
 /// A ridge of standard deviation s keeps s / sqrt(s^2 + t^2) of its height under a Gaussian of t.
 Band bandOf(const DepthMap& level, double sigma_samples, const Task& task) {
   const double finer = sigma_samples / 2, coarser = sigma_samples * 2;
@@ -61,8 +78,16 @@ Band bandOf(const DepthMap& level, double sigma_samples, const Task& task) {
   const std::vector<float> with = smoothed(level, finer, task);
   const std::vector<float> without = smoothed(level, coarser, task);
   Band band{level.frame, kWidthPerSigma * sigma_samples * level.frame.spacing_mm, with};
-  for (std::size_t i = 0; i < with.size(); ++i) {
-    band.height_mm[i] = static_cast<float>((with[i] - without[i]) / kept);
+  // Near a rim the neighbourhood has one side only, and a slope would look like relief.
+  const Inside inside(level);
+  const int reach = static_cast<int>(std::ceil(2 * coarser));
+  const GridSize size = level.frame.size;
+  for (int row = 0; row < size.rows; ++row) {
+    for (int col = 0; col < size.cols; ++col) {
+      const std::size_t i = size.index({col, row});
+      band.height_mm[i] =
+          inside.by(reach, {col, row}) ? static_cast<float>((with[i] - without[i]) / kept) : 0.0F;
+    }
   }
   return band;
 }

@@ -50,7 +50,7 @@ class PluginLoaderTest : public GuiTest {
     load();
   }
   void expectNothingOfItLeft() {
-    EXPECT_FALSE(loader_->has("throwing"));
+    EXPECT_FALSE(loader_->has("throwing_plugin"));
     EXPECT_FALSE(panels().contains("Throwing"));
     EXPECT_EQ(action("throw"), nullptr);
     EXPECT_EQ(qgetenv("RELIEVO_TEST_DETACHED"), "yes");
@@ -66,7 +66,7 @@ class PluginLoaderTest : public GuiTest {
 TEST_F(PluginLoaderTest, TheExampleIsAttachedAndSpeaks) {
   putThere("plugins_example/example_plugin.so");
   load();
-  EXPECT_TRUE(loader_->has("example"));
+  EXPECT_TRUE(loader_->has("example_plugin"));
   EXPECT_EQ(problems(), "");
   EXPECT_TRUE(panels().contains("Example"));
   openRelief();
@@ -76,7 +76,7 @@ TEST_F(PluginLoaderTest, TheExampleIsAttachedAndSpeaks) {
 TEST_F(PluginLoaderTest, AnotherVersionOfTheInterfaceIsRefusedWithoutRunningIt) {
   putThere("tests/plugins_old_plugin/old_plugin.so");
   load();
-  EXPECT_FALSE(loader_->has("old"));
+  EXPECT_FALSE(loader_->has("old_plugin"));
   EXPECT_EQ(problems(),
             "old_plugin.so was built for version 1 of the plugin interface, and this relievo has "
             "version " RELIEVO_PLUGIN_VERSION
@@ -124,7 +124,7 @@ TEST_F(PluginLoaderTest, OneThatCannotBeMadeIsLeftOutAndNamed) {
   throwsIn("constructor int");
   EXPECT_TRUE(problems().startsWith("The plugin throwing_plugin could not start"))
       << problems().toStdString();
-  EXPECT_FALSE(loader_->has("throwing"));
+  EXPECT_FALSE(loader_->has("throwing_plugin"));
 }
 
 TEST_F(PluginLoaderTest, OneThatThrowsInRestoreStateIsLeftOutAndKeepsItsSettings) {
@@ -151,7 +151,7 @@ TEST_F(PluginLoaderTest, OneThatThrowsWhatIsNoErrorInRestoreStateIsLeftOut) {
 TEST_F(PluginLoaderTest, OneThatThrowsInSaveStateKeepsTheSettingsItHad) {
   keepState("old");
   throwsIn("save int");
-  EXPECT_TRUE(loader_->has("throwing"));
+  EXPECT_TRUE(loader_->has("throwing_plugin"));
   loader_->detachAll();
   EXPECT_EQ(problems(),
             "The plugin throwing_plugin could not tell its settings: it threw something that says "

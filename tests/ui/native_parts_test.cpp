@@ -36,6 +36,7 @@ class NativePartsTest : public GuiTest {
 TEST_F(NativePartsTest, AChangedLabelComposesNoView) {
   ASSERT_TRUE(rests());
   auto* label = new QLabel(QStringLiteral("0"));
+  label->setFixedSize(80, 16);  // As the fields of the status bar: no number moves the others.
   window().statusBar()->addWidget(label);
   ASSERT_TRUE(rests());
   composed_ = 0;

@@ -100,7 +100,7 @@ def _region(words: Words, level: Any, region_mm: Any, gain: Any) -> Words:
 
 def _points(stroke: Any) -> "npt.NDArray[np.float64]":
     """Rows of t_s, x_mm, y_mm, z_mm."""
-    if isinstance(stroke, np.ma.MaskedArray) and np.ma.is_masked(stroke):
+    if isinstance(stroke, np.ma.MaskedArray) and np.any(np.asarray(stroke.mask)):
         raise ArgumentError("stroke has values that are masked.")
     try:
         given = np.asarray(stroke)
