@@ -70,7 +70,8 @@ TEST(FeelableWindows, RelievesAreFoundWhereTheyAre) {
   EXPECT_GT(best.width_mm, 4 * kRidgeSigma / std::sqrt(2.0)) << "bands are a factor 2 apart";
   EXPECT_LT(best.width_mm, 4 * kRidgeSigma * std::sqrt(2.0));
   EXPECT_EQ(best.measured_share, 1);
-  EXPECT_GT(best.felt_share, 0.3);
+  // Four ridges as wide as that in 20 mm, a quarter of their length running out.
+  EXPECT_NEAR(best.felt_share, 4 * (4 * kRidgeSigma) / 20 * 0.8, 0.1);
   for (std::size_t i = 1; i < windows.size(); ++i) {
     EXPECT_LE(windows[i].score, windows[i - 1].score);
     EXPECT_TRUE(overlapsTheRidges(windows[i].region)) << "there is nothing elsewhere";
