@@ -29,7 +29,7 @@ void Journey::attach() {
   host_ = std::make_unique<WindowHost>(window());
   plugins_ = std::make_unique<PluginLoader>(*host_, window().settings());
   plugins_->load();
-  ASSERT_TRUE(plugins_->has("haptics")) << plugins_->problems().join(' ').toStdString();
+  ASSERT_TRUE(plugins_->has("haptics_plugin")) << plugins_->problems().join(' ').toStdString();
 }
 
 void Journey::detach() {

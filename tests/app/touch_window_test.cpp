@@ -155,7 +155,7 @@ TEST_F(TouchWindowTest, AModuleThatIsNoPluginIsSkippedAndNamed) {
 
 TEST_F(TouchWindowTest, PressingWithTheMouseIsAnsweredByAForceThatEscapeStops) {
   LoadedPlugins plugins(window());
-  ASSERT_TRUE(plugins->has("haptics")) << plugins->problems().join(' ').toStdString();
+  ASSERT_TRUE(plugins->has("haptics_plugin")) << plugins->problems().join(' ').toStdString();
   openRelief();
   auto& view = window().detailView();
   const QPointF middle = QRectF(view.rect()).center();
@@ -182,7 +182,7 @@ TEST_F(TouchWindowTest, PressingWithTheMouseIsAnsweredByAForceThatEscapeStops) {
 TEST_F(TouchWindowTest, APictureOfTheDetailViewIsDrawnAgainFromTheCommandLine) {
   useOwnHome();
   LoadedPlugins plugins(window());
-  ASSERT_TRUE(plugins->has("haptics"));
+  ASSERT_TRUE(plugins->has("haptics_plugin"));
   openRelief();
   const auto saved = [this](ImageSource source, const QString& name) {
     window().saveImage(source, {301, 200}, path(name));
@@ -214,7 +214,7 @@ TEST_F(TouchWindowTest, APictureOfTheDetailViewIsDrawnAgainFromTheCommandLine) {
 TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   useOwnHome();
   LoadedPlugins plugins(window());
-  ASSERT_TRUE(plugins->has("haptics"));
+  ASSERT_TRUE(plugins->has("haptics_plugin"));
   openRelief();
   auto& view = window().detailView();
   const QPointF middle = QRectF(view.rect()).center();
@@ -261,7 +261,7 @@ TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
 TEST_F(TouchWindowTest, ARecordingOfAScanOfAnyNameIsKeptAndReplayedToTheLastBit) {
   useOwnHome();
   LoadedPlugins plugins(window());
-  ASSERT_TRUE(plugins->has("haptics"));
+  ASSERT_TRUE(plugins->has("haptics_plugin"));
   const std::string stem = "b\xFCste\n\"2\"";
   const QString scan = path(pathFromBytes(stem + ".ply"));
   ASSERT_TRUE(QFile::rename(writeRelief(), scan));
@@ -294,7 +294,7 @@ TEST_F(TouchWindowTest, ARecordingOfAScanOfAnyNameIsKeptAndReplayedToTheLastBit)
 TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit) {
   useOwnHome();
   LoadedPlugins plugins(window());
-  ASSERT_TRUE(plugins->has("haptics"));
+  ASSERT_TRUE(plugins->has("haptics_plugin"));
   openRelief();
   auto& view = window().detailView();
   touchMiddle();
@@ -330,7 +330,7 @@ TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit)
 TEST_F(TouchWindowTest, ARecordingAcrossOtherMapsOfTheScanIsReplayedToTheLastBit) {
   useOwnHome();
   LoadedPlugins plugins(window());
-  ASSERT_TRUE(plugins->has("haptics"));
+  ASSERT_TRUE(plugins->has("haptics_plugin"));
   openHoledRelief();
   touchMiddle();
   action("record")->trigger();
@@ -368,7 +368,7 @@ TEST_F(TouchWindowTest, ARecordingAcrossOtherMapsOfTheScanIsReplayedToTheLastBit
 TEST_F(TouchWindowTest, ARecordingWithARasterOfFirmGroundIsReplayedUnlessTheRasterHasChanged) {
   useOwnHome();
   LoadedPlugins plugins(window());
-  ASSERT_TRUE(plugins->has("haptics"));
+  ASSERT_TRUE(plugins->has("haptics_plugin"));
   openRelief();
   auto* name = child<QLabel>("firmnessName");
   const auto choose = [this](const QString& file) {
@@ -425,7 +425,7 @@ TEST_F(TouchWindowTest, ARecordingWithARasterOfFirmGroundIsReplayedUnlessTheRast
 TEST_F(TouchWindowTest, APointerThatIsNotPressedIsCarriedOverWallsAndItsRecordingRepeats) {
   useOwnHome();
   LoadedPlugins plugins(window());
-  ASSERT_TRUE(plugins->has("haptics"));
+  ASSERT_TRUE(plugins->has("haptics_plugin"));
   openWalledRelief();
   auto& view = window().detailView();
   const QPointF middle = QRectF(view.rect()).center();
@@ -461,7 +461,7 @@ TEST_F(TouchWindowTest, APointerThatIsNotPressedIsCarriedOverWallsAndItsRecordin
 
 TEST_F(TouchWindowTest, AWindowDrawnByKeysKeepsTheHandOverIt) {
   LoadedPlugins plugins(window());
-  ASSERT_TRUE(plugins->has("haptics"));
+  ASSERT_TRUE(plugins->has("haptics_plugin"));
   openWalledRelief();
   auto& view = window().detailView();
   auto& overview = window().referenceView();

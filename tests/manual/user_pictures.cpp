@@ -193,12 +193,15 @@ void takeAll(Photographer& p) {
   p.take(glasses, QStringLiteral("glasses"));
   glasses.close();
   p.window().runCommand(QStringLiteral("stereo"));
-  p.window().findChild<MeasurePanel*>()->setMeasurements(
-      {{"depth", MeasureKind::depth, {{60, 60}, {120, 120}}, 0}});
+  p.document().edit({}, [](Project& project) {
+    project.measurements = {{"depth", MeasureKind::depth, {{60, 60}, {120, 120}}, 0}};
+  });
   p.take(QStringLiteral("measure"));
   auto* places = p.window().findChild<PlacesPanel*>();
-  places->setPlaces({{"head", {.x_mm = 110, .y_mm = 80, .side_mm = 60, .level = Level{0}}},
-                     {"rim", {.x_mm = 0, .y_mm = 0, .side_mm = 80, .level = Level{0}}}});
+  p.document().edit({}, [](Project& project) {
+    project.places = {{"head", {.x_mm = 110, .y_mm = 80, .side_mm = 60, .level = Level{0}}},
+                      {"rim", {.x_mm = 0, .y_mm = 0, .side_mm = 80, .level = Level{0}}}};
+  });
   p.take(*places, QStringLiteral("panel_places"));
   p.takeDialog("depth_map", QStringLiteral("dialog_depth_map"),
                [](QDialog&) { QTest::qWait(4000); });
