@@ -4647,7 +4647,7 @@
     </message>
     <message>
         <source>&amp;Deviation, several scales</source>
-        <translation>&amp;Abweichung, mehrere Maßstäbe</translation>
+        <translation>Ab&amp;weichung, mehrere Maßstäbe</translation>
     </message>
     <message>
         <source>What stands out from its neighbourhood, at the scale where it does so most</source>
@@ -4666,8 +4666,8 @@
         <translation>Stein mit &amp;Umgebungsverdeckung</translation>
     </message>
     <message>
-        <source>Lit, and darker where less of the sky is seen</source>
-        <translation>Beleuchtet und dunkler, wo weniger vom Himmel zu sehen ist</translation>
+        <source>Lit, and darker in hollows and grooves</source>
+        <translation>Beleuchtet und dunkler in Mulden und Rillen</translation>
     </message>
     <message>
         <source>&amp;Manual</source>

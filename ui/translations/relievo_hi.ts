@@ -4666,8 +4666,8 @@
         <translation>परिवेशी अवरोधन के साथ पत्थर (&amp;A)</translation>
     </message>
     <message>
-        <source>Lit, and darker where less of the sky is seen</source>
-        <translation>प्रकाशित, और जहाँ आकाश कम दिखे वहाँ गहरा</translation>
+        <source>Lit, and darker in hollows and grooves</source>
+        <translation>प्रकाशित, और गड्ढों तथा खाँचों में गहरा</translation>
     </message>
     <message>
         <source>&amp;Manual</source>

@@ -81,7 +81,7 @@ void MainWindow::makeReliefCommands() {
        {ReliefKind::curvature, tr("&Curvature, several scales"),
         tr("Ridges and incisions of several widths, however the ground is tilted")},
        {ReliefKind::occlusion, tr("Stone with &ambient occlusion"),
-        tr("Lit, and darker where less of the sky is seen")},
+        tr("Lit, and darker in hollows and grooves")},
        {ReliefKind::natural, tr("&Natural colours"), tr("The colours that the scan has")},
        {ReliefKind::intensity, tr("In&tensity"),
         tr("How strongly the scanner's light came back")}}};
