@@ -87,21 +87,33 @@ class InterruptWatch {
     if (!isIgnored(SIGHUP)) sigaddset(&signals_, SIGHUP);  // The terminal was closed.
     pthread_sigmask(SIG_BLOCK, &signals_, &before_);
     thread_ = std::jthread([this](const std::stop_token& ended) {
-      while (!ended.stop_requested()) {
-        const timespec wait{.tv_sec = 0, .tv_nsec = 50'000'000};
-        if (sigtimedwait(&signals_, nullptr, &wait) > 0) interrupt_.request_stop();
+      for (;;) {
+        const int came = sigwaitinfo(&signals_, nullptr);
+        if (ended.stop_requested()) return;
+        if (came > 0) interrupt_.request_stop();
       }
     });
   }
+  ~InterruptWatch() { end(); }
+  InterruptWatch(const InterruptWatch&) = delete;
+  InterruptWatch& operator=(const InterruptWatch&) = delete;
+
   std::stop_token token() const { return interrupt_.get_token(); }
   /// Signals are as they were before: a program that this one goes on as inherits what is blocked.
   void handBack() {
-    thread_.request_stop();
-    thread_.join();
+    end();
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
 
  private:
+  /// The thread waits for a signal and for nothing else: a time limit would be added to each verb.
+  void end() {
+    if (!thread_.joinable()) return;
+    thread_.request_stop();
+    pthread_kill(thread_.native_handle(), SIGTERM);
+    thread_.join();
+  }
+
   sigset_t signals_{}, before_{};
   std::stop_source interrupt_;
   std::jthread thread_;

@@ -316,7 +316,12 @@ Project storedProject(Project project, const Surface& surface) {
 
 Provenance provenanceOf(const Project& project, const Surface& surface,
                         const std::filesystem::path& folder) {
-  Provenance made = provenanceOf(surface, project.options);
+  return provenanceOf(project, surface, folder, madeText(surface));
+}
+
+Provenance provenanceOf(const Project& project, const Surface& surface,
+                        const std::filesystem::path& folder, std::string made_text) {
+  Provenance made = provenanceOf(surface, project.options, std::move(made_text));
   made.input = {
       .file = relativePath(project.file, folder), .sha256 = project.sha256, .bytes = project.bytes};
   made.accept_incomplete = project.accept_incomplete;

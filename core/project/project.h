@@ -90,6 +90,9 @@ Project storedProject(Project project, const Surface& surface);
 
 /// Where something made of this state comes from: its input as it is found from `folder`, every
 /// choice, and what is shown.
+/// @param made  madeText of the surface
+Provenance provenanceOf(const Project& project, const Surface& surface,
+                        const std::filesystem::path& folder, std::string made);
 Provenance provenanceOf(const Project& project, const Surface& surface,
                         const std::filesystem::path& folder);
 

@@ -103,11 +103,15 @@ std::string madeText(const Surface& surface) {
 }
 
 Provenance provenanceOf(const Surface& surface, const SurfaceOptions& options) {
+  return provenanceOf(surface, options, madeText(surface));
+}
+
+Provenance provenanceOf(const Surface& surface, const SurfaceOptions& options, std::string made) {
   Provenance p;
   p.version = programVersion();
   p.commit = programCommit();
   p.options = resolved(options, surface);
-  p.made = madeText(surface);
+  p.made = std::move(made);
   return p;
 }
 

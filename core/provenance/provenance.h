@@ -69,6 +69,8 @@ struct Provenance {
 std::string madeText(const Surface& surface);
 
 /// `version`, `commit`, `options` and `made` of a surface that is in memory.
+/// @param made  its madeText
+Provenance provenanceOf(const Surface& surface, const SurfaceOptions& options, std::string made);
 Provenance provenanceOf(const Surface& surface, const SurfaceOptions& options);
 
 /// The same of a map made by tiles.

@@ -8,6 +8,8 @@
 #include <QObject>
 #include <QPointer>
 
+#include "ui/views/coarse_pictures.h"
+
 namespace relievo {
 
 /// Lets what takes long on the window's thread, the pictures of its views and the results of
@@ -18,6 +20,7 @@ class QuietTurns : public QObject {
  public:
   /// `work` is done once, after that of those who asked before; not if `who` is gone by then.
   void ask(QObject* who, std::function<void()> work);
+  CoarsePictures& coarse() { return coarse_; }
 
  protected:
   void timerEvent(QTimerEvent* event) override;
@@ -28,6 +31,7 @@ class QuietTurns : public QObject {
     std::function<void()> work;
   };
   std::deque<Turn> turns_;
+  CoarsePictures coarse_;
   QBasicTimer next_;
   bool worked_ = true;         ///< The round of the last turn may still go on.
   int rests_ = 0;              ///< Rounds that were let go by since then.

@@ -139,6 +139,16 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     show();
   }
 
+  /// With all pixels, whatever is being dragged.
+  void renderWhole() {
+    whole_ = true;
+    if (seen_coarse_) stale_ = true;
+    renderIfStale();
+    whole_ = false;
+  }
+  void renderWholeAgain() {
+    if (seen_coarse_) requestRender();
+  }
   /// Many changes between two frames are one picture.
   void requestRender() {
     if (stale_) return;
@@ -219,15 +229,17 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     stage_ = Stage::warm;
   }
   void prepare() {
-    const QSize pixels = size() * devicePixelRatioF();
+    seen_coarse_ = !whole_ && turns_.coarse().on();
+    const double ratio = devicePixelRatioF() * (seen_coarse_ ? CoarsePictures::kPart : 1);
+    const QSize pixels = size() * ratio;
     // Lines and the scale bar grow with the screen's density and, like text, with its size and the
     // dots that the desktop asks for.
     const int width = std::max(1, pixels.width()), height = std::max(1, pixels.height());
     scene_.setMarkScale(fittingMarkScale(
-        devicePixelRatioF() * std::max(1.0, logicalDpiX() / kPlainDpi) * textScale(), width,
-        height));
+        ratio * std::max(1.0, logicalDpiX() / kPlainDpi) * textScale(), width, height));
     // Qt tells a size when it changes. What warmed up was a speck, and a widget that had its size
-    // by then is not told it again.
+    // by then is not told it again. Of a coarse picture it knows nothing: VTK spreads that over the
+    // widget.
     if (window_->GetSize()[0] != width || window_->GetSize()[1] != height) {
       window_->SetSize(width, height);
     }
@@ -238,6 +250,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   QuietTurns& turns_;
   Stage stage_ = Stage::cold;
   bool wanted_ = false, copied_ = false, drawn_ = false, stale_ = false;
+  bool whole_ = false, seen_coarse_ = false;  ///< Asked for; of the newest picture.
   bool unseen_ = false;  ///< There is a picture that is not in Qt's frame buffer yet.
   QSize seen_pixels_;    ///< Of the one that is, and which it is in.
   GLuint seen_in_ = 0;
@@ -255,6 +268,7 @@ SurfaceView::SurfaceView(QuietTurns& turns, QWidget* parent)
   bar_ = new ColourBar(this);
   legend_ = new CellLegend(this);
   painter_ = new GridPainter(this);
+  connect(&turns.coarse(), &CoarsePictures::over, this, [this] { canvas_->renderWholeAgain(); });
   patience_.setSingleShot(true);
   connect(painter_, &GridPainter::painted, this, &SurfaceView::showPainted);
   connect(&patience_, &QTimer::timeout, this, &SurfaceView::showPlain);
@@ -431,6 +445,7 @@ void SurfaceView::follow(std::function<void()> work) {
   following_ = true;
   turns_.ask(this, [this] {
     following_ = false;
+    turns_.coarse().stepDrawn(newest_ != nullptr);
     if (newest_) follow(std::exchange(newest_, nullptr));
   });
 }
@@ -450,6 +465,10 @@ ViewMm SurfaceView::at(const QPointF& point, double z_mm) const {
                                std::max(1, pixels.height()), z_mm);
 }
 
+CoarsePictures& SurfaceView::coarsePictures() {
+  return turns_.coarse();
+}
+
 double SurfaceView::mmPerPixel() const {
   const double shorter_x = state_.camera.rect.width_mm / std::max(1, canvas_->width());
   const double shorter_y = state_.camera.rect.height_mm / std::max(1, canvas_->height());
@@ -458,7 +477,7 @@ double SurfaceView::mmPerPixel() const {
 
 QImage SurfaceView::shot() {
   appear();
-  canvas_->renderIfStale();
+  canvas_->renderWhole();
   return canvas_->grabFramebuffer();
 }
 

@@ -12,6 +12,7 @@
 namespace relievo {
 
 class CellLegend;
+class CoarsePictures;
 class ColourBar;
 class GridPainter;
 class QuietTurns;
@@ -51,6 +52,9 @@ class SurfaceView : public QWidget {
   /// The view's pixels as they are on screen.
   QImage shot();
   QSize shotSize() const;
+
+  /// Of all views of the window: a drag in one is followed by another.
+  CoarsePictures& coarsePictures();
 
   double mmPerPixel() const;  ///< Of the widget, at the view's centre.
 

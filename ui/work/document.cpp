@@ -133,7 +133,11 @@ Provenance Document::provenanceIn(const QString& file) const {
 }
 
 Provenance Document::provenanceInFolder(const QString& folder) const {
-  return provenanceOf(state_.project, *state_.surface, bytesOfPath(folder));
+  if (made_of_.lock() != state_.surface) {
+    made_ = madeText(*state_.surface);
+    made_of_ = state_.surface;
+  }
+  return provenanceOf(state_.project, *state_.surface, bytesOfPath(folder), made_);
 }
 
 void Document::noteSaved(const QString& project_file) {

@@ -219,6 +219,9 @@ class Document : public QObject {
   std::uint64_t first_view_from_ = FirstViewOptions{}.least_points;
   std::weak_ptr<Work> in_hand_;  ///< The newest work.
   DocumentState state_;
+  // Of the surface named beside it; it takes a look at each cell, and states are asked for often.
+  mutable std::string made_;
+  mutable std::weak_ptr<const Surface> made_of_;
   std::shared_ptr<const RegionWindow> window_;
   std::optional<Place> gesture_start_;
   QUndoStack history_;

@@ -121,8 +121,12 @@ std::size_t LasRecords::planBatch(std::size_t from, Batch& batch) const {
 /// @param meanwhile  done by this thread before it helps
 void LasRecords::unpackOnAllThreads(Batch& batch, const std::function<void()>& meanwhile) const {
   std::atomic<std::size_t> taken{0};
+  // A piece that was taken is unpacked, whatever comes: nobody else does it, and what it held before
+  // would be given in its place.
   const auto work = [&](const std::stop_token& stop) {
-    for (std::size_t i = taken++; i < batch.size() && !stop.stop_requested(); i = taken++) {
+    while (!stop.stop_requested()) {
+      const std::size_t i = taken++;
+      if (i >= batch.size()) return;
       unpack(batch[i]);
     }
   };
