@@ -17,11 +17,13 @@ struct DeviceDriver {
   /// A closed device. @throw DeviceError  no such id
   std::function<std::unique_ptr<Device>(const std::string& id)> make;
 };
+};
 
 /// All kinds this build knows, written out in the .cpp: no static registration.
 std::vector<DeviceDriver> deviceCatalog();
 
-/// The closed device of that id, "mouse" or "virtual:light"; a kind alone is its usual device.
+/// The closed device of that id, "mouse" or "virtual:light"; a kind alone is its usual device. Also
+/// one of a plug-in, "plugin:FILE/ID", which is no kind of this build (foreign/plugin_files.h).
 /// @throw DeviceError  no such device
 std::unique_ptr<Device> makeDevice(const std::string& id);
 
