@@ -55,7 +55,7 @@ std::vector<DeviceDriver> deviceCatalog() {
              return std::make_unique<MouseDevice>();
            }},
           {std::string(kVirtual), virtualHands, makeVirtualHand},
-          {"falcon", falcons, makeFalcon}};
+          {"falcon", falcons, makeFalcon, "never"}};
 }
 
 std::unique_ptr<Device> makeDevice(const std::string& id) {

@@ -16,7 +16,9 @@ struct DeviceDriver {
   std::function<std::vector<std::string>()> scan;  ///< Ids that could be opened now.
   /// A closed device. @throw DeviceError  no such id
   std::function<std::unique_ptr<Device>(const std::string& id)> make;
-};
+  /// Who felt one, and when ("by NAME, DATE"), or "never"; empty: it is no hardware that pushes.
+  /// docs/user/devices.md says the same.
+  std::string tried_on_hardware = {};
 };
 
 /// All kinds this build knows, written out in the .cpp: no static registration.
