@@ -20,7 +20,7 @@ struct ForceRules {
 /// The link's last word on every force: which orders are shown, and how strongly. [link]
 class ForceGate {
  public:
-  explicit ForceGate(ForceRules rules = {}) : rules_(rules) {}
+  explicit ForceGate(const ForceRules& rules = {}) : rules_(rules) {}
 
   /// The force was off, or may not be trusted: it rises anew, from zero, from now on.
   void shut(std::int64_t now_ns) RELIEVO_REALTIME { shut_ns_ = now_ns; }
