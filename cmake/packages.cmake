@@ -53,10 +53,11 @@ if(RELIEVO_BUILD_UI)
   set(CPACK_DEBIAN_DEV_PACKAGE_NAME relievo-dev)
   set(CPACK_COMPONENT_DEV_DESCRIPTION "build plugins for relievo
 A plugin of relievo adds panels and commands to its window, hears which
-part of a scan is shown, and shows where a hand is on it.
+part of a scan is shown, and shows where a hand is on it. A plugin for a
+haptic device, in C, drives one that relievo does not know.
 
 This package has the headers, the files for CMake's find_package(), and an
-example as a project of its own.")
+example of each as a project of its own.")
   set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
   set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "relievo (= ${PROJECT_VERSION}), qtbase5-dev")
 endif()

@@ -7,6 +7,7 @@
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
+#include "haptics/device/foreign/plugin_files.h"
 #include "haptics/device/mouse_device.h"
 #include "haptics/device/virtual_hand.h"
 
@@ -54,15 +55,19 @@ std::vector<DeviceDriver> deviceCatalog() {
              return std::make_unique<MouseDevice>();
            }},
           {std::string(kVirtual), virtualHands, makeVirtualHand},
-          {"falcon", falcons, makeFalcon}};
+          {"falcon", falcons, makeFalcon, "never"}};
 }
 
 std::unique_ptr<Device> makeDevice(const std::string& id) {
   std::string known;
   for (const DeviceDriver& driver : deviceCatalog()) {
     if (id == driver.kind || id.starts_with(driver.kind + ":")) return driver.make(id);
-    known += (known.empty() ? "" : ", ") + driver.kind;
+    known += driver.kind + ", ";
   }
+  // No driver of this build, and never looked for without being asked: to look is to run them.
+  const std::string plugin = foreign::kPluginKind;
+  if (id == plugin || id.starts_with(plugin + ":")) return foreign::makePluginDevice(id);
+  known += plugin;
   throw failure<MessageId::device_unknown>(id, known);
 }
 

@@ -7385,6 +7385,74 @@
         <source>A touch along this stroke has %1 rows, which need about %2 MB; %3 MB are free. Nothing was made. Are its times in seconds? Give a shorter stroke.</source>
         <translation>Eine Berührung entlang dieser Bahn hat %1 Zeilen, die etwa %2 MB brauchen; %3 MB sind frei. Es wurde nichts gemacht. Sind ihre Zeiten in Sekunden? Geben Sie eine kürzere Bahn an.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; names no device of a plug-in. Write plugin:FILE/ID as &apos;relievo devices&apos; lists them.</source>
+        <translation>„%1“ nennt kein Gerät eines Plugins. Schreiben Sie plugin:DATEI/KENNUNG, wie „relievo devices“ sie auflistet.</translation>
+    </message>
+    <message>
+        <source>There is no plug-in &quot;%1&quot; for devices. &apos;relievo devices&apos; lists those that were found.</source>
+        <translation>Es gibt kein Plugin „%1“ für Geräte. „relievo devices“ listet die gefundenen auf.</translation>
+    </message>
+    <message>
+        <source>The plug-in %1 was not allowed yet, or was changed since. If you know where it is from, allow it by &apos;relievo devices --trust %1&apos;, then try again.</source>
+        <translation>Das Plugin %1 wurde noch nicht erlaubt oder seitdem geändert. Wenn Sie wissen, woher es stammt, erlauben Sie es mit „relievo devices --trust %1“ und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The plug-in %1 cannot be read: %2.</source>
+        <translation>Das Plugin %1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>The device %1 was not opened: %2.</source>
+        <translation>Das Gerät %1 wurde nicht geöffnet: %2.</translation>
+    </message>
+    <message>
+        <source>The program that runs a device&apos;s plug-in could not be started: %1.</source>
+        <translation>Das Programm, in dem das Plugin eines Geräts läuft, konnte nicht gestartet werden: %1.</translation>
+    </message>
+    <message>
+        <source>its plug-in crashed (signal %1)</source>
+        <translation>sein Plugin ist abgestürzt (Signal %1)</translation>
+    </message>
+    <message>
+        <source>its plug-in ended the process that it runs in</source>
+        <translation>sein Plugin hat den Prozess beendet, in dem es läuft</translation>
+    </message>
+    <message>
+        <source>it was not ready within {1|%1 second|%1 seconds}</source>
+        <translation>es war nicht innerhalb von {1|%1 Sekunde|%1 Sekunden} bereit</translation>
+    </message>
+    <message>
+        <source>its plug-in cannot be loaded (%1)</source>
+        <translation>sein Plugin kann nicht geladen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the file is no plug-in for devices: it exports no relievo_device_entry</source>
+        <translation>die Datei ist kein Plugin für Geräte: sie exportiert kein relievo_device_entry</translation>
+    </message>
+    <message>
+        <source>its plug-in is made for version %1 of the interface for devices, and this program has version %2</source>
+        <translation>sein Plugin ist für Version %1 der Schnittstelle für Geräte gemacht, und dieses Programm hat Version %2</translation>
+    </message>
+    <message>
+        <source>its plug-in lacks a function or a name that every plug-in must have</source>
+        <translation>seinem Plugin fehlt eine Funktion oder ein Name, den jedes haben muss</translation>
+    </message>
+    <message>
+        <source>its plug-in could not begin (status %1)</source>
+        <translation>sein Plugin konnte nicht beginnen (Status %1)</translation>
+    </message>
+    <message>
+        <source>its plug-in knows no device of this name</source>
+        <translation>sein Plugin kennt kein Gerät dieses Namens</translation>
+    </message>
+    <message>
+        <source>its plug-in says: %1</source>
+        <translation>sein Plugin meldet: %1</translation>
+    </message>
+    <message>
+        <source>the limits that its plug-in tells are impossible</source>
+        <translation>die Grenzen, die sein Plugin nennt, sind unmöglich</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

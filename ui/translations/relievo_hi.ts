@@ -7385,6 +7385,74 @@
         <source>A touch along this stroke has %1 rows, which need about %2 MB; %3 MB are free. Nothing was made. Are its times in seconds? Give a shorter stroke.</source>
         <translation>इस रेखा के साथ स्पर्श में %1 पंक्तियाँ हैं, जिन्हें लगभग %2 MB चाहिए; %3 MB खाली हैं। कुछ नहीं बनाया गया। क्या इसके समय सेकंड में हैं? छोटी रेखा दें।</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; names no device of a plug-in. Write plugin:FILE/ID as &apos;relievo devices&apos; lists them.</source>
+        <translation>&quot;%1&quot; किसी प्लगइन के उपकरण का नाम नहीं है। plugin:FILE/ID वैसे लिखें जैसे &apos;relievo devices&apos; दिखाता है।</translation>
+    </message>
+    <message>
+        <source>There is no plug-in &quot;%1&quot; for devices. &apos;relievo devices&apos; lists those that were found.</source>
+        <translation>उपकरणों के लिए कोई प्लगइन &quot;%1&quot; नहीं है। &apos;relievo devices&apos; मिले हुए प्लगइन दिखाता है।</translation>
+    </message>
+    <message>
+        <source>The plug-in %1 was not allowed yet, or was changed since. If you know where it is from, allow it by &apos;relievo devices --trust %1&apos;, then try again.</source>
+        <translation>प्लगइन %1 को अभी अनुमति नहीं मिली है, या वह उसके बाद बदला गया है। यदि आप जानते हैं कि वह कहाँ से है, तो &apos;relievo devices --trust %1&apos; से अनुमति दें, फिर दोबारा प्रयास करें।</translation>
+    </message>
+    <message>
+        <source>The plug-in %1 cannot be read: %2.</source>
+        <translation>प्लगइन %1 पढ़ा नहीं जा सकता: %2।</translation>
+    </message>
+    <message>
+        <source>The device %1 was not opened: %2.</source>
+        <translation>उपकरण %1 नहीं खोला गया: %2।</translation>
+    </message>
+    <message>
+        <source>The program that runs a device&apos;s plug-in could not be started: %1.</source>
+        <translation>उपकरण का प्लगइन चलाने वाला प्रोग्राम शुरू नहीं हो सका: %1।</translation>
+    </message>
+    <message>
+        <source>its plug-in crashed (signal %1)</source>
+        <translation>उसका प्लगइन विफल होकर बंद हो गया (संकेत %1)</translation>
+    </message>
+    <message>
+        <source>its plug-in ended the process that it runs in</source>
+        <translation>उसके प्लगइन ने वह प्रक्रिया समाप्त कर दी जिसमें वह चलता है</translation>
+    </message>
+    <message>
+        <source>it was not ready within {1|%1 second|%1 seconds}</source>
+        <translation>वह %1 सेकंड में तैयार नहीं हुआ</translation>
+    </message>
+    <message>
+        <source>its plug-in cannot be loaded (%1)</source>
+        <translation>उसका प्लगइन लोड नहीं हो सकता (%1)</translation>
+    </message>
+    <message>
+        <source>the file is no plug-in for devices: it exports no relievo_device_entry</source>
+        <translation>यह फ़ाइल उपकरणों का प्लगइन नहीं है: वह relievo_device_entry निर्यात नहीं करती</translation>
+    </message>
+    <message>
+        <source>its plug-in is made for version %1 of the interface for devices, and this program has version %2</source>
+        <translation>उसका प्लगइन उपकरण-इंटरफ़ेस के संस्करण %1 के लिए बना है, और इस प्रोग्राम में संस्करण %2 है</translation>
+    </message>
+    <message>
+        <source>its plug-in lacks a function or a name that every plug-in must have</source>
+        <translation>उसके प्लगइन में वह फ़ंक्शन या नाम नहीं है जो हर प्लगइन में होना चाहिए</translation>
+    </message>
+    <message>
+        <source>its plug-in could not begin (status %1)</source>
+        <translation>उसका प्लगइन आरंभ नहीं हो सका (स्थिति %1)</translation>
+    </message>
+    <message>
+        <source>its plug-in knows no device of this name</source>
+        <translation>उसका प्लगइन इस नाम का कोई उपकरण नहीं जानता</translation>
+    </message>
+    <message>
+        <source>its plug-in says: %1</source>
+        <translation>उसका प्लगइन कहता है: %1</translation>
+    </message>
+    <message>
+        <source>the limits that its plug-in tells are impossible</source>
+        <translation>उसका प्लगइन जो सीमाएँ बताता है वे असंभव हैं</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/json.h"
+#include "app/cli/verbs/told_limits.h"
 #include "core/base/failure.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/name_text.h"
@@ -70,6 +71,10 @@ double liftIn(const LogTable& log) {
   double lift_n = 0;
   std::from_chars(text.data(), text.data() + text.size(), lift_n);
   return lift_n;
+}
+
+std::optional<DeviceInfo> toldIn(const LogTable& log) {
+  return fromToldLimits(headerLine(log.header, kToldLimits));
 }
 
 std::optional<InputFile> firmnessOfCommand(const LogTable& log) {

@@ -23,6 +23,8 @@ TouchArguments argumentsOf(const std::vector<std::string>& command);
 /// @throw FileError  as argumentsOf
 /// With how many newtons the grip was held, whatever the settings say now.
 double liftIn(const LogTable& log);
+/// What a plug-in's device told of itself then; nothing: it was another device.
+std::optional<DeviceInfo> toldIn(const LogTable& log);
 std::optional<InputFile> firmnessOfCommand(const LogTable& log);
 
 }  // namespace relievo::batch

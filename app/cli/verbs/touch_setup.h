@@ -13,6 +13,7 @@
 #include "core/base/task.h"
 #include "core/region/window.h"
 #include "core/session/surface.h"
+#include "haptics/device/device.h"
 #include "haptics/loop/haptic_core.h"
 #include "haptics/loop/surface_preset.h"
 #include "haptics/record/sample_log.h"
@@ -36,9 +37,11 @@ struct TouchArguments {
   std::string firmness;  ///< A raster that says where the ground is firm; empty: the origins do.
   std::string frame = "view";
   std::optional<double> lift_n;  ///< As a recording had it; nothing: as the device's settings say.
-  std::string safety;            ///< Empty: on with a device, off without.
-  double seconds = 10;           ///< `record` only, as what follows.
-  double ready_s = 60;           ///< Until a Falcon must be homed.
+  /// What a plug-in's device told of itself; nothing: what this build knows of the device.
+  std::optional<DeviceInfo> told;
+  std::string safety;              ///< Empty: on with a device, off without.
+  double seconds = 10;             ///< `record` only, as what follows.
+  double ready_s = 60;             ///< Until a Falcon must be homed.
   std::vector<std::string> words;  ///< The command line, for the log.
 };
 /// Before the newtons with which a grip was held, in a log's header.

@@ -12,6 +12,7 @@
 #include "app/cli/verb.h"
 #include "app/cli/verbs/live_device.h"
 #include "app/cli/verbs/verb_devices_falcon.h"
+#include "app/cli/verbs/verb_devices_plugins.h"
 #include "core/base/failure.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/falcon/firmware.h"
@@ -32,6 +33,7 @@ struct DevicesArguments {
   bool accept = false;
   double weight_g = 0;
   SelfTestArguments test;
+  PluginArguments plugin;
   bool firmware = false, selftest = false, calibrate = false, rule = false;
 };
 
@@ -130,11 +132,20 @@ void listFalcons(Json& json, Outcome& outcome) {
   }
 }
 
-Outcome list() {
+/// Also of a kind that is not plugged in: before somebody buys one.
+void tellTried(const DeviceDriver& driver, Json& json, std::vector<std::string>& lines) {
+  if (driver.tried_on_hardware.empty()) return;
+  json["tried_on_hardware"][driver.kind] = driver.tried_on_hardware;
+  lines.push_back(driver.kind + ": tried on hardware: " + driver.tried_on_hardware);
+}
+
+Outcome list(const Task& task) {
   Json json;
   json["devices"] = Json::array();
+  json["tried_on_hardware"] = Json::object();
   Outcome outcome;
   for (const DeviceDriver& driver : deviceCatalog()) {
+    tellTried(driver, json, outcome.lines);
     for (const std::string& id : driver.scan()) {
       const std::unique_ptr<Device> device = driver.make(id);
       const DeviceInfo& info = device->info();
@@ -144,6 +155,7 @@ Outcome list() {
                               (info.max_force_n > 0 ? "" : " (cannot push back)"));
     }
   }
+  listPlugins(json, outcome, task);
   listHid(json, outcome.lines);
   listFalcons(json, outcome);
   listFirmware(json, outcome);
@@ -246,6 +258,7 @@ Verb devicesVerb() {
                 firmware->add_flag("--accept", a->accept, "Install an image that nobody knows");
                 firmware->callback([a] { a->firmware = true; });
                 declareFalcon(verb, a);
+                declarePlugins(verb, a->plugin);
                 verb.add_subcommand("rule", "Print the udev rule that gives access (E301)")
                     ->callback([a] { a->rule = true; });
                 verb.require_subcommand(0, 1);
@@ -261,7 +274,9 @@ Verb devicesVerb() {
                   return Outcome{.json = Json{{"rule", falcon::udevRule()}}.dump(2),
                                  .lines = linesOf(falcon::udevRule())};
                 }
-                return a->hand.empty() ? list() : hand;
+                if (!a->plugin.trust.empty()) return trustPluginFile(a->plugin.trust);
+                if (!a->plugin.conformance.empty()) return checkPluginFile(a->plugin, task);
+                return a->hand.empty() ? list(task) : hand;
               }};
 }
 

@@ -12,6 +12,7 @@
 #include "app/cli/verbs/verb_files.h"
 #include "core/base/failure.h"
 #include "haptics/device/falcon/falcon_device.h"
+#include "haptics/device/foreign/foreign_device.h"
 #include "haptics/device_catalog.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/events.h"
@@ -94,14 +95,20 @@ Outcome reported(const std::string& file, std::uint64_t rows, HapticLoop& loop,
           .exit_code = slept || failed ? kDeviceExit : 0};
 }
 
-Outcome runRecord(const TouchArguments& a, const Task& task) {
-  if (!(a.seconds > 0) || !(a.seconds <= 86'400)) {
+Outcome runRecord(const TouchArguments& asked, const Task& task) {
+  if (!(asked.seconds > 0) || !(asked.seconds <= 86'400)) {
     throw failure<MessageId::option_seconds>();
   }
-  const Stroke stroke = a.stroke.empty() ? Stroke{} : readStroke(a.stroke);
-  std::unique_ptr<Device> device = makeDevice(a.device);
-  if (a.safety == "off" && !device->info().simulated) {
-    throw failure<MessageId::option_safety>(a.device);
+  const Stroke stroke = asked.stroke.empty() ? Stroke{} : readStroke(asked.stroke);
+  std::unique_ptr<Device> device = makeDevice(asked.device);
+  if (asked.safety == "off" && !device->info().simulated) {
+    throw failure<MessageId::option_safety>(asked.device);
+  }
+  TouchArguments a = asked;
+  // Only an open one tells what it can do.
+  if (dynamic_cast<foreign::ForeignDevice*>(device.get()) != nullptr) {
+    device->open();
+    a.told = device->info();
   }
   TouchSetup setup = prepareTouch(a, task);
   if (!setup.limited.empty()) tell(setup.limited);
@@ -148,7 +155,8 @@ Outcome runRecord(const TouchArguments& a, const Task& task) {
 void declareRecord(CLI::App& verb, TouchArguments& arguments) {
   arguments.device = "virtual";
   addTouchOptions(verb, arguments);
-  verb.add_option("--device", arguments.device, "virtual[:GRIP], falcon[:SERIAL] or mouse");
+  verb.add_option("--device", arguments.device,
+                  "virtual[:GRIP], falcon[:SERIAL], plugin:FILE/ID or mouse");
   takes(verb.add_option("--seconds", arguments.seconds, "How long; 10"),
         {.low = 1e-3, .high = 86400, .unit = "s"});
   takes(verb.add_option("--ready", arguments.ready_s, "Seconds until a Falcon must be homed; 60"),

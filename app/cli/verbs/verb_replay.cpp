@@ -164,6 +164,7 @@ ReplayResult replayPacked(const LogTable& log, const std::string& recording,
   TouchArguments touch = argumentsOf(commandOf(log, recording));
   touch.map.file = input;
   touch.lift_n = liftIn(log);
+  touch.told = toldIn(log);
   if (const auto raster = firmnessOfCommand(log)) {
     touch.firmness = packedFile(folder, recording, raster->file, raster->sha256, task).string();
   }
@@ -302,6 +303,7 @@ ReplayResult replayed(const ReplayArguments& a, Json& json, const Task& task) {
     if (!a.input.empty()) touch.map.file = a.input;
     json["input"] = touch.map.file;
     touch.lift_n = liftIn(log);
+    touch.told = toldIn(log);
     const TouchSetup setup = prepareTouch(touch, task);
     if (!a.out.empty()) out = openLog(a.out, log.header, setup.space.get());
     result = replay(*setup.space, setup.core, setup.options.chain, log, each, task);

@@ -12,6 +12,7 @@
 #include "app/cli/state.h"
 #include "app/cli/verb.h"
 #include "app/cli/verbs/force_plot.h"
+#include "app/cli/verbs/told_limits.h"
 #include "app/cli/verbs/touch_setup.h"
 #include "core/base/failure.h"
 #include "core/file/output_set.h"
@@ -254,7 +255,7 @@ TouchSetup setupWithoutSurface(const TouchArguments& a) {
   setup.core = strokeHapticOptions(setup.options);
   setup.device = a.device.empty() ? "none" : a.device;
   if (!a.device.empty()) {
-    const DeviceInfo device = makeDevice(a.device)->info();
+    const DeviceInfo device = a.told ? *a.told : makeDevice(a.device)->info();
     setup.limited = limitedText(setup.core, device);
     setup.core = withinDevice(setup.core, device);
     if (a.lift_n) setup.core.force.lift_n = *a.lift_n;
@@ -324,7 +325,8 @@ std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const 
          (setup.core.force.lift_n > 0
               ? "\n" + std::string(kLiftWords) + Json(setup.core.force.lift_n).dump() + " N upward"
               : "") +
-         (setup.limited.empty() ? "" : "\nlimits " + setup.limited) + "\nparameters " +
+         (setup.limited.empty() ? "" : "\nlimits " + setup.limited) +
+         (a.told ? "\n" + std::string(kToldLimits) + toldLimits(*a.told) : "") + "\nparameters " +
          parameters.dump() + "\n" + stateLine(stateOfTouch(a, setup, surface, task));
 }
 

@@ -96,20 +96,14 @@ void FalconDevice::close() noexcept {
 }
 
 void FalconDevice::send(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME {
-  mailbox_.orders.write({force, now_ns, mailbox_.readings.front().epoch, cuts_seen_});
+  mailbox_.orders.write(loop_end_.order(force, now_ns));
 }
 
 DeviceReading FalconDevice::read(std::int64_t /*now_ns*/) RELIEVO_REALTIME {
-  cuts_seen_ = mailbox_.cuts.load();
+  const std::uint32_t cuts = mailbox_.cuts.load();  // Before the reading: see LoopEnd.
   mailbox_.readings.update();
-  const LinkReading& newest = mailbox_.readings.front();
-  DeviceReading reading{newest.position, newest.buttons, newest.time_ns, newest.fault};
+  DeviceReading reading = loop_end_.take(cuts, mailbox_.readings.front());
   if (settings_.left_handed) reading.buttons = withPlusAndMinusSwapped(reading.buttons);
-  if (newest.told != told_seen_) {
-    told_seen_ = newest.told;
-    // One that was over before this tick is told all the same: the force was off.
-    if (reading.fault == DeviceFault::none) reading.fault = newest.interruption;
-  }
   return reading;
 }
 

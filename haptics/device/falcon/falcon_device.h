@@ -82,10 +82,8 @@ class FalconDevice : public Device {
   FirmwareSource firmware_;
   LinkLimits limits_;
   LinkMailbox mailbox_;
-  LinkWish wish_;  // [owner]
-  // [haptic loop]
-  std::uint32_t told_seen_ = 0;
-  std::uint32_t cuts_seen_ = 0;  // Before the newest reading was taken.
+  LinkWish wish_;     // [owner]
+  LoopEnd loop_end_;  // [haptic loop]
   std::jthread thread_;
 };
 

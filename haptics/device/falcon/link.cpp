@@ -15,7 +15,11 @@ constexpr std::int64_t kLeastPauseNs = 20 * kMs, kLongestPauseNs = 10'000 * kMs;
 }  // namespace
 
 Link::Link(Bus& bus, LinkMailbox& mailbox, FirmwareSource firmware, LinkLimits limits)
-    : bus_(bus), mailbox_(mailbox), firmware_(std::move(firmware)), limits_(limits) {
+    : bus_(bus),
+      mailbox_(mailbox),
+      firmware_(std::move(firmware)),
+      limits_(limits),
+      force_gate_(limits) {
   status_.attempts = limits.attempts;
 }
 
@@ -211,13 +215,9 @@ bool Link::waitForRetry(const std::stop_token& stop, std::int64_t most_ns) {
 }
 
 void Link::interrupt(DeviceFault fault, std::int64_t now_ns) {
-  ++reading_.epoch;
-  ++reading_.told;
-  reading_.interruption = fault;
-  reading_.fault = fault;
-  reading_.time_ns = now_ns;
+  reading_.interrupt(fault, now_ns);
   button_frames_ = {};  // The buttons stay: a release is only what was read as one.
-  gate_ns_ = now_ns;
+  force_gate_.shut(now_ns);
   zero_next_ = true;
   mailbox_.readings.write(reading_);
 }

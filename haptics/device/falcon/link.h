@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,30 +14,10 @@
 #include "haptics/device/falcon/link_status.h"
 #include "haptics/device/falcon/port.h"
 #include "haptics/device/falcon/pose_gate.h"
-#include "haptics/rt/triple_buffer.h"
+#include "haptics/device/link/force_gate.h"
+#include "haptics/device/link/mailbox.h"
 
 namespace relievo::falcon {
-
-/// What the link tells the loop. [link thread writes, haptic loop reads]
-struct LinkReading {
-  DeviceMm position;
-  std::uint32_t buttons = 0;
-  std::int64_t time_ns = 0;
-  /// Grows with every interruption. A force that was made from a reading of an earlier epoch is
-  /// not shown any more.
-  std::uint32_t epoch = 0;
-  std::uint32_t told = 0;  ///< Grows with those that the loop is told.
-  DeviceFault fault = DeviceFault::not_ready;
-  DeviceFault interruption = DeviceFault::none;  ///< The last one that it is told.
-};
-
-/// What the loop tells the link. [haptic loop writes, link thread reads]
-struct ForceOrder {
-  DeviceN force;
-  std::int64_t time_ns = 0;
-  std::uint32_t epoch = 0;
-  std::uint32_t cuts = 0;  ///< LinkMailbox::cuts before its reading was taken.
-};
 
 /// What the owner tells the link. [owner writes, link thread reads]
 struct LinkWish {
@@ -51,25 +30,13 @@ struct LinkWish {
 
 inline constexpr std::uint32_t kAllButtons = 0b1111;
 
-struct LinkMailbox {
-  TripleBuffer<LinkReading> readings;
-  TripleBuffer<ForceOrder> orders;
-  TripleBuffer<LinkWish> wishes;
-  TripleBuffer<LinkStatus> status;
-  /// The watchdog's so far: an order that was begun before the last one is not shown. Nobody clears
-  /// it, so that no order slips in between. [watchdog writes]
-  std::atomic<std::uint32_t> cuts{0};
-};
+using LinkMailbox = relievo::LinkMailbox<LinkWish, LinkStatus>;
 
 /// The firmware's bytes. @throw FileError  says where was looked, or what is wrong with the file
 using FirmwareSource = std::function<std::vector<std::uint8_t>()>;
 
-/// Limits that hold whatever the loop asks for.
-struct LinkLimits {
-  double max_force_n = 5;
-  double rise_n_per_s = 50;                  ///< During the first 200 ms after every interruption.
-  std::int64_t stale_order_ns = 20'000'000;  ///< An older force counts as zero: the loop hangs.
-  int attempts = 10;                         ///< To start the firmware.
+struct LinkLimits : ForceRules {
+  int attempts = 10;  ///< To start the firmware.
 };
 
 /// Keeps one Falcon going: finds it, starts its firmware, homes it, then one frame after the other,
@@ -140,6 +107,7 @@ class Link {
   LinkMailbox& mailbox_;
   FirmwareSource firmware_;
   LinkLimits limits_;
+  ForceGate force_gate_;
   Port* port_ = nullptr;
   PortResult lost_ = PortResult::ok;  // How this opening was lost.
   bool known_present_ = false;        // Open, or was until it was lost.
@@ -154,7 +122,7 @@ class Link {
   // Of operate().
   PoseGate gate_;
   std::optional<AngleJacobian> jacobian_;  // Nothing: no force in this pose.
-  std::int64_t last_answer_ns_ = 0, asked_ns_ = 0, gate_ns_ = 0, force_ns_ = 0;
+  std::int64_t last_answer_ns_ = 0, asked_ns_ = 0, force_ns_ = 0;
   std::int64_t published_ns_ = 0, rate_mark_ns_ = 0, homing_since_ns_ = 0, operates_since_ns_ = 0;
   std::uint64_t rate_frames_ = 0, malformed_seen_ = 0;
   double answer_sum_ms_ = 0;

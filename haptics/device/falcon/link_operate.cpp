@@ -33,7 +33,8 @@ constexpr std::int64_t measureAfter(int step) {
 
 Link::Leave Link::operate(const std::stop_token& stop) {
   std::int64_t now = bus_.now();
-  last_answer_ns_ = gate_ns_ = rate_mark_ns_ = operates_since_ns_ = now;
+  last_answer_ns_ = rate_mark_ns_ = operates_since_ns_ = now;
+  force_gate_.shut(now);
   malformed_seen_ = reader_.malformed();
   rate_frames_ = status_.counts.frames;
   under_way_ = silence_step_ = homed_frames_ = failed_reads_ = 0;
@@ -72,7 +73,7 @@ Link::Leave Link::operate(const std::stop_token& stop) {
     if (reader_.malformed() != malformed_seen_) {
       malformed_seen_ = reader_.malformed();
       zero_next_ = true;
-      gate_ns_ = now;
+      force_gate_.shut(now);
     }
     const bool wanted = isWanted(now);
     measureAnewIfAsked();
@@ -114,7 +115,7 @@ bool Link::takePause(std::int64_t now_ns) {
 bool Link::takeFailure(std::int64_t now_ns) {
   ++status_.counts.failed_reads;
   zero_next_ = true;
-  gate_ns_ = now_ns;
+  force_gate_.shut(now_ns);
   if (++failed_reads_ > kMostFailedReads) lost_ = PortResult::failed;
   if (failed_reads_ > 1) return lost_ == PortResult::ok;
   if (!ask(now_ns, true)) return false;
@@ -128,7 +129,7 @@ bool Link::takeFailure(std::int64_t now_ns) {
 void Link::takeDamage(std::int64_t now_ns) {
   reader_.reset();
   zero_next_ = true;
-  gate_ns_ = now_ns;
+  force_gate_.shut(now_ns);
 }
 
 void Link::takeReport(const Report& report, std::int64_t now_ns) {
@@ -257,7 +258,7 @@ std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
   }
   const int step = silence_step_++;
   zero_next_ = true;
-  gate_ns_ = now_ns;
+  force_gate_.shut(now_ns);
   if (step < kStall) {
     ++status_.counts.hiccups;
   } else {
@@ -293,7 +294,7 @@ bool Link::ask(std::int64_t now_ns, bool neutral) {
     zero_next_ = true;
   }
   if (neutral || zero_next_) {
-    gate_ns_ = now_ns;
+    force_gate_.shut(now_ns);
   } else {
     command.motors = motorCounts(now_ns);
   }
@@ -310,23 +311,14 @@ bool Link::ask(std::int64_t now_ns, bool neutral) {
 
 std::array<std::int16_t, kArms> Link::motorCounts(std::int64_t now_ns) {
   mailbox_.orders.update();
-  const ForceOrder& order = mailbox_.orders.front();
-  const bool fresh = order.cuts == mailbox_.cuts.load() && order.epoch == reading_.epoch &&
-                     order.time_ns != 0 && now_ns - order.time_ns <= limits_.stale_order_ns;
-  if (status_.state != LinkState::ready || !fresh || !jacobian_ || !isFinite(order.force)) {
-    gate_ns_ = now_ns;
-    return {};
+  std::optional<DeviceN> force;
+  if (status_.state == LinkState::ready && jacobian_) {
+    force =
+        force_gate_.shown(mailbox_.orders.front(), mailbox_.cuts.load(), reading_.epoch, now_ns);
   }
-  const double asked_n = norm(order.force);
-  if (asked_n == 0) return {};
-  constexpr std::int64_t kRiseNs = 200 * kMs;
-  double allowed_n = limits_.max_force_n;
-  if (now_ns - gate_ns_ < kRiseNs) {
-    const double since_s = 1e-9 * static_cast<double>(now_ns - gate_ns_);
-    allowed_n = std::min(allowed_n, limits_.rise_n_per_s * since_s);
-  }
-  const DeviceN force = std::min(1.0, allowed_n / asked_n) * order.force;
-  const std::optional<Torques> torques = torquesForForce(*jacobian_, force);
+  if (!force) force_gate_.shut(now_ns);
+  if (!force || norm(*force) == 0) return {};
+  const std::optional<Torques> torques = torquesForForce(*jacobian_, *force);
   if (!torques) return {};
   mailbox_.wishes.update();
   force_ns_ = now_ns;

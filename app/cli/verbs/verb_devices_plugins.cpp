@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/verbs/verb_devices_plugins.h"
+
+#include <array>
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <utility>
+
+#include "app/cli/options/number_option.h"
+#include "app/cli/report_text.h"
+#include "app/cli/verbs/live_device.h"
+#include "core/base/failure.h"
+#include "haptics/device/foreign/ask_host.h"
+#include "haptics/device/foreign/plugin_files.h"
+
+namespace relievo::batch {
+
+namespace {
+constexpr int kFailedExit = 1;
+
+using foreign::CheckResult;
+using foreign::PluginFile;
+using foreign::ScannedPlugin;
+using foreign::Verdict;
+
+std::string idOf(const PluginFile& file, const std::string& own_id) {
+  return std::string(foreign::kPluginKind) + ":" + file.name + "/" + own_id;
+}
+
+/// What the plug-in calls it.
+std::string ownId(const std::string& id) {
+  const bool whole = id.starts_with(std::string(foreign::kPluginKind) + ":");
+  const std::size_t slash = id.find('/');
+  return whole && slash != std::string::npos ? id.substr(slash + 1) : id;
+}
+
+void tellTrusted(const PluginFile& file, Json& one, Outcome& outcome, const Task& task) {
+  const ScannedPlugin plugin = foreign::scanPlugin(file.file, task);
+  if (plugin.trouble) {
+    one["trouble"] = englishText(*plugin.trouble);
+    outcome.lines.push_back("plug-in " + file.name + ": cannot be used");
+    outcome.exit_code = kDeviceExit;
+    return tell("The plug-in " + file.file.string() +
+                " cannot be used: " + englishText(*plugin.trouble) + ".");
+  }
+  one["title"] = plugin.name;
+  one["version"] = plugin.version;
+  one["maker"] = plugin.maker;
+  one["licence"] = plugin.licence;
+  outcome.lines.push_back("plug-in " + file.name + ": " + plugin.name + " " + plugin.version +
+                          ", by " + plugin.maker + (plugin.devices.empty() ? "; no device" : ""));
+  for (const foreign::SeenDevice& device : plugin.devices) {
+    const std::string id = idOf(file, device.id);
+    one["devices"].push_back({{"id", id}, {"name", device.name}});
+    outcome.lines.push_back(id + ": " + device.name);
+  }
+}
+
+const char* wordOf(Verdict verdict) {
+  constexpr std::array<const char*, 3> kWords{"passed", "FAILED", "skipped"};
+  return kWords[static_cast<std::size_t>(verdict)];
+}
+}  // namespace
+
+void declarePlugins(CLI::App& verb, PluginArguments& arguments) {
+  CLI::Option* const trust = verb.add_option(
+      "--trust", arguments.trust, "Allow this plug-in for devices, as it is, to run for you");
+  CLI::Option* const test =
+      verb.add_option("--conformance", arguments.conformance, "Test this plug-in for devices");
+  test->excludes(trust);
+  verb.add_option("--device", arguments.device, "Its device, for the tests that open one")
+      ->needs(test);
+  takes(verb.add_option("--newton", arguments.newton,
+                        "Largest force of the tests, with a hand at the grip; 0: none"),
+        {.low = 0, .high = foreign::kMostForceN, .unit = "N"})
+      .needs(test);
+  takes(verb.add_option("--seconds", arguments.seconds, "How long each test watches the device; 2"),
+        {.low = 0.05, .high = 60, .unit = "s"})
+      .needs(test);
+}
+
+void listPlugins(Json& json, Outcome& outcome, const Task& task) {
+  json["plugins"] = Json::array();
+  for (const PluginFile& file : foreign::pluginFiles()) {
+    Json one{{"name", file.name}, {"file", file.file.string()}, {"trusted", file.trusted}};
+    one["devices"] = Json::array();
+    one["trouble"] = nullptr;
+    if (file.trusted) {
+      tellTrusted(file, one, outcome, task);
+    } else {
+      outcome.lines.push_back("plug-in " + file.name + ": not allowed yet");
+      const Message why = said<MessageId::device_plugin_not_trusted>(file.file);
+      tell(englishText(why));
+    }
+    json["plugins"].push_back(std::move(one));
+  }
+}
+
+Outcome trustPluginFile(const std::string& file) {
+  const std::string sum = foreign::trustPlugin(file);
+  const std::filesystem::path folder = foreign::pluginPlaces().own;
+  return {.json = reportText(Json{{"file", file}, {"sha256", sum}, {"folder", folder.string()}}),
+          .lines = {"sha256 " + sum, "It may run from " + folder.string() + " until it changes."}};
+}
+
+Outcome checkPluginFile(const PluginArguments& arguments, const Task& task) {
+  const std::filesystem::path file = std::filesystem::absolute(arguments.conformance);
+  const std::vector<CheckResult> results = foreign::checkPlugin(
+      file,
+      {.device = ownId(arguments.device), .newton = arguments.newton, .seconds = arguments.seconds},
+      task);
+  Outcome outcome;
+  Json json{{"file", file.string()}, {"device", arguments.device}};
+  json["checks"] = Json::array();
+  for (const CheckResult& result : results) {
+    const std::string code(result.check.code), title(result.check.title);
+    const bool failed = result.verdict == Verdict::failed;
+    json["checks"].push_back({{"code", code},
+                              {"title", title},
+                              {"verdict", failed ? "failed" : wordOf(result.verdict)},
+                              {"why", result.why}});
+    std::string line = code;
+    line.append(" ").append(wordOf(result.verdict)).append(": ").append(title);
+    if (!result.why.empty()) line.append(" (").append(result.why).append(")");
+    outcome.lines.push_back(std::move(line));
+    if (failed) outcome.exit_code = kFailedExit;
+  }
+  outcome.json = reportText(json);
+  return outcome;
+}
+
+}  // namespace relievo::batch

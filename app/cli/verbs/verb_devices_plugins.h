@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "app/cli/json.h"
+#include "app/cli/verb.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name.
+class App;
+}
+
+namespace relievo::batch {
+
+struct PluginArguments {
+  std::string trust;        ///< A file that may run from now on.
+  std::string conformance;  ///< A file that is tested.
+  std::string device;       ///< Its id in the plug-in, or "plugin:FILE/ID".
+  double newton = 0;        ///< 0: no force is shown.
+  double seconds = 2;       ///< How long each test watches.
+};
+void declarePlugins(CLI::App& verb, PluginArguments& arguments);
+
+/// Every plug-in for devices that was found, and the devices of those that may run; each is asked
+/// in a process of its own. Adds "plugins" to the report. @throw Cancelled
+void listPlugins(Json& json, Outcome& outcome, const Task& task);
+
+/// @throw FileError, WriteError
+Outcome trustPluginFile(const std::string& file);
+/// Runs all tests; exit status 1 if one failed. @throw FileError, DeviceError  no host
+Outcome checkPluginFile(const PluginArguments& arguments, const Task& task);
+
+}  // namespace relievo::batch

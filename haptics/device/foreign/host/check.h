@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace relievo::foreign {
+
+struct CheckAsk {
+  std::string file, code;
+  std::string device;  ///< Its id; empty: none.
+  double newton = 0;   ///< Of C27.
+  double seconds = 1;  ///< How long steps are watched.
+};
+
+/// Runs one test of kChecks and says its verdict in one line on the answer's descriptor: "passed",
+/// "failed" or "skipped", and after a tab why. @return the exit status
+int check(const CheckAsk& ask);
+
+/// Allocations of this process so far; -1: they are not counted in this build. [any thread]
+long allocations() noexcept;
+
+}  // namespace relievo::foreign

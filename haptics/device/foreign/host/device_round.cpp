@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/device/foreign/host/device_round.h"
+
+#include <array>
+#include <cmath>
+
+#include "haptics/device/foreign/host/loaded_plugin.h"
+#include "haptics/rt/realtime_thread.h"
+
+namespace relievo::foreign {
+
+namespace {
+constexpr std::int64_t kMs = 1'000'000;
+constexpr std::uint32_t kAllButtons = 0b1111;
+
+DeviceFault faultOf(relievo_status status) RELIEVO_REALTIME {
+  switch (status) {
+    case RELIEVO_TIMEOUT:
+      return DeviceFault::timeout;
+    case RELIEVO_DISCONNECTED:
+      return DeviceFault::disconnected;
+    case RELIEVO_OVERHEATED:
+      return DeviceFault::overheated;
+    case RELIEVO_NOT_READY:
+    case RELIEVO_FORCE_OFF:
+      return DeviceFault::not_ready;
+    default:
+      return DeviceFault::protocol;
+  }
+}
+}  // namespace
+
+void DeviceRound::go(std::int64_t now_ns, bool zero) RELIEVO_REALTIME {
+  page_.order.read(order_);
+  const bool may_push = !zero && reading_.fault == DeviceFault::none;
+  DeviceN force;
+  if (may_push) {
+    const std::uint32_t cuts = page_.cuts.load(std::memory_order_acquire);
+    force = gate_.shown(order_, cuts, reading_.epoch, now_ns).value_or(DeviceN{});
+  } else {
+    gate_.shut(now_ns);
+  }
+  if (gone_) return;
+  const std::array<double, 3> force_n{force.x, force.y, force.z};
+  relievo_sample sample{};
+  sample.struct_size = sizeof(sample);
+  step_since_ns_.store(now_ns, std::memory_order_release);
+  const relievo_status status = called(relievo_status{RELIEVO_INTERNAL}, device_.step, device_.self,
+                                       force_n.data(), now_ns, &sample);
+  step_since_ns_.store(0, std::memory_order_release);
+  take(status, sample, monotonicNs());
+  page_.reading.write(reading_);
+}
+
+void DeviceRound::take(relievo_status status, const relievo_sample& sample,
+                       std::int64_t now_ns) RELIEVO_REALTIME {
+  if (status < 0) {
+    gone_ = status == RELIEVO_DISCONNECTED;
+    return fail(faultOf(status), now_ns);
+  }
+  if (status == RELIEVO_NO_NEWS) return;
+  if (!believed(sample, now_ns)) return fail(DeviceFault::protocol, now_ns);
+  reading_.position = {sample.position_mm[0], sample.position_mm[1], sample.position_mm[2]};
+  reading_.buttons = sample.buttons & kAllButtons;
+  reading_.time_ns = sample.time_ns;
+  reading_.fault = DeviceFault::none;
+}
+
+void DeviceRound::fail(DeviceFault fault, std::int64_t now_ns) RELIEVO_REALTIME {
+  gate_.shut(now_ns);
+  if (reading_.fault != fault) reading_.interrupt(fault, now_ns);
+}
+
+void DeviceRound::wasCut(std::int64_t now_ns) RELIEVO_REALTIME {
+  gate_.shut(now_ns);
+  reading_.interrupt(DeviceFault::timeout, now_ns);
+}
+
+/// A number, within twice the reach, measured lately and not in the future.
+bool DeviceRound::believed(const relievo_sample& sample,
+                           std::int64_t now_ns) const RELIEVO_REALTIME {
+  constexpr std::int64_t kMostAgeNs = 20 * kMs;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double place = sample.position_mm[i];
+    if (!std::isfinite(place) || std::abs(place) > 2 * limits_.half_extent_mm[i]) return false;
+  }
+  return sample.time_ns <= now_ns && now_ns - sample.time_ns <= kMostAgeNs;
+}
+
+}  // namespace relievo::foreign

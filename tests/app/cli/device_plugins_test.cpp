@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Plug-ins for devices by the command line: listed, allowed, tested, touched with, replayed.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "tests/app/command_test.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::CommandResult;
+using testing::HasSubstr;
+
+const std::string kStandIns = RELIEVO_BINARY_DIR "/tests/stand_ins";
+const std::string kExample = RELIEVO_BINARY_DIR "/device_example";
+
+class DevicePlugins : public test::CommandTest {
+ protected:
+  /// Beside nothing of the user's own.
+  CommandResult run(const std::vector<std::string>& words, const std::string& folders = {}) const {
+    return test::runRelievo(
+        words, {"XDG_DATA_HOME=" + path("data"), "XDG_CONFIG_HOME=" + path("config"),
+                folders.empty() ? "RELIEVO_DEVICE_PATH" : "RELIEVO_DEVICE_PATH=" + folders});
+  }
+  nlohmann::json listed(const std::string& folders = {}) const {
+    return nlohmann::json::parse(run({"devices", "--report", "json"}, folders).out, nullptr, false);
+  }
+};
+
+TEST_F(DevicePlugins, NoneIsThereUntilOneIsPutThere) {
+  EXPECT_TRUE(listed()["plugins"].empty());
+  const nlohmann::json report = listed(kExample);
+  ASSERT_EQ(report["plugins"].size(), 1U);
+  const nlohmann::json& plugin = report["plugins"][0];
+  EXPECT_EQ(plugin["name"], "spring_hand");
+  EXPECT_EQ(plugin["trusted"], true);
+  EXPECT_EQ(plugin["title"], "Hand on a spring");
+  EXPECT_EQ(plugin["devices"][0]["id"], "plugin:spring_hand/spring.1");
+}
+
+TEST_F(DevicePlugins, OnesThatCannotBeUsedAreSaidWithTheReason) {
+  fs::create_directories(path("given"));
+  fs::copy_file(kStandIns + "/other_major.so", path("given/old.so"));
+  const CommandResult result = run({"devices"}, path("given"));
+  EXPECT_EQ(result.exit_code, 6);
+  EXPECT_THAT(result.out, HasSubstr("plug-in old: cannot be used"));
+  EXPECT_THAT(result.err, HasSubstr("version 9 of the interface for devices"));
+}
+
+TEST_F(DevicePlugins, TheUsersOwnIsAskedForOnce) {
+  const std::string file = path("data/relievo/devices/mine.so");
+  fs::create_directories(fs::path(file).parent_path());
+  fs::copy_file(kExample + "/spring_hand.so", file);
+  const CommandResult before = run({"devices"});
+  EXPECT_EQ(before.exit_code, 0) << before.err;
+  EXPECT_THAT(before.out, HasSubstr("plug-in mine: not allowed yet"));
+  EXPECT_THAT(before.err, HasSubstr("relievo devices --trust"));
+  const CommandResult record =
+      run({"record", test::kReliefF, "--device", "plugin:mine/spring.1", "-o", path("log.csv")});
+  EXPECT_EQ(record.exit_code, 6);
+  EXPECT_FALSE(fs::exists(path("log.csv")));
+  EXPECT_EQ(run({"devices", "--trust", file}).exit_code, 0);
+  EXPECT_THAT(run({"devices"}).out, HasSubstr("plugin:mine/spring.1: Hand on a spring"));
+  EXPECT_EQ(run({"devices", "--trust", path("nothing.so")}).exit_code, 2);
+}
+
+TEST_F(DevicePlugins, ConformanceNamesTheFaultAndSaysSoByItsStatus) {
+  const CommandResult good = run({"devices", "--conformance", kExample + "/spring_hand.so",
+                                  "--device", "spring.1", "--seconds", "0.1"});
+  EXPECT_EQ(good.exit_code, 0) << good.out << good.err;
+  EXPECT_THAT(good.out, HasSubstr("C23 passed"));
+  EXPECT_THAT(good.out, HasSubstr("C27 skipped"));
+  const CommandResult bad = run({"devices", "--conformance", kStandIns + "/crashes.so", "--device",
+                                 "stand-in.7", "--seconds", "0.1"});
+  EXPECT_EQ(bad.exit_code, 1) << bad.out << bad.err;
+  EXPECT_THAT(bad.out, HasSubstr("C04 passed"));
+  EXPECT_THAT(bad.out, HasSubstr("C21 FAILED"));
+  EXPECT_THAT(bad.out, HasSubstr("crashed (signal 11)"));
+}
+
+TEST_F(DevicePlugins, ARecordingIsReplayedWithoutThePlugIn) {
+  const CommandResult record =
+      run({"record", test::kReliefF, "--unit", "mm", "--device", "plugin:spring_hand/spring.1",
+           "--seconds", "0.3", "-o", path("log.csv"), "--report", "json"},
+          kExample);
+  const nlohmann::json report = nlohmann::json::parse(record.out, nullptr, false);
+  ASSERT_FALSE(report.is_discarded()) << record.out << record.err;
+  EXPECT_EQ(report["device"], "plugin:spring_hand/spring.1");
+  EXPECT_EQ(report["violations"], 0);
+  EXPECT_THAT(test::bytesOf(path("log.csv")), HasSubstr("device told {"));
+  const nlohmann::json replayed =
+      test::reportOf(run({"replay", path("log.csv"), "--report", "json"}));
+  EXPECT_EQ(replayed["identical"], true) << replayed;
+}
+
+TEST_F(DevicePlugins, WhatWasNeverTriedOnHardwareIsSaid) {
+  EXPECT_EQ(listed()["tried_on_hardware"]["falcon"], "never");
+  EXPECT_THAT(run({"devices"}).out, HasSubstr("falcon: tried on hardware: never"));
+}
+
+}  // namespace
+}  // namespace relievo
