@@ -6,15 +6,20 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QMenu>
+#include <QStringList>
 #include <vector>
 
 #include "core/base/failure.h"
+#include "core/describe/named_place.h"
+#include "core/message/message.h"
 #include "core/provenance/provenance.h"
 #include "core/provenance/sha256.h"
 #include "core/region/edges.h"
+#include "core/region/window.h"
 #include "core/session/finer_heights.h"
 #include "core/session/firmness.h"
 #include "ui/language/spoken_error.h"
+#include "ui/message/message_text.h"
 #include "ui/views/detail_view.h"
 #include "ui/work/file_names.h"
 
@@ -61,6 +66,7 @@ void WindowHost::takeAdditionsBack() {
 
 void WindowHost::showProbe(const Probe& probe) {
   window_.showProbe(probe);
+  if (voice_ != nullptr) voice_->feel(probe);
 }
 
 void WindowHost::plot(std::span<const ForcePoint> samples) {
@@ -83,6 +89,26 @@ void WindowHost::showStatus(const TouchStatus& status) {
 
 void WindowHost::announce(const QString& text) {
   window_.announce(text);
+}
+
+void WindowHost::say(const std::vector<Message>& sentences, SaidBecause why) {
+  QStringList spoken;
+  for (const Message& sentence : sentences) spoken << spokenMessage(sentence);
+  const bool is_heard = voice_ != nullptr && voice_->speak(sentences, why);
+  window_.announce(messageText(sentences), is_heard ? QString() : spoken.join(QLatin1Char(' ')));
+}
+
+void WindowHost::hush() {
+  if (voice_ != nullptr) voice_->hush();
+}
+
+void WindowHost::setVoice(Voice* voice) {
+  voice_ = voice;
+  // What the window itself has to say is heard of one voice, too.
+  window_.setSpeaker(voice == nullptr ? std::function<bool(const QString&)>()
+                                      : [voice](const QString& text) {
+                                          return voice->speak(text, SaidBecause::asked);
+                                        });
 }
 
 void WindowHost::showError(const QString& sentence, const QString& code) {
@@ -160,6 +186,26 @@ std::vector<float> WindowHost::firmnessUnder(const FirmnessMap& firmness,
   } catch (const ArgumentError& error) {
     throw ArgumentError(messageOf(error));
   }
+}
+
+ObjectPlace WindowHost::placeAt(double x_mm, double y_mm) const {
+  const Document& document = window_.document();
+  if (!document.isOpen()) return {};
+  const DetailLadder& ladder = document.surface()->ladder;
+  const auto window = document.window();
+  const auto level = static_cast<std::size_t>(document.project().region.level.value);
+  const RectMm object{ladder.left_mm, ladder.bottom_mm, ladder.width_mm, ladder.height_mm};
+  // As near as two beacons are the same one.
+  constexpr double kReachHandMm = 5;
+  const double reach_mm =
+      window ? kReachHandMm * handMapping(*window).objectMmPerHandMm() : ladder.spacings_mm.front();
+  return {.left_mm = object.x_mm,
+          .bottom_mm = object.y_mm,
+          .width_mm = object.width_mm,
+          .height_mm = object.height_mm,
+          .spacing_mm = ladder.spacings_mm.at(level),
+          .name = QString::fromStdString(
+              nameAt(document.project().places, object, {.x = x_mm, .y = y_mm}, reach_mm))};
 }
 
 bool WindowHost::showRegion(const Region& region) {

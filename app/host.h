@@ -31,6 +31,9 @@ class WindowHost : public ShownWindow,
   void plot(std::span<const ForcePoint> samples) override;
   void showStatus(const TouchStatus& status) override;
   void announce(const QString& text) override;
+  void say(const std::vector<Message>& sentences, SaidBecause why) override;
+  void hush() override;
+  void setVoice(Voice* voice) override;
   void showError(const QString& sentence, const QString& code) override;
   bool run(const QString& command) override;
   std::shared_ptr<const RegionWindow> shownWindow() const override;
@@ -38,6 +41,7 @@ class WindowHost : public ShownWindow,
   void readFirmness(const QString& file) override;
   std::vector<float> firmnessUnder(const FirmnessMap& firmness,
                                    const RegionWindow& window) const override;
+  ObjectPlace placeAt(double x_mm, double y_mm) const override;
   bool showRegion(const Region& region) override;
   std::uint8_t edges() const override;
   void turnView(double azimuth_deg, double elevation_deg) override;
@@ -50,6 +54,7 @@ class WindowHost : public ShownWindow,
 
  private:
   MainWindow& window_;
+  Voice* voice_ = nullptr;
   Host parts_{*this, *this, *this, *this, *this};
   std::vector<QPointer<QWidget>> new_panels_;
   std::vector<QPointer<QAction>> new_actions_;

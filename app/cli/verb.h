@@ -42,6 +42,7 @@ Verb prepareVerb();
 Verb devicesVerb();
 Verb measureVerb();
 Verb suggestVerb();
+Verb describeVerb();
 Verb projectVerb();
 /// `words`: the command line, which the log keeps.
 Verb touchVerb(std::vector<std::string> words);

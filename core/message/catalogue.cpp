@@ -6,24 +6,22 @@
 namespace relievo {
 namespace {
 
-/// Every place of a sentence is one of its arguments, and no argument is without a place.
-consteval bool hasItsPlaces(std::string_view sentence, std::size_t arguments) {
-  std::size_t highest = 0;
-  for (std::size_t i = 0; i + 1 < sentence.size(); ++i) {
-    const char digit = sentence[i + 1];
-    if (sentence[i] == '%' && digit >= '1' && digit <= '9') {
-      highest = std::max(highest, static_cast<std::size_t>(digit - '0'));
-    }
-  }
-  if (highest != arguments) return false;
+consteval bool hasPlace(std::string_view sentence, std::size_t number) {
+  const char place[]{'%', static_cast<char>('0' + number), '\0'};
+  return sentence.find(place) != std::string_view::npos;
+}
+
+/// No argument is without a place: eyes may be told numbers for which ears have words, so that one
+/// of the two sentences has it.
+consteval bool hasItsPlaces(std::string_view screen, std::string_view spoken,
+                            std::size_t arguments) {
   for (std::size_t number = 1; number <= arguments; ++number) {
-    const char place[]{'%', static_cast<char>('0' + number), '\0'};
-    if (sentence.find(place) == std::string_view::npos) return false;
+    if (!hasPlace(screen, number) && !hasPlace(spoken, number)) return false;
   }
   return true;
 }
 
-/// A spoken sentence may leave arguments out, but has no others.
+/// Every place of a sentence is one of its arguments.
 consteval bool hasNoOtherPlaces(std::string_view sentence, std::size_t arguments) {
   for (std::size_t i = 0; i + 1 < sentence.size(); ++i) {
     const char digit = sentence[i + 1];
@@ -50,13 +48,14 @@ consteval bool hasItsForms(std::string_view sentence, std::span<const std::size_
   return true;
 }
 
-#define RELIEVO_MESSAGE_ROW(id, kind, code, screen, spoken, ...)                       \
-  static_assert(hasItsForms(screen, FormOfMessage<MessageId::id>::kTypes) &&           \
-                    hasItsForms(spoken, FormOfMessage<MessageId::id>::kTypes),         \
-                "a form of number of " #id " is none of a count");                     \
-  static_assert(hasItsPlaces(screen, FormOfMessage<MessageId::id>::kTypes.size()),     \
-                "the sentence of " #id " and its arguments do not fit");               \
-  static_assert(hasNoOtherPlaces(spoken, FormOfMessage<MessageId::id>::kTypes.size()), \
+#define RELIEVO_MESSAGE_ROW(id, kind, code, screen, spoken, ...)                             \
+  static_assert(hasItsForms(screen, FormOfMessage<MessageId::id>::kTypes) &&                 \
+                    hasItsForms(spoken, FormOfMessage<MessageId::id>::kTypes),               \
+                "a form of number of " #id " is none of a count");                           \
+  static_assert(hasItsPlaces(screen, spoken, FormOfMessage<MessageId::id>::kTypes.size()) && \
+                    hasNoOtherPlaces(screen, FormOfMessage<MessageId::id>::kTypes.size()),   \
+                "the sentences of " #id " and its arguments do not fit");                    \
+  static_assert(hasNoOtherPlaces(spoken, FormOfMessage<MessageId::id>::kTypes.size()),       \
                 "the spoken sentence of " #id " has a place without argument");
 #include "core/message/catalogue.inc"
 #undef RELIEVO_MESSAGE_ROW

@@ -20,6 +20,7 @@ class QWidget;
 namespace relievo {
 
 struct FirmnessMap;  // core/session/firmness.h; outside of the tree it is only handed on.
+struct Message;      // core/message/message.h; likewise.
 
 /// Panels, menu entries, and commands of the window.
 class Controls {
@@ -39,6 +40,14 @@ struct HandTarget {
   bool inside = false;  ///< The pointer is over the detail view.
 };
 
+/// The whole object, and what is known of a place on it.
+struct ObjectPlace {
+  double left_mm = 0, bottom_mm = 0;   ///< View mm.
+  double width_mm = 0, height_mm = 0;  ///< 0: nothing is open.
+  double spacing_mm = 0;               ///< Of the samples of the shown window's level.
+  QString name = {};                   ///< That somebody gave the place; empty: nobody did.
+};
+
 /// The window of the surface that is shown in detail, and what more is known of its place.
 class ShownWindow : public QObject {
   Q_OBJECT
@@ -49,6 +58,8 @@ class ShownWindow : public QObject {
   /// Sides on which the shown window is at the object's edge, as edgesOf() says; 0 while there is
   /// no window.
   virtual std::uint8_t edges() const = 0;
+  /// The object, and the place at x, y in view mm.
+  virtual ObjectPlace placeAt(double x_mm, double y_mm) const = 0;
   /// Goes back to a region that was shown. @return false: nothing is open, or it is shown already
   virtual bool showRegion(const Region& region) = 0;
   /// Turns the detail view, as the commands "turn_left" and "turn_up" do in steps.
@@ -100,11 +111,36 @@ class TouchDisplay {
   virtual void showStatus(const TouchStatus& status) = 0;
 };
 
+/// Why something is said. What is asked for is said at once. What nobody asked for waits until the
+/// hand rests, the newest of it alone.
+enum class SaidBecause : std::uint8_t { asked, noticed };
+
+/// A voice of the program's own, for what the hand meets. While it speaks the screen reader is not
+/// told the same.
+class Voice {
+ public:
+  virtual ~Voice() = default;
+  /// @return false: it does not speak now; the screen reader is told
+  virtual bool speak(const std::vector<Message>& sentences, SaidBecause why) = 0;
+  /// The same of a text in the window's language.
+  virtual bool speak(const QString& text, SaidBecause why) = 0;
+  /// Whatever is being said stops; what was noticed is forgotten.
+  virtual void hush() = 0;
+  /// Where the hand is, 60 times a second.
+  virtual void feel(const Probe& probe) = 0;
+};
+
 /// What is told to whoever sits there.
 class Messages {
  public:
   virtual ~Messages() = default;
   virtual void announce(const QString& text) = 0;  ///< Status text, accessible event, speech.
+  /// Sentences of the catalogue: on the screen as for eyes, spoken as for ears.
+  virtual void say(const std::vector<Message>& sentences, SaidBecause why = SaidBecause::asked) = 0;
+  /// A button went down: the voice stops.
+  virtual void hush() = 0;
+  /// Who speaks from now on; not owned; null: the screen reader alone.
+  virtual void setVoice(Voice* voice) = 0;
   /// A sentence about a failure above the views; it stays until it is closed.
   /// @param code  of the catalogue ("E401"), or empty
   virtual void showError(const QString& sentence, const QString& code) = 0;

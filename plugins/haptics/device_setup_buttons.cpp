@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/failure.h"
-#include "core/base/origin.h"
 #include "core/message/catalogue.h"
 #include "core/region/hand.h"
 #include "haptics/rt/realtime_thread.h"
@@ -18,19 +17,13 @@ namespace {
 constexpr double kRescanSeconds = 1;
 // At full deflection of the cap: of the hand, or of the view.
 constexpr double kFullPushMmPerS = 60, kFullTurnDegPerS = 60;
-
-Message messageOf(Origin origin) {
-  constexpr std::array<MessageId, kOriginCount> kWords{
-      MessageId::origin_measured, MessageId::origin_interpolated, MessageId::origin_base_plane,
-      MessageId::origin_steep, MessageId::origin_outside};
-  return {kWords[static_cast<std::size_t>(origin)], {}};
-}
 }  // namespace
 
 DeviceButtons::DeviceButtons(Host& host, std::unique_ptr<hid::HidDevices> hid)
     : host_(host), hid_(std::move(hid)) {}
 
 void DeviceButtons::press(std::uint8_t button, bool down, double time_s) {
+  if (down) host_.messages.hush();
   commands_.press(button, down, time_s);
 }
 
@@ -54,7 +47,7 @@ void DeviceButtons::readHid(double now_s) {
   for (const std::string& name : news.left) {
     host_.messages.announce(tr("%1 disconnected.").arg(QString::fromStdString(name)));
   }
-  for (const hid::ButtonEdge& edge : news.edges) commands_.press(edge.button, edge.down, now_s);
+  for (const hid::ButtonEdge& edge : news.edges) press(edge.button, edge.down, now_s);
   const double dt_s = std::clamp(now_s - polled_s_, 0.0, 0.1);
   polled_s_ = now_s;
   pushCap(news.motion, dt_s);
@@ -140,7 +133,7 @@ bool DeviceButtons::carryOutMove(ButtonCommand command) {
       const std::shared_ptr<const RegionWindow> window = host_.view.shownWindow();
       if (!window) {
         commands_.cancelMoving();
-        host_.messages.announce(tr("Nothing is open."));
+        host_.messages.say({said<MessageId::place_nothing_open>()});
         return true;
       }
       moved_from_ = window->region;
@@ -151,13 +144,13 @@ bool DeviceButtons::carryOutMove(ButtonCommand command) {
     }
     case ButtonCommand::confirm_move:
       setGate({});
-      host_.messages.announce(tr("Moved. %1").arg(detailText()));
+      saySituation(said<MessageId::place_moved>());
       return true;
     case ButtonCommand::cancel_move:
       if (!gate_.on) return true;  // It never began.
       setGate({});
       host_.view.showRegion(moved_from_);
-      host_.messages.announce(tr("Back at the old window. %1").arg(detailText()));
+      saySituation(said<MessageId::place_moved_back>());
       return true;
     default:
       return false;
@@ -171,15 +164,28 @@ void DeviceButtons::setGate(const MoveGate& gate) {
 }
 
 void DeviceButtons::whereAmI(bool in_full) {
-  host_.messages.announce(placeText(in_full));
+  if (!host_.view.shownWindow()) {
+    host_.messages.say({said<MessageId::place_nothing_open>()});
+    return;
+  }
+  const HandPlace place = handPlace();
+  host_.messages.say(in_full ? longWords(place) : shortWords(place));
 }
 
 void DeviceButtons::sayDetail() {
-  host_.messages.announce(detailText());
+  host_.messages.say(host_.view.shownWindow()
+                         ? detailWords(handPlace())
+                         : std::vector<Message>{said<MessageId::place_nothing_open>()});
+}
+
+void DeviceButtons::saySituation(const Message& after) {
+  std::vector<Message> words{after};
+  if (host_.view.shownWindow()) words.push_back(detailWords(handPlace()).front());
+  host_.messages.say(words);
 }
 
 void DeviceButtons::sayHelp() {
-  host_.messages.announce(messageText(commands_.help()));
+  host_.messages.say({commands_.help()});
 }
 
 void DeviceButtons::toggleMoving() {
@@ -192,30 +198,23 @@ void DeviceButtons::cancelMoving() {
   takeOutcomes(1e-9 * static_cast<double>(monotonicNs()));
 }
 
-QString DeviceButtons::placeText(bool in_full) const {
-  if (!host_.view.shownWindow()) return tr("Nothing is open.");
-  const HapticSample& sample = sample_;
-  const ViewMm at = sample.contact ? sample.proxy_view : sample.hip_view;
-  QString said = sample.contact ? tr("Touching. ") : tr("In the air. ");
-  said += tr("%1 right, %2 up, height %3 millimetres.")
-              .arg(at.x, 0, 'f', 0)
-              .arg(at.y, 0, 'f', 0)
-              .arg(at.z, 0, 'f', 1);
-  if (sample.contact && sample.origin != Origin::measured) {
-    said += tr(" Not measured here: %1.").arg(messageText(messageOf(sample.origin)));
-  }
-  if (in_full) said += QLatin1Char(' ') + detailText();
-  return said;
-}
-
-QString DeviceButtons::detailText() const {
+HandPlace DeviceButtons::handPlace() const {
   const std::shared_ptr<const RegionWindow> window = host_.view.shownWindow();
-  if (!window) return tr("Nothing is open.");
-  return tr("Detail %1 of %2, window %3 millimetres, one millimetre of hand is %4.")
-      .arg(window->levels - window->region.level.value)
-      .arg(window->levels)
-      .arg(window->region.side_mm, 0, 'f', 0)
-      .arg(1 / handMapping(*window).device_per_view, 0, 'g', 3);
+  HandPlace place;
+  place.touching = sample_.contact;
+  place.at = sample_.contact ? sample_.proxy_view : sample_.hip_view;
+  place.origin = sample_.origin;
+  const ObjectPlace object = host_.view.placeAt(place.at.x, place.at.y);
+  place.object = {object.left_mm, object.bottom_mm, object.width_mm, object.height_mm};
+  place.name = object.name.toStdString();
+  place.spacing_mm = object.spacing_mm;
+  place.detail = window->levels - window->region.level.value;
+  place.details = window->levels;
+  place.side_mm = window->region.side_mm;
+  place.object_mm_per_hand_mm = handMapping(*window).objectMmPerHandMm();
+  // The window's heights have its gain.
+  place.at.z /= window->gain;
+  return place;
 }
 
 std::unique_ptr<DeviceButtons> makeDeviceButtons(Host& host) {

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "core/describe/hand_place.h"
 #include "haptics/commands/button_commands.h"
 #include "haptics/device/hid/hid_devices.h"
 #include "haptics/loop/haptic_core.h"
@@ -52,8 +53,9 @@ class DeviceButtons : public QObject {
   void carryOut(ButtonCommand command);
   bool carryOutMove(ButtonCommand command);
   void setGate(const MoveGate& gate);
-  QString placeText(bool in_full) const;
-  QString detailText() const;
+  HandPlace handPlace() const;
+  /// Which window is shown, after what led there.
+  void saySituation(const Message& after);
 
   Host& host_;
   ButtonCommands commands_;

@@ -204,6 +204,8 @@ void HapticsPlugin::connectButtons() {
   });
   connect(actions_.move_back, &QAction::triggered, this, [this] { buttons_->cancelMoving(); });
   connect(actions_.where_am_i, &QAction::triggered, this, [this] { buttons_->whereAmI(false); });
+  connect(actions_.where_am_i_long, &QAction::triggered, this,
+          [this] { buttons_->whereAmI(true); });
   connect(actions_.say_detail, &QAction::triggered, this, [this] { buttons_->sayDetail(); });
   connect(actions_.button_help, &QAction::triggered, this, [this] { buttons_->sayHelp(); });
 }

@@ -61,6 +61,14 @@ void makeButtonActions(TouchActions& actions) {
             QT_TRANSLATE_NOOP("relievo::TouchActions",
                               "Place and height under the hand, and whether it was measured.")},
            {QKeySequence(QStringLiteral("Ctrl+I"))}, false);
+  actions.where_am_i_long =
+      made({"whereAmILong", QT_TRANSLATE_NOOP("relievo::TouchActions", "Wh&ere am I, in full"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Say where the hand is, with edges, detail and scale (Ctrl+Alt+I)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Also the distances from the object's edges, and how fine the shown "
+                              "samples are.")},
+           {QKeySequence(QStringLiteral("Ctrl+Alt+I"))}, false);
   actions.say_detail =
       made({"sayDetail", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Detail and scale"),
             QT_TRANSLATE_NOOP("relievo::TouchActions",
@@ -128,9 +136,10 @@ TouchActions addTouchActions(Host& host) {
            {QKeySequence(QStringLiteral("Ctrl+Shift+N"))}, false);
   actions.note->setEnabled(false);
   makeButtonActions(actions);
-  for (QAction* action : {actions.forces, actions.forces_off, actions.stronger, actions.weaker,
-                          actions.setup, actions.use_mouse, actions.move_mode, actions.move_back,
-                          actions.where_am_i, actions.say_detail, actions.button_help}) {
+  for (QAction* action :
+       {actions.forces, actions.forces_off, actions.stronger, actions.weaker, actions.setup,
+        actions.use_mouse, actions.move_mode, actions.move_back, actions.where_am_i,
+        actions.where_am_i_long, actions.say_detail, actions.button_help}) {
     host.controls.addAction(touch, action);
   }
   host.controls.addAction(record, actions.record);

@@ -303,6 +303,7 @@ TEST_F(OneWayIn, EveryVerbOnEveryFormat) {
     on({"render"}, {"--unit", "mm", "--pixels", "64", "-o", out + ".png"});
     on({"measure"}, {"--unit", "mm", "--point", "5,5"});
     on({"suggest"}, {"--unit", "mm"});
+    on({"describe"}, {"--unit", "mm"});
     on({"fill"}, {"--unit", "mm", "--holes", "interpolate:5", "-o", out + "-f.tif"});
     on({"touch"}, {"--unit", "mm", "--stroke", test::kFlatStroke, "-o", out + ".csv"});
     on({"prepare"}, {"--unit", "mm", "-o", out + ".ply"});

@@ -412,6 +412,7 @@ class DeviceButtonsTest : public ::testing::Test {
 };
 
 TEST_F(DeviceButtonsTest, RunTheWindowsCommandsAndSayWhatTheyFind) {
+  host_.object.name = "Ear";
   press(kPlus, 0.2);
   press(kMinus, 0.2);
   press(kMinus, 1.0);
@@ -419,9 +420,16 @@ TEST_F(DeviceButtonsTest, RunTheWindowsCommandsAndSayWhatTheyFind) {
   press(kForward, 1.0);
   EXPECT_EQ(host_.commands, (QStringList{"finer", "coarser", "whole", "forces", "beacon"}));
   press(kCentre, 0.2);
-  EXPECT_EQ(last(), "Touching. 12 right, 34 up, height 5.5 millimetres.");
+  EXPECT_EQ(last(), "Touching: middle left, 5.5 millimetres high. Place: Ear.");
+  press(kCentre, 0.2);
+  EXPECT_EQ(last(),
+            "Touching: middle left, 5.5 millimetres high. Place: Ear. 1.2 centimetres from the "
+            "left edge. nearly 3.5 centimetres from the bottom edge. Measured here. Detail 1 of "
+            "1, 8 centimetres wide. One centimetre of hand: 1 centimetre of relief. Samples are "
+            "0.5 millimetres apart.");
+  EXPECT_EQ(host_.hushed, 7) << "each press cuts what is being said";
   press(kPlus, 1.0);
-  EXPECT_TRUE(last().startsWith("Detail 1 of 1, window 80 millimetres"));
+  EXPECT_TRUE(last().startsWith("Detail 1 of 1, 8 centimetres wide."));
 }
 
 TEST_F(DeviceButtonsTest, MoveModePutsAGateUnderTheHandAndStepsTheWindow) {

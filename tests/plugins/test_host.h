@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/message/message.h"
 #include "core/session/firmness.h"
 #include "plugins/api/plugin.h"
 
@@ -40,6 +41,22 @@ class TestHost : public ShownWindow,
   }
   void showStatus(const TouchStatus& new_status) override { status = new_status; }
   void announce(const QString& text) override { announcements << text; }
+  /// As for ears.
+  void say(const std::vector<Message>& sentences, SaidBecause why) override {
+    QStringList texts;
+    for (const Message& sentence : sentences) {
+      texts << QString::fromStdString(englishSpoken(sentence));
+    }
+    announcements << texts.join(' ');
+    because.push_back(why);
+    if (voice != nullptr) voice->speak(sentences, why);
+  }
+  void hush() override {
+    ++hushed;
+    if (voice != nullptr) voice->hush();
+  }
+  void setVoice(Voice* speaker) override { voice = speaker; }
+  ObjectPlace placeAt(double /*x_mm*/, double /*y_mm*/) const override { return object; }
   bool run(const QString& command) override {
     commands << command;
     return possible;
@@ -114,6 +131,10 @@ class TestHost : public ShownWindow,
   std::uint8_t at_edges = 0;
   double turned_az_deg = 0, turned_el_deg = 0;
   std::shared_ptr<const RegionWindow> window;
+  ObjectPlace object{.width_mm = 90, .height_mm = 60, .spacing_mm = 0.5};
+  std::vector<SaidBecause> because;  ///< Of what was said in sentences of the catalogue.
+  int hushed = 0;
+  Voice* voice = nullptr;
 };
 
 }  // namespace relievo::test

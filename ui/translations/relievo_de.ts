@@ -1245,40 +1245,8 @@
         <translation>Verschieben. Drücken Sie den Griff zur Seite; Vorwärts, wenn Sie da sind.</translation>
     </message>
     <message>
-        <source>Moved. %1</source>
-        <translation>Verschoben. %1</translation>
-    </message>
-    <message>
         <source>%1 is not possible here.</source>
         <translation>%1 ist hier nicht möglich.</translation>
-    </message>
-    <message>
-        <source>Nothing is open.</source>
-        <translation>Nichts ist geöffnet.</translation>
-    </message>
-    <message>
-        <source>Touching. </source>
-        <translation>In Berührung. </translation>
-    </message>
-    <message>
-        <source>In the air. </source>
-        <translation>In der Luft. </translation>
-    </message>
-    <message>
-        <source>%1 right, %2 up, height %3 millimetres.</source>
-        <translation>%1 nach rechts, %2 nach oben, Höhe %3 Millimeter.</translation>
-    </message>
-    <message>
-        <source> Not measured here: %1.</source>
-        <translation> Hier nicht gemessen: %1.</translation>
-    </message>
-    <message>
-        <source>Detail %1 of %2, window %3 millimetres, one millimetre of hand is %4.</source>
-        <translation>Detail %1 von %2, Ausschnitt %3 Millimeter, ein Millimeter der Hand ist %4.</translation>
-    </message>
-    <message>
-        <source>Back at the old window. %1</source>
-        <translation>Zurück am alten Ausschnitt. %1</translation>
     </message>
     <message>
         <source>%1 is plugged in but this account may not use it. Install the rule that &apos;relievo devices rule&apos; prints, once, then replug.</source>
@@ -7453,6 +7421,346 @@
         <source>the limits that its plug-in tells are impossible</source>
         <translation>die Grenzen, die sein Plugin nennt, sind unmöglich</translation>
     </message>
+    <message>
+        <source>{1|%1 millimetre|%1 millimetres}</source>
+        <translation>%1 Millimeter</translation>
+    </message>
+    <message>
+        <source>{1|%1 centimetre|%1 centimetres}</source>
+        <translation>%1 Zentimeter</translation>
+    </message>
+    <message>
+        <source>{1|%1 metre|%1 metres}</source>
+        <translation>%1 Meter</translation>
+    </message>
+    <message>
+        <source>%1 millimetres</source>
+        <translation>%1 Millimeter</translation>
+    </message>
+    <message>
+        <source>%1 centimetres</source>
+        <translation>%1 Zentimeter</translation>
+    </message>
+    <message>
+        <source>%1 metres</source>
+        <translation>%1 Meter</translation>
+    </message>
+    <message>
+        <source>nearly %1</source>
+        <translation>knapp %1</translation>
+    </message>
+    <message>
+        <source>a little over %1</source>
+        <translation>gut %1</translation>
+    </message>
+    <message>
+        <source>about a half</source>
+        <translation>etwa die Hälfte</translation>
+    </message>
+    <message>
+        <source>about a third</source>
+        <translation>etwa ein Drittel</translation>
+    </message>
+    <message>
+        <source>about a quarter</source>
+        <translation>etwa ein Viertel</translation>
+    </message>
+    <message>
+        <source>about a fifth</source>
+        <translation>etwa ein Fünftel</translation>
+    </message>
+    <message>
+        <source>about a sixth</source>
+        <translation>etwa ein Sechstel</translation>
+    </message>
+    <message>
+        <source>about an eighth</source>
+        <translation>etwa ein Achtel</translation>
+    </message>
+    <message>
+        <source>about a tenth</source>
+        <translation>etwa ein Zehntel</translation>
+    </message>
+    <message>
+        <source>%1 percent</source>
+        <translation>%1 Prozent</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>oben links</translation>
+    </message>
+    <message>
+        <source>top middle</source>
+        <translation>oben in der Mitte</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>oben rechts</translation>
+    </message>
+    <message>
+        <source>middle left</source>
+        <translation>links auf halber Höhe</translation>
+    </message>
+    <message>
+        <source>in the middle</source>
+        <translation>in der Mitte</translation>
+    </message>
+    <message>
+        <source>middle right</source>
+        <translation>rechts auf halber Höhe</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>unten links</translation>
+    </message>
+    <message>
+        <source>bottom middle</source>
+        <translation>unten in der Mitte</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>unten rechts</translation>
+    </message>
+    <message>
+        <source>Relief, %1 by %2.</source>
+        <translation>Relief, %1 mal %2.</translation>
+    </message>
+    <message>
+        <source>Relief, %3 by %4.</source>
+        <translation>Relief, %3 mal %4.</translation>
+    </message>
+    <message>
+        <source>Heights from %1 to %2: a span of %3.</source>
+        <translation>Höhen von %1 bis %2: eine Spanne von %3.</translation>
+    </message>
+    <message>
+        <source>Its heights span %4.</source>
+        <translation>Die Höhen umfassen %4.</translation>
+    </message>
+    <message>
+        <source>All heights are the same.</source>
+        <translation>Alle Höhen sind gleich.</translation>
+    </message>
+    <message>
+        <source>There are no heights to describe.</source>
+        <translation>Es gibt keine Höhen zu beschreiben.</translation>
+    </message>
+    <message>
+        <source>Highest place: %1, at x %2, y %3, height %4.</source>
+        <translation>Höchste Stelle: %1, bei x %2, y %3, Höhe %4.</translation>
+    </message>
+    <message>
+        <source>Highest place: %1.</source>
+        <translation>Höchste Stelle: %1.</translation>
+    </message>
+    <message>
+        <source>A raised rim goes all round.</source>
+        <translation>Ein erhabener Rand läuft ringsum.</translation>
+    </message>
+    <message>
+        <source>One raised area: %1, %2 of the surface; %3 wide, %4 high in the picture.</source>
+        <translation>Eine erhabene Fläche: %1, %2 der Oberfläche; im Bild %3 breit, %4 hoch.</translation>
+    </message>
+    <message>
+        <source>One raised area: %1, %2 of the surface.</source>
+        <translation>Eine erhabene Fläche: %1, %2 der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>%1 raised areas: %2.</source>
+        <translation>%1 erhabene Flächen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 raised areas.</source>
+        <translation>%1 erhabene Flächen.</translation>
+    </message>
+    <message>
+        <source>Area %1: %2, %3 of the surface; %4 wide, %5 high in the picture.</source>
+        <translation>Fläche %1: %2, %3 der Oberfläche; im Bild %4 breit, %5 hoch.</translation>
+    </message>
+    <message>
+        <source>Area %1: %2, %3 of the surface.</source>
+        <translation>Fläche %1: %2, %3 der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Left and right are nearly mirror images (correlation %1).</source>
+        <translation>Links und rechts sind fast spiegelgleich (Korrelation %1).</translation>
+    </message>
+    <message>
+        <source>Left and right are nearly mirror images.</source>
+        <translation>Links und rechts sind fast spiegelgleich.</translation>
+    </message>
+    <message>
+        <source>Top and bottom are nearly mirror images (correlation %1).</source>
+        <translation>Oben und unten sind fast spiegelgleich (Korrelation %1).</translation>
+    </message>
+    <message>
+        <source>Top and bottom are nearly mirror images.</source>
+        <translation>Oben und unten sind fast spiegelgleich.</translation>
+    </message>
+    <message>
+        <source>Roughest part: %1 (%2 from sample to sample).</source>
+        <translation>Rauester Teil: %1 (%2 von Abtastwert zu Abtastwert).</translation>
+    </message>
+    <message>
+        <source>Roughest part: %1.</source>
+        <translation>Rauester Teil: %1.</translation>
+    </message>
+    <message>
+        <source>Smoothest part: %1 (%2 from sample to sample).</source>
+        <translation>Glattester Teil: %1 (%2 von Abtastwert zu Abtastwert).</translation>
+    </message>
+    <message>
+        <source>Smoothest part: %1.</source>
+        <translation>Glattester Teil: %1.</translation>
+    </message>
+    <message>
+        <source>All of it was measured.</source>
+        <translation>Alles wurde gemessen.</translation>
+    </message>
+    <message>
+        <source>Not measured: %1 % of the surface.</source>
+        <translation>Nicht gemessen: %1 % der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Not measured: %2 of the surface.</source>
+        <translation>Nicht gemessen: %2 der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Largest part that was not measured: %1.</source>
+        <translation>Größter Teil, der nicht gemessen wurde: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing is open.</source>
+        <translation>Nichts ist geöffnet.</translation>
+    </message>
+    <message>
+        <source>Moved.</source>
+        <translation>Verschoben.</translation>
+    </message>
+    <message>
+        <source>Back at the old window.</source>
+        <translation>Zurück beim alten Ausschnitt.</translation>
+    </message>
+    <message>
+        <source>Touching: %1, height %2.</source>
+        <translation>Berührt: %1, Höhe %2.</translation>
+    </message>
+    <message>
+        <source>Touching: %1, %3 high.</source>
+        <translation>Berührt: %1, %3 hoch.</translation>
+    </message>
+    <message>
+        <source>Touching: %1, on the ground.</source>
+        <translation>Berührt: %1, auf dem Grund.</translation>
+    </message>
+    <message>
+        <source>Touching: %1, %3 deep.</source>
+        <translation>Berührt: %1, %3 tief.</translation>
+    </message>
+    <message>
+        <source>In the air: %1.</source>
+        <translation>In der Luft: %1.</translation>
+    </message>
+    <message>
+        <source>Beside the relief.</source>
+        <translation>Neben dem Relief.</translation>
+    </message>
+    <message>
+        <source>Place: %1.</source>
+        <translation>Ort: %1.</translation>
+    </message>
+    <message>
+        <source>Measured here.</source>
+        <translation>Hier gemessen.</translation>
+    </message>
+    <message>
+        <source>Not measured here: %1.</source>
+        <translation>Hier nicht gemessen: %1.</translation>
+    </message>
+    <message>
+        <source>Not measured here.</source>
+        <translation>Hier nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 from the left edge.</source>
+        <translation>%1 vom linken Rand.</translation>
+    </message>
+    <message>
+        <source>%2 from the left edge.</source>
+        <translation>%2 vom linken Rand.</translation>
+    </message>
+    <message>
+        <source>%1 from the bottom edge.</source>
+        <translation>%1 vom unteren Rand.</translation>
+    </message>
+    <message>
+        <source>%2 from the bottom edge.</source>
+        <translation>%2 vom unteren Rand.</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2, window %3.</source>
+        <translation>Detail %1 von %2, Ausschnitt %3.</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2, %4 wide.</source>
+        <translation>Detail %1 von %2, %4 breit.</translation>
+    </message>
+    <message>
+        <source>1 mm of hand is %1 of relief.</source>
+        <translation>1 mm der Hand ist %1 des Reliefs.</translation>
+    </message>
+    <message>
+        <source>One centimetre of hand: %2 of relief.</source>
+        <translation>Ein Zentimeter der Hand: %2 des Reliefs.</translation>
+    </message>
+    <message>
+        <source>Samples are %1 apart.</source>
+        <translation>Abtastwerte liegen %1 auseinander.</translation>
+    </message>
+    <message>
+        <source>Samples are %2 apart.</source>
+        <translation>Abtastwerte liegen %2 auseinander.</translation>
+    </message>
+    <message>
+        <source>Speech is not available: %1. Texts appear here. Install speech-dispatcher or espeak-ng, or choose the screen reader in the panel Voice.</source>
+        <translation>Sprache ist nicht verfügbar: %1. Texte erscheinen hier. Installieren Sie speech-dispatcher oder espeak-ng, oder wählen Sie im Bereich Stimme das Vorleseprogramm.</translation>
+    </message>
+    <message>
+        <source>Speech is not available.</source>
+        <translation>Sprache ist nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>no speech service listens at %1</source>
+        <translation>kein Sprachdienst hört auf %1</translation>
+    </message>
+    <message>
+        <source>the speech service does not answer</source>
+        <translation>der Sprachdienst antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the speech service ended the connection</source>
+        <translation>der Sprachdienst hat die Verbindung beendet</translation>
+    </message>
+    <message>
+        <source>the speech service says &quot;%1&quot;</source>
+        <translation>der Sprachdienst sagt „%1“</translation>
+    </message>
+    <message>
+        <source>the program %1 cannot be started</source>
+        <translation>das Programm %1 kann nicht gestartet werden</translation>
+    </message>
+    <message>
+        <source>the program %1 ended with an error</source>
+        <translation>das Programm %1 endete mit einem Fehler</translation>
+    </message>
+    <message>
+        <source>This is the voice of relievo.</source>
+        <translation>Dies ist die Stimme von relievo.</translation>
+    </message>
+    <message>
+        <source>Nothing was said yet.</source>
+        <translation>Es wurde noch nichts gesagt.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -9580,6 +9888,18 @@
         <source>It belongs to the moment at which this is chosen; the recording goes on while you write.</source>
         <translation>Sie gehört zu dem Augenblick, in dem dies gewählt wird; die Aufzeichnung läuft beim Schreiben weiter.</translation>
     </message>
+    <message>
+        <source>Wh&amp;ere am I, in full</source>
+        <translation>Wo bin ich, ausführ&amp;lich</translation>
+    </message>
+    <message>
+        <source>Say where the hand is, with edges, detail and scale (Ctrl+Alt+I)</source>
+        <translation>Sagt, wo die Hand ist, mit Rändern, Detail und Maßstab (Strg+Alt+I)</translation>
+    </message>
+    <message>
+        <source>Also the distances from the object&apos;s edges, and how fine the shown samples are.</source>
+        <translation>Auch die Abstände von den Rändern des Objekts, und wie fein die gezeigten Abtastwerte sind.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::VideoControl</name>
@@ -9832,6 +10152,108 @@
     <message>
         <source>Shading of colours: %1 %</source>
         <translation>Schattierung der Farben: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::VoicePanel</name>
+    <message>
+        <source>Words a minute</source>
+        <translation>Wörter je Minute</translation>
+    </message>
+    <message>
+        <source>Volume of speech, percent</source>
+        <translation>Lautstärke der Sprache, Prozent</translation>
+    </message>
+    <message>
+        <source>Try the voice</source>
+        <translation>Stimme probieren</translation>
+    </message>
+    <message>
+        <source>Say it again</source>
+        <translation>Noch einmal sagen</translation>
+    </message>
+    <message>
+        <source>Who says what the hand meets</source>
+        <translation>Wer sagt, was die Hand trifft</translation>
+    </message>
+    <message>
+        <source>With a voice of its own, the program says what the hand meets and what commands find, and the screen reader is not told the same.</source>
+        <translation>Mit einer eigenen Stimme sagt das Programm, was die Hand trifft und was Befehle ergeben; dem Vorleseprogramm wird nicht dasselbe gesagt.</translation>
+    </message>
+    <message>
+        <source>The screen reader</source>
+        <translation>Das Vorleseprogramm</translation>
+    </message>
+    <message>
+        <source>A voice of its own</source>
+        <translation>Eine eigene Stimme</translation>
+    </message>
+    <message>
+        <source>Language of the voice</source>
+        <translation>Sprache der Stimme</translation>
+    </message>
+    <message>
+        <source>As the window</source>
+        <translation>Wie das Fenster</translation>
+    </message>
+    <message>
+        <source>Exact with espeak-ng; other synthesizers have a scale of their own.</source>
+        <translation>Genau mit espeak-ng; andere Synthesizer haben eine eigene Skala.</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Say again what was said last (Ctrl+Alt+S)</source>
+        <translation>Sagt noch einmal, was zuletzt gesagt wurde (Strg+Alt+S)</translation>
+    </message>
+    <message>
+        <source>Spoken by</source>
+        <translation>Gesprochen von</translation>
+    </message>
+    <message>
+        <source>Spoken language</source>
+        <translation>Gesprochene Sprache</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>Speech Dispatcher speaks.</source>
+        <translation>Speech Dispatcher spricht.</translation>
+    </message>
+    <message>
+        <source>espeak-ng speaks; Speech Dispatcher does not answer.</source>
+        <translation>espeak-ng spricht; Speech Dispatcher antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>No voice can be heard.</source>
+        <translation>Keine Stimme ist zu hören.</translation>
+    </message>
+    <message>
+        <source>The program has no voice of its own now.</source>
+        <translation>Das Programm hat jetzt keine eigene Stimme.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::VoicePlugin</name>
+    <message>
+        <source>Voice</source>
+        <translation>Stimme</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat what was said</source>
+        <translation>G&amp;esagtes wiederholen</translation>
+    </message>
+    <message>
+        <source>Say again what was said last (Ctrl+Alt+S)</source>
+        <translation>Sagt noch einmal, was zuletzt gesagt wurde (Strg+Alt+S)</translation>
+    </message>
+    <message>
+        <source>In the voice&apos;s language of now; with a voice of its own.</source>
+        <translation>In der jetzigen Sprache der Stimme; mit einer eigenen Stimme.</translation>
     </message>
 </context>
 <context>

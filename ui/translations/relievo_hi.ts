@@ -1245,40 +1245,8 @@
         <translation>खिसकाने की विधा। ग्रिप को एक ओर धकेलें; पहुँचने पर आगे वाला बटन।</translation>
     </message>
     <message>
-        <source>Moved. %1</source>
-        <translation>खिसकाया। %1</translation>
-    </message>
-    <message>
         <source>%1 is not possible here.</source>
         <translation>%1 यहाँ संभव नहीं।</translation>
-    </message>
-    <message>
-        <source>Nothing is open.</source>
-        <translation>कुछ खुला नहीं है।</translation>
-    </message>
-    <message>
-        <source>Touching. </source>
-        <translation>स्पर्श हो रहा है। </translation>
-    </message>
-    <message>
-        <source>In the air. </source>
-        <translation>हवा में। </translation>
-    </message>
-    <message>
-        <source>%1 right, %2 up, height %3 millimetres.</source>
-        <translation>दाएँ %1, ऊपर %2, ऊँचाई %3 मिलीमीटर।</translation>
-    </message>
-    <message>
-        <source> Not measured here: %1.</source>
-        <translation> यहाँ मापा नहीं गया: %1।</translation>
-    </message>
-    <message>
-        <source>Detail %1 of %2, window %3 millimetres, one millimetre of hand is %4.</source>
-        <translation>विवरण %2 में से %1, विंडो %3 मिलीमीटर, हाथ का एक मिलीमीटर %4 है।</translation>
-    </message>
-    <message>
-        <source>Back at the old window. %1</source>
-        <translation>पुरानी विंडो पर वापस। %1</translation>
     </message>
     <message>
         <source>%1 is plugged in but this account may not use it. Install the rule that &apos;relievo devices rule&apos; prints, once, then replug.</source>
@@ -7453,6 +7421,346 @@
         <source>the limits that its plug-in tells are impossible</source>
         <translation>उसका प्लगइन जो सीमाएँ बताता है वे असंभव हैं</translation>
     </message>
+    <message>
+        <source>{1|%1 millimetre|%1 millimetres}</source>
+        <translation>%1 मिलीमीटर</translation>
+    </message>
+    <message>
+        <source>{1|%1 centimetre|%1 centimetres}</source>
+        <translation>%1 सेंटीमीटर</translation>
+    </message>
+    <message>
+        <source>{1|%1 metre|%1 metres}</source>
+        <translation>%1 मीटर</translation>
+    </message>
+    <message>
+        <source>%1 millimetres</source>
+        <translation>%1 मिलीमीटर</translation>
+    </message>
+    <message>
+        <source>%1 centimetres</source>
+        <translation>%1 सेंटीमीटर</translation>
+    </message>
+    <message>
+        <source>%1 metres</source>
+        <translation>%1 मीटर</translation>
+    </message>
+    <message>
+        <source>nearly %1</source>
+        <translation>लगभग %1</translation>
+    </message>
+    <message>
+        <source>a little over %1</source>
+        <translation>%1 से थोड़ा अधिक</translation>
+    </message>
+    <message>
+        <source>about a half</source>
+        <translation>लगभग आधा भाग</translation>
+    </message>
+    <message>
+        <source>about a third</source>
+        <translation>लगभग एक तिहाई भाग</translation>
+    </message>
+    <message>
+        <source>about a quarter</source>
+        <translation>लगभग एक चौथाई भाग</translation>
+    </message>
+    <message>
+        <source>about a fifth</source>
+        <translation>लगभग पाँचवाँ भाग</translation>
+    </message>
+    <message>
+        <source>about a sixth</source>
+        <translation>लगभग छठा भाग</translation>
+    </message>
+    <message>
+        <source>about an eighth</source>
+        <translation>लगभग आठवाँ भाग</translation>
+    </message>
+    <message>
+        <source>about a tenth</source>
+        <translation>लगभग दसवाँ भाग</translation>
+    </message>
+    <message>
+        <source>%1 percent</source>
+        <translation>%1 प्रतिशत भाग</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>ऊपर बाएँ</translation>
+    </message>
+    <message>
+        <source>top middle</source>
+        <translation>ऊपर बीच में</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>ऊपर दाएँ</translation>
+    </message>
+    <message>
+        <source>middle left</source>
+        <translation>बीच में बाएँ</translation>
+    </message>
+    <message>
+        <source>in the middle</source>
+        <translation>ठीक बीच में</translation>
+    </message>
+    <message>
+        <source>middle right</source>
+        <translation>बीच में दाएँ</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>नीचे बाएँ</translation>
+    </message>
+    <message>
+        <source>bottom middle</source>
+        <translation>नीचे बीच में</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>नीचे दाएँ</translation>
+    </message>
+    <message>
+        <source>Relief, %1 by %2.</source>
+        <translation>उभरी आकृति, %1 गुणा %2।</translation>
+    </message>
+    <message>
+        <source>Relief, %3 by %4.</source>
+        <translation>उभरी आकृति, %3 गुणा %4।</translation>
+    </message>
+    <message>
+        <source>Heights from %1 to %2: a span of %3.</source>
+        <translation>ऊँचाइयाँ %1 से %2 तक: कुल %3।</translation>
+    </message>
+    <message>
+        <source>Its heights span %4.</source>
+        <translation>ऊँचाइयों का फैलाव %4 है।</translation>
+    </message>
+    <message>
+        <source>All heights are the same.</source>
+        <translation>सभी ऊँचाइयाँ समान हैं।</translation>
+    </message>
+    <message>
+        <source>There are no heights to describe.</source>
+        <translation>वर्णन के लिए कोई ऊँचाई नहीं है।</translation>
+    </message>
+    <message>
+        <source>Highest place: %1, at x %2, y %3, height %4.</source>
+        <translation>सबसे ऊँची जगह: %1, x %2, y %3 पर, ऊँचाई %4।</translation>
+    </message>
+    <message>
+        <source>Highest place: %1.</source>
+        <translation>सबसे ऊँची जगह: %1।</translation>
+    </message>
+    <message>
+        <source>A raised rim goes all round.</source>
+        <translation>चारों ओर उभरा किनारा है।</translation>
+    </message>
+    <message>
+        <source>One raised area: %1, %2 of the surface; %3 wide, %4 high in the picture.</source>
+        <translation>एक उभरा क्षेत्र: %1, सतह का %2; चित्र में %3 चौड़ा, %4 ऊँचा।</translation>
+    </message>
+    <message>
+        <source>One raised area: %1, %2 of the surface.</source>
+        <translation>एक उभरा क्षेत्र: %1, सतह का %2।</translation>
+    </message>
+    <message>
+        <source>%1 raised areas: %2.</source>
+        <translation>%1 उभरे क्षेत्र: %2।</translation>
+    </message>
+    <message>
+        <source>%1 raised areas.</source>
+        <translation>%1 उभरे क्षेत्र।</translation>
+    </message>
+    <message>
+        <source>Area %1: %2, %3 of the surface; %4 wide, %5 high in the picture.</source>
+        <translation>क्षेत्र %1: %2, सतह का %3; चित्र में %4 चौड़ा, %5 ऊँचा।</translation>
+    </message>
+    <message>
+        <source>Area %1: %2, %3 of the surface.</source>
+        <translation>क्षेत्र %1: %2, सतह का %3।</translation>
+    </message>
+    <message>
+        <source>Left and right are nearly mirror images (correlation %1).</source>
+        <translation>बायाँ और दायाँ भाग लगभग दर्पण-समान हैं (सहसंबंध %1)।</translation>
+    </message>
+    <message>
+        <source>Left and right are nearly mirror images.</source>
+        <translation>बायाँ और दायाँ भाग लगभग दर्पण-समान हैं।</translation>
+    </message>
+    <message>
+        <source>Top and bottom are nearly mirror images (correlation %1).</source>
+        <translation>ऊपरी और निचला भाग लगभग दर्पण-समान हैं (सहसंबंध %1)।</translation>
+    </message>
+    <message>
+        <source>Top and bottom are nearly mirror images.</source>
+        <translation>ऊपरी और निचला भाग लगभग दर्पण-समान हैं।</translation>
+    </message>
+    <message>
+        <source>Roughest part: %1 (%2 from sample to sample).</source>
+        <translation>सबसे खुरदरा भाग: %1 (नमूने से नमूने तक %2)।</translation>
+    </message>
+    <message>
+        <source>Roughest part: %1.</source>
+        <translation>सबसे खुरदरा भाग: %1।</translation>
+    </message>
+    <message>
+        <source>Smoothest part: %1 (%2 from sample to sample).</source>
+        <translation>सबसे चिकना भाग: %1 (नमूने से नमूने तक %2)।</translation>
+    </message>
+    <message>
+        <source>Smoothest part: %1.</source>
+        <translation>सबसे चिकना भाग: %1।</translation>
+    </message>
+    <message>
+        <source>All of it was measured.</source>
+        <translation>पूरी सतह मापी गई है।</translation>
+    </message>
+    <message>
+        <source>Not measured: %1 % of the surface.</source>
+        <translation>नहीं मापा गया: सतह का %1 %।</translation>
+    </message>
+    <message>
+        <source>Not measured: %2 of the surface.</source>
+        <translation>नहीं मापा गया: सतह का %2।</translation>
+    </message>
+    <message>
+        <source>Largest part that was not measured: %1.</source>
+        <translation>सबसे बड़ा अनमापा भाग: %1।</translation>
+    </message>
+    <message>
+        <source>Nothing is open.</source>
+        <translation>कुछ खुला नहीं है।</translation>
+    </message>
+    <message>
+        <source>Moved.</source>
+        <translation>हटाया गया।</translation>
+    </message>
+    <message>
+        <source>Back at the old window.</source>
+        <translation>पुरानी विंडो पर वापस।</translation>
+    </message>
+    <message>
+        <source>Touching: %1, height %2.</source>
+        <translation>स्पर्श: %1, ऊँचाई %2।</translation>
+    </message>
+    <message>
+        <source>Touching: %1, %3 high.</source>
+        <translation>स्पर्श: %1, ऊँचाई %3।</translation>
+    </message>
+    <message>
+        <source>Touching: %1, on the ground.</source>
+        <translation>स्पर्श: %1, आधार पर।</translation>
+    </message>
+    <message>
+        <source>Touching: %1, %3 deep.</source>
+        <translation>स्पर्श: %1, गहराई %3।</translation>
+    </message>
+    <message>
+        <source>In the air: %1.</source>
+        <translation>हवा में: %1।</translation>
+    </message>
+    <message>
+        <source>Beside the relief.</source>
+        <translation>आकृति के बाहर।</translation>
+    </message>
+    <message>
+        <source>Place: %1.</source>
+        <translation>स्थान: %1।</translation>
+    </message>
+    <message>
+        <source>Measured here.</source>
+        <translation>यहाँ मापा गया है।</translation>
+    </message>
+    <message>
+        <source>Not measured here: %1.</source>
+        <translation>यहाँ मापा नहीं गया: %1।</translation>
+    </message>
+    <message>
+        <source>Not measured here.</source>
+        <translation>यहाँ मापा नहीं गया।</translation>
+    </message>
+    <message>
+        <source>%1 from the left edge.</source>
+        <translation>बाएँ किनारे से %1।</translation>
+    </message>
+    <message>
+        <source>%2 from the left edge.</source>
+        <translation>बाएँ किनारे से %2।</translation>
+    </message>
+    <message>
+        <source>%1 from the bottom edge.</source>
+        <translation>निचले किनारे से %1।</translation>
+    </message>
+    <message>
+        <source>%2 from the bottom edge.</source>
+        <translation>निचले किनारे से %2।</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2, window %3.</source>
+        <translation>विवरण %2 में से %1, विंडो %3।</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2, %4 wide.</source>
+        <translation>विवरण %2 में से %1, चौड़ाई %4।</translation>
+    </message>
+    <message>
+        <source>1 mm of hand is %1 of relief.</source>
+        <translation>हाथ का 1 mm आकृति का %1 है।</translation>
+    </message>
+    <message>
+        <source>One centimetre of hand: %2 of relief.</source>
+        <translation>हाथ का एक सेंटीमीटर: आकृति का %2।</translation>
+    </message>
+    <message>
+        <source>Samples are %1 apart.</source>
+        <translation>नमूने %1 दूर हैं।</translation>
+    </message>
+    <message>
+        <source>Samples are %2 apart.</source>
+        <translation>नमूने %2 दूर हैं।</translation>
+    </message>
+    <message>
+        <source>Speech is not available: %1. Texts appear here. Install speech-dispatcher or espeak-ng, or choose the screen reader in the panel Voice.</source>
+        <translation>वाणी उपलब्ध नहीं है: %1। पाठ यहाँ दिखते हैं। speech-dispatcher या espeak-ng स्थापित करें, या आवाज़ पैनल में स्क्रीन रीडर चुनें।</translation>
+    </message>
+    <message>
+        <source>Speech is not available.</source>
+        <translation>वाणी उपलब्ध नहीं है।</translation>
+    </message>
+    <message>
+        <source>no speech service listens at %1</source>
+        <translation>%1 पर कोई वाणी सेवा नहीं सुन रही</translation>
+    </message>
+    <message>
+        <source>the speech service does not answer</source>
+        <translation>वाणी सेवा उत्तर नहीं देती</translation>
+    </message>
+    <message>
+        <source>the speech service ended the connection</source>
+        <translation>वाणी सेवा ने संपर्क समाप्त कर दिया</translation>
+    </message>
+    <message>
+        <source>the speech service says &quot;%1&quot;</source>
+        <translation>वाणी सेवा कहती है “%1”</translation>
+    </message>
+    <message>
+        <source>the program %1 cannot be started</source>
+        <translation>प्रोग्राम %1 शुरू नहीं हो सकता</translation>
+    </message>
+    <message>
+        <source>the program %1 ended with an error</source>
+        <translation>प्रोग्राम %1 त्रुटि के साथ समाप्त हुआ</translation>
+    </message>
+    <message>
+        <source>This is the voice of relievo.</source>
+        <translation>यह relievo की आवाज़ है।</translation>
+    </message>
+    <message>
+        <source>Nothing was said yet.</source>
+        <translation>अभी तक कुछ नहीं कहा गया।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -9580,6 +9888,18 @@
         <source>It belongs to the moment at which this is chosen; the recording goes on while you write.</source>
         <translation>वह उस क्षण की होती है जब इसे चुना जाए; लिखते समय रिकॉर्डिंग चलती रहती है।</translation>
     </message>
+    <message>
+        <source>Wh&amp;ere am I, in full</source>
+        <translation>मैं कहाँ हूँ, पूरे में (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Say where the hand is, with edges, detail and scale (Ctrl+Alt+I)</source>
+        <translation>बताए कि हाथ कहाँ है, किनारों, विवरण और पैमाने सहित (Ctrl+Alt+I)</translation>
+    </message>
+    <message>
+        <source>Also the distances from the object&apos;s edges, and how fine the shown samples are.</source>
+        <translation>वस्तु के किनारों से दूरियाँ भी, और दिखाए गए नमूने कितने सूक्ष्म हैं।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::VideoControl</name>
@@ -9832,6 +10152,108 @@
     <message>
         <source>Shading of colours: %1 %</source>
         <translation>रंगों का छायांकन: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::VoicePanel</name>
+    <message>
+        <source>Words a minute</source>
+        <translation>प्रति मिनट शब्द</translation>
+    </message>
+    <message>
+        <source>Volume of speech, percent</source>
+        <translation>वाणी की आवाज़, प्रतिशत</translation>
+    </message>
+    <message>
+        <source>Try the voice</source>
+        <translation>आवाज़ आज़माएँ</translation>
+    </message>
+    <message>
+        <source>Say it again</source>
+        <translation>फिर से कहें</translation>
+    </message>
+    <message>
+        <source>Who says what the hand meets</source>
+        <translation>हाथ जो छूता है उसे कौन बताए</translation>
+    </message>
+    <message>
+        <source>With a voice of its own, the program says what the hand meets and what commands find, and the screen reader is not told the same.</source>
+        <translation>अपनी आवाज़ होने पर प्रोग्राम बताता है कि हाथ क्या छूता है और आदेशों का क्या परिणाम है; स्क्रीन रीडर को वही बात नहीं बताई जाती।</translation>
+    </message>
+    <message>
+        <source>The screen reader</source>
+        <translation>स्क्रीन रीडर</translation>
+    </message>
+    <message>
+        <source>A voice of its own</source>
+        <translation>अपनी आवाज़</translation>
+    </message>
+    <message>
+        <source>Language of the voice</source>
+        <translation>आवाज़ की भाषा</translation>
+    </message>
+    <message>
+        <source>As the window</source>
+        <translation>खिड़की जैसी</translation>
+    </message>
+    <message>
+        <source>Exact with espeak-ng; other synthesizers have a scale of their own.</source>
+        <translation>espeak-ng के साथ सटीक; अन्य सिंथेसाइज़र का अपना पैमाना है।</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Say again what was said last (Ctrl+Alt+S)</source>
+        <translation>पिछली कही बात फिर से कहे (Ctrl+Alt+S)</translation>
+    </message>
+    <message>
+        <source>Spoken by</source>
+        <translation>बोलने वाला</translation>
+    </message>
+    <message>
+        <source>Spoken language</source>
+        <translation>बोली जाने वाली भाषा</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>आवाज़ का स्तर</translation>
+    </message>
+    <message>
+        <source>Speech Dispatcher speaks.</source>
+        <translation>Speech Dispatcher बोलता है।</translation>
+    </message>
+    <message>
+        <source>espeak-ng speaks; Speech Dispatcher does not answer.</source>
+        <translation>espeak-ng बोलता है; Speech Dispatcher उत्तर नहीं देता।</translation>
+    </message>
+    <message>
+        <source>No voice can be heard.</source>
+        <translation>कोई आवाज़ सुनाई नहीं दे सकती।</translation>
+    </message>
+    <message>
+        <source>The program has no voice of its own now.</source>
+        <translation>प्रोग्राम की अभी अपनी आवाज़ नहीं है।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::VoicePlugin</name>
+    <message>
+        <source>Voice</source>
+        <translation>आवाज़</translation>
+    </message>
+    <message>
+        <source>&amp;Repeat what was said</source>
+        <translation>कही बात दोहराएँ (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Say again what was said last (Ctrl+Alt+S)</source>
+        <translation>पिछली कही बात फिर से कहे (Ctrl+Alt+S)</translation>
+    </message>
+    <message>
+        <source>In the voice&apos;s language of now; with a voice of its own.</source>
+        <translation>आवाज़ की अभी की भाषा में; अपनी आवाज़ होने पर।</translation>
     </message>
 </context>
 <context>

@@ -124,6 +124,10 @@ class MainWindow : public QMainWindow {
   /// Why there is no touch; the status bar says so.
   void showTouchMissing(const QString& reason);
   void announce(const QString& text);
+  /// @param spoken  for the screen reader; empty: it was heard already
+  void announce(const QString& text, const QString& spoken);
+  /// Who is asked first to speak what is announced, and says whether it does.
+  void setSpeaker(std::function<bool(const QString& text)> speaker);
   /// Runs a command by its object name. @return false: unknown or disabled
   bool runCommand(const QString& name);
   /// Who reads recordings in place of core's readRecording.
@@ -402,6 +406,7 @@ class MainWindow : public QMainWindow {
   QString recovered_copy_;  ///< Of what a crash left, until it is open again.
   std::optional<Probe> probe_;
   TouchReadout touch_;
+  std::function<bool(const QString& text)> speaker_;
   bool touch_present_ = false;
   QByteArray layout_before_full_screen_;
   bool closes_when_saved_ = false;

@@ -188,8 +188,17 @@ void MainWindow::showTouchMissing(const QString& reason) {
 }
 
 void MainWindow::announce(const QString& text) {
+  announce(text, speaker_ && speaker_(text) ? QString() : text);
+}
+
+void MainWindow::setSpeaker(std::function<bool(const QString& text)> speaker) {
+  speaker_ = std::move(speaker);
+}
+
+void MainWindow::announce(const QString& text, const QString& spoken) {
   status_->set(StatusField::message, text);
-  if (!QAccessible::isActive()) return;
+  if (spoken.isEmpty() || !QAccessible::isActive()) return;
+  status_->firstField()->setAccessibleDescription(spoken);
   QAccessibleEvent event(status_->firstField(), QAccessible::Alert);
   QAccessible::updateAccessibility(&event);
 }

@@ -23,6 +23,7 @@ BASES = {
     "figure": ["map.tif", "-o", "out.svg"],
     "measure": ["map.tif", "--point", "30,30"],
     "suggest": ["map.tif"],
+    "describe": ["map.tif"],
     "touch": ["map.tif", "--stroke", "stroke.csv", "--frame", "device", "-o", "out.csv"],
     "record": ["map.tif", "--device", "virtual", "--seconds", "0.1", "-o", "out.csv"],
     "replay": ["log.csv", "-o", "out.csv"],

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/voice/voice_plugin.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QEvent>
+#include <QKeySequence>
+
+#include "core/message/catalogue.h"
+#include "core/region/window.h"
+#include "ui/message/message_text.h"
+
+namespace relievo {
+namespace {
+
+/// Where the voice speaks; what somebody has set on the plugin's object before is taken instead.
+VoiceWays waysOf(const QObject& plugin) {
+  VoiceWays ways{.socket = speechSocket()};
+  QStringList program = plugin.property("speakingProgram").toStringList();
+  if (!program.isEmpty()) {
+    ways.program.name = program.takeFirst();
+    ways.program.more = program;
+  }
+  const int answer_ms = plugin.property("answerMs").toInt();
+  if (answer_ms > 0) ways.answer_ms = answer_ms;
+  return ways;
+}
+
+}  // namespace
+
+VoicePlugin::~VoicePlugin() {
+  detach();
+}
+
+void VoicePlugin::attach(Host& host) {
+  host_ = &host;
+  voice_ = std::make_unique<OwnVoice>(waysOf(*this));
+  panel_ = new VoicePanel;
+  host.controls.addPanel(tr("Voice"), panel_);  // The window owns it.
+  auto* repeat_action = new QAction(tr("&Repeat what was said"));
+  repeat_action->setObjectName(QStringLiteral("repeatSpeech"));
+  repeat_action->setShortcut(QKeySequence(QStringLiteral("Ctrl+Alt+S")));
+  repeat_action->setToolTip(tr("Say again what was said last (Ctrl+Alt+S)"));
+  repeat_action->setStatusTip(repeat_action->toolTip());
+  repeat_action->setWhatsThis(tr("In the voice's language of now; with a voice of its own."));
+  repeat_action_ = repeat_action;
+  connect(repeat_action, &QAction::triggered, this, &VoicePlugin::repeat);
+  host.controls.addAction(QStringLiteral("Touch"), repeat_action);
+  connect(panel_, &VoicePanel::settingsChanged, this, [this] {
+    settings_ = panel_->settings();
+    applySettings();
+  });
+  connect(panel_, &VoicePanel::trialAsked, this,
+          [this] { voice_->speak({said<MessageId::voice_speaks>()}, SaidBecause::asked); });
+  connect(panel_, &VoicePanel::repeatAsked, this, &VoicePlugin::repeat);
+  connect(voice_.get(), &OwnVoice::channelChanged, this, [this] {
+    if (panel_) panel_->showChannel(voice_->channel());
+  });
+  connect(voice_.get(), &OwnVoice::failed, this, [this](const Message& why) {
+    host_->messages.showError(messageText(why), QString::fromStdString(codeOf(why)));
+  });
+  connect(&host.view, &ShownWindow::windowShown, voice_.get(),
+          [this](const std::shared_ptr<const RegionWindow>& window) {
+            if (window) voice_->setScale(handMapping(*window).objectMmPerHandMm());
+          });
+  QCoreApplication::instance()->installEventFilter(this);
+  host.messages.setVoice(voice_.get());
+  applySettings();
+}
+
+void VoicePlugin::detach() noexcept {
+  if (host_ == nullptr) return;
+  QCoreApplication::instance()->removeEventFilter(this);
+  host_->messages.setVoice(nullptr);
+  disconnect(&host_->view, nullptr, voice_.get(), nullptr);
+  voice_.reset();
+  host_ = nullptr;
+}
+
+QByteArray VoicePlugin::saveState() const {
+  return jsonOf(settings_);
+}
+
+void VoicePlugin::restoreState(const QByteArray& state) {
+  settings_ = voiceSettingsFromJson(state);
+  if (panel_) panel_->setSettings(settings_);
+  applySettings();
+}
+
+void VoicePlugin::applySettings() {
+  voice_->setSettings(settings_);
+  // Without a voice of its own the screen reader repeats, if anyone.
+  if (repeat_action_) repeat_action_->setEnabled(settings_.own_voice);
+  if (panel_) panel_->showChannel(voice_->channel());
+}
+
+void VoicePlugin::repeat() {
+  if (!voice_->repeat()) host_->messages.say({said<MessageId::voice_nothing_to_repeat>()});
+}
+
+bool VoicePlugin::eventFilter(QObject* watched, QEvent* event) {
+  // A key that is a shortcut comes as an override only; both come before what the key does.
+  const bool is_key =
+      event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (is_key && voice_) voice_->hush();
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace relievo

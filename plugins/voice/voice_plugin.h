@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <QAction>
+#include <QObject>
+#include <QPointer>
+
+#include "plugins/api/plugin.h"
+#include "plugins/voice/own_voice.h"
+#include "plugins/voice/voice_panel.h"
+
+namespace relievo {
+
+/// Gives the program a voice of its own: the panel Voice, and a command that repeats. Tests set the
+/// properties "speakingProgram" (instead of espeak-ng, with arguments) and "answerMs" before
+/// attach.
+class VoicePlugin : public QObject, public Plugin {
+  Q_OBJECT
+  Q_PLUGIN_METADATA(IID RELIEVO_PLUGIN_IID FILE "voice_plugin.json")
+  Q_INTERFACES(relievo::Plugin)
+
+ public:
+  ~VoicePlugin() override;
+  void attach(Host& host) override;
+  void detach() noexcept override;
+  QByteArray saveState() const override;
+  void restoreState(const QByteArray& state) override;
+  /// Any key cuts what is being said.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void applySettings();
+  void repeat();
+
+  Host* host_ = nullptr;
+  VoiceSettings settings_;
+  std::unique_ptr<OwnVoice> voice_;
+  QPointer<VoicePanel> panel_;
+  QPointer<QAction> repeat_action_;
+};
+
+}  // namespace relievo
