@@ -65,7 +65,8 @@ QList<Row> rowsOf(const QList<QAction*>& commands) {
   add(KeysSheet::tr("Detail view: arrows, Shift+arrows"),
       KeysSheet::tr("Move the hand by 1 or by 10 cells"));
   add(KeysSheet::tr("Detail view: Page Down, Page Up"), KeysSheet::tr("Press in, lift"));
-  add(KeysSheet::tr("Detail view: left button"), KeysSheet::tr("Press the hand in"));
+  add(KeysSheet::tr("Detail view: left button"),
+      KeysSheet::tr("To look: turn the view; to touch: press the hand in"));
   add(KeysSheet::tr("Detail view: Ctrl+wheel"), KeysSheet::tr("Change the press depth"));
   add(KeysSheet::tr("Detail view: wheel"), KeysSheet::tr("Zoom about the pointer"));
   add(KeysSheet::tr("Detail view: middle, right button"),

@@ -37,6 +37,7 @@ constexpr std::array<FieldFact, kStatusFieldCount> kFields{{
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Force"), ""},
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Force rate"), ""},
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Recording"), ""},
+    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Mouse"), ""},
 }};
 
 /// Text that a narrow window has no room for ends in dots.

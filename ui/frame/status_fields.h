@@ -14,8 +14,8 @@ class QWidget;
 
 namespace relievo {
 
-enum class StatusField { message, position, origin, detail, hand, force, rate, recording };
-inline constexpr std::size_t kStatusFieldCount = 8;
+enum class StatusField { message, position, origin, detail, hand, force, rate, recording, pointer };
+inline constexpr std::size_t kStatusFieldCount = 9;
 
 /// The status bar: fields that can be focused and read one by one, and the progress of long work
 /// with Cancel. [GUI thread]

@@ -1218,12 +1218,12 @@
         <translation>Detailansicht</translation>
     </message>
     <message>
-        <source>The part inside the pink window. The pointer carries the hand just above the surface; hold the left button to press in, turn the wheel meanwhile to press deeper. Middle drag turns, right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
-        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche; mit gehaltener linker Maustaste wird eingedrückt, das Rad dabei drückt tiefer. Ziehen mit der mittleren Taste dreht, mit der rechten verschiebt es den Ausschnitt, das Rad vergrößert. Tasten: Pfeile, Bild ab, Bild auf.</translation>
-    </message>
-    <message>
         <source>Move window</source>
         <translation>Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface. To look, drag with the left button to turn; to touch (F7), hold it to press in, and turn the wheel meanwhile to press deeper. Right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
+        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche. Zum Betrachten drehen Sie mit gezogener linker Taste; zum Fühlen (F7) drückt sie ein, solange sie gehalten wird, und das Rad währenddessen tiefer. Ziehen mit rechts verschiebt den Ausschnitt, das Rad zoomt. Tasten: Pfeile, Bild ab, Bild auf.</translation>
     </message>
 </context>
 <context>
@@ -3021,10 +3021,6 @@
         <translation>Detailansicht: linke Maustaste</translation>
     </message>
     <message>
-        <source>Press the hand in</source>
-        <translation>Die Hand eindrücken</translation>
-    </message>
-    <message>
         <source>Detail view: Ctrl+wheel</source>
         <translation>Detailansicht: Strg+Rad</translation>
     </message>
@@ -3087,6 +3083,25 @@
     <message>
         <source>What they do</source>
         <translation>Was sie tun</translation>
+    </message>
+    <message>
+        <source>To look: turn the view; to touch: press the hand in</source>
+        <translation>Betrachten: Ansicht drehen; Fühlen: Hand eindrücken</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::LightBall</name>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Drag to move the light: the rim is raking light, the middle is light from you. Arrows move it by 5 degrees</source>
+        <translation>Ziehen bewegt das Licht: Am Rand ist Streiflicht, in der Mitte Licht von Ihnen her. Pfeile bewegen es um 5 Grad</translation>
+    </message>
+    <message>
+        <source>Light from %1°, %2° high</source>
+        <translation>Licht aus %1°, %2° hoch</translation>
     </message>
 </context>
 <context>
@@ -3261,14 +3276,6 @@
     <message>
         <source>&amp;View</source>
         <translation>A&amp;nsicht</translation>
-    </message>
-    <message>
-        <source>Turn &amp;detail view</source>
-        <translation>De&amp;tailansicht drehen</translation>
-    </message>
-    <message>
-        <source>Turn the detail view</source>
-        <translation>Die Detailansicht drehen</translation>
     </message>
     <message>
         <source>Relief ima&amp;ge</source>
@@ -4676,6 +4683,122 @@
     <message>
         <source>Help in the browser, at the page for what has the keyboard; guide, documentation</source>
         <translation>Handbuch im Browser, auf der Seite zu dem, wo die Tastatur ist; Hilfe, Anleitung, Dokumentation</translation>
+    </message>
+    <message>
+        <source>&amp;Detail view</source>
+        <translation>De&amp;tailansicht</translation>
+    </message>
+    <message>
+        <source>What the left button does, and turning by keys</source>
+        <translation>Was die linke Maustaste tut, und Drehen mit Tasten</translation>
+    </message>
+    <message>
+        <source>Ke&amp;y light</source>
+        <translation>Licht&amp;quelle</translation>
+    </message>
+    <message>
+        <source>From where the light shines; low light brings out detail</source>
+        <translation>Woher das Licht kommt; niedriges Licht zeigt Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k with the left button</source>
+        <translation>Mit der linken Taste &amp;betrachten</translation>
+    </message>
+    <message>
+        <source>Dragging with the left button turns the detail view</source>
+        <translation>Ziehen mit der linken Taste dreht die Detailansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Touch with the left button</source>
+        <translation>Mit der linken Taste &amp;fühlen</translation>
+    </message>
+    <message>
+        <source>The left button presses the hand into the surface</source>
+        <translation>Die linke Taste drückt die Hand in die Oberfläche</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Betrachten</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>&amp;Switch between look and touch</source>
+        <translation>&amp;Zwischen Betrachten und Fühlen wechseln</translation>
+    </message>
+    <message>
+        <source>What the left button does in the detail view: turn it, or press the hand in</source>
+        <translation>Was die linke Taste in der Detailansicht tut: sie drehen oder die Hand eindrücken</translation>
+    </message>
+    <message>
+        <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
+        <translation>Was die Maus in der Detailansicht tut; F7 wechselt zwischen Betrachten und Fühlen, die Einstellungen belegen die Tasten</translation>
+    </message>
+    <message>
+        <source>Turn &amp;counterclockwise</source>
+        <translation>&amp;Gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn the light by 5 degrees, counterclockwise</source>
+        <translation>Das Licht um 5 Grad gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn cloc&amp;kwise</source>
+        <translation>Im &amp;Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn the light by 5 degrees, clockwise</source>
+        <translation>Das Licht um 5 Grad im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Higher</source>
+        <translation>&amp;Höher</translation>
+    </message>
+    <message>
+        <source>The light 5 degrees higher</source>
+        <translation>Das Licht 5 Grad höher</translation>
+    </message>
+    <message>
+        <source>Lo&amp;wer</source>
+        <translation>&amp;Niedriger</translation>
+    </message>
+    <message>
+        <source>The light 5 degrees lower: worn detail comes out</source>
+        <translation>Das Licht 5 Grad niedriger: Abgenutztes tritt hervor</translation>
+    </message>
+    <message>
+        <source>Light almost along the surface, 10 degrees above it</source>
+        <translation>Licht fast entlang der Oberfläche, 10 Grad darüber</translation>
+    </message>
+    <message>
+        <source>&amp;Usual light</source>
+        <translation>Üb&amp;liches Licht</translation>
+    </message>
+    <message>
+        <source>From the upper left, 45 degrees high</source>
+        <translation>Von links oben, 45 Grad hoch</translation>
+    </message>
+    <message>
+        <source>Raking from the &amp;left</source>
+        <translation>&amp;Streiflicht von links</translation>
+    </message>
+    <message>
+        <source>Raking from the &amp;right</source>
+        <translation>Streiflicht von &amp;rechts</translation>
+    </message>
+    <message>
+        <source>Raking from &amp;above</source>
+        <translation>Streiflicht von &amp;oben</translation>
+    </message>
+    <message>
+        <source>Raking from &amp;below</source>
+        <translation>Strei&amp;flicht von unten</translation>
+    </message>
+    <message>
+        <source>%1. This relief image has no lamp: the light shows in others.</source>
+        <translation>%1. Dieses Reliefbild hat keine Lampe: Das Licht zeigt sich in anderen.</translation>
     </message>
 </context>
 <context>
@@ -7610,6 +7733,61 @@
     </message>
 </context>
 <context>
+    <name>relievo::PointerBindings</name>
+    <message>
+        <source>left turns</source>
+        <translation>links dreht</translation>
+    </message>
+    <message>
+        <source>left moves</source>
+        <translation>links verschiebt</translation>
+    </message>
+    <message>
+        <source>left zooms</source>
+        <translation>links zoomt</translation>
+    </message>
+    <message>
+        <source>middle turns</source>
+        <translation>Mitte dreht</translation>
+    </message>
+    <message>
+        <source>middle moves</source>
+        <translation>Mitte verschiebt</translation>
+    </message>
+    <message>
+        <source>middle zooms</source>
+        <translation>Mitte zoomt</translation>
+    </message>
+    <message>
+        <source>right turns</source>
+        <translation>rechts dreht</translation>
+    </message>
+    <message>
+        <source>right moves</source>
+        <translation>rechts verschiebt</translation>
+    </message>
+    <message>
+        <source>right zooms</source>
+        <translation>rechts zoomt</translation>
+    </message>
+    <message>
+        <source>left presses the hand in</source>
+        <translation>links drückt die Hand ein</translation>
+    </message>
+    <message>
+        <source>wheel zooms</source>
+        <translation>Rad zoomt</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Betrachten</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Fühlen</translation>
+    </message>
+</context>
+<context>
     <name>relievo::PreferencesDialog</name>
     <message>
         <source>No setting has these words.</source>
@@ -7862,6 +8040,82 @@
     <message>
         <source>Angle between the two eyes&apos; directions at the start, without automatic depth</source>
         <translation>Winkel zwischen den Blickrichtungen der Augen am Anfang, ohne automatische Tiefe</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Left button</source>
+        <translation>Linke Taste</translation>
+    </message>
+    <message>
+        <source>What it does in the detail view: look turns it, touch presses the hand in (F7)</source>
+        <translation>Was sie in der Detailansicht tut: Betrachten dreht sie, Fühlen drückt die Hand ein (F7)</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Betrachten</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>turns the view</source>
+        <translation>dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>moves the window</source>
+        <translation>verschiebt den Ausschnitt</translation>
+    </message>
+    <message>
+        <source>zooms</source>
+        <translation>zoomt</translation>
+    </message>
+    <message>
+        <source>does nothing</source>
+        <translation>tut nichts</translation>
+    </message>
+    <message>
+        <source>What dragging with this button does in the detail view</source>
+        <translation>Was Ziehen mit dieser Taste in der Detailansicht tut</translation>
+    </message>
+    <message>
+        <source>To look: left</source>
+        <translation>Betrachten: links</translation>
+    </message>
+    <message>
+        <source>To look: middle</source>
+        <translation>Betrachten: Mitte</translation>
+    </message>
+    <message>
+        <source>To look: right</source>
+        <translation>Betrachten: rechts</translation>
+    </message>
+    <message>
+        <source>To touch: middle</source>
+        <translation>Fühlen: Mitte</translation>
+    </message>
+    <message>
+        <source>To touch: right</source>
+        <translation>Fühlen: rechts</translation>
+    </message>
+    <message>
+        <source>Wheel away from you</source>
+        <translation>Rad von Ihnen weg</translation>
+    </message>
+    <message>
+        <source>Which way the wheel zooms in the detail view</source>
+        <translation>In welche Richtung das Rad in der Detailansicht zoomt</translation>
+    </message>
+    <message>
+        <source>zooms in</source>
+        <translation>zoomt hinein</translation>
+    </message>
+    <message>
+        <source>zooms out</source>
+        <translation>zoomt heraus</translation>
     </message>
 </context>
 <context>
@@ -8852,6 +9106,10 @@
     <message>
         <source>Working</source>
         <translation>In Arbeit</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
     </message>
 </context>
 <context>

@@ -1218,12 +1218,12 @@
         <translation>विवरण दृश्य</translation>
     </message>
     <message>
-        <source>The part inside the pink window. The pointer carries the hand just above the surface; hold the left button to press in, turn the wheel meanwhile to press deeper. Middle drag turns, right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
-        <translation>गुलाबी विंडो के भीतर का भाग। सूचक हाथ को सतह के ठीक ऊपर ले जाता है; भीतर दबाने के लिए बायाँ बटन दबाए रखें, और गहरा दबाने के लिए साथ में पहिया घुमाएँ। बीच का बटन घुमाता है, दायाँ विंडो खिसकाता है, पहिया पास लाता है। कुंजियाँ: तीर, Page Down, Page Up।</translation>
-    </message>
-    <message>
         <source>Move window</source>
         <translation>विंडो खिसकाएँ</translation>
+    </message>
+    <message>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface. To look, drag with the left button to turn; to touch (F7), hold it to press in, and turn the wheel meanwhile to press deeper. Right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
+        <translation>गुलाबी विंडो के भीतर का भाग। सूचक हाथ को सतह के ठीक ऊपर ले जाता है। देखने के लिए बाएँ बटन से खींचकर घुमाएँ; स्पर्श के लिए (F7) उसे दबाए रखकर भीतर दबाएँ, और उस समय पहिया घुमाकर और गहरा। दाएँ से खींचना विंडो को खिसकाता है, पहिया पास-दूर करता है। कुंजियाँ: तीर, Page Down, Page Up।</translation>
     </message>
 </context>
 <context>
@@ -3021,10 +3021,6 @@
         <translation>विवरण दृश्य: बायाँ बटन</translation>
     </message>
     <message>
-        <source>Press the hand in</source>
-        <translation>हाथ को भीतर दबाएँ</translation>
-    </message>
-    <message>
         <source>Detail view: Ctrl+wheel</source>
         <translation>विवरण दृश्य: Ctrl+पहिया</translation>
     </message>
@@ -3087,6 +3083,25 @@
     <message>
         <source>What they do</source>
         <translation>वे क्या करती हैं</translation>
+    </message>
+    <message>
+        <source>To look: turn the view; to touch: press the hand in</source>
+        <translation>देखना: दृश्य घुमाएँ; स्पर्श: हाथ भीतर दबाएँ</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::LightBall</name>
+    <message>
+        <source>Light</source>
+        <translation>प्रकाश</translation>
+    </message>
+    <message>
+        <source>Drag to move the light: the rim is raking light, the middle is light from you. Arrows move it by 5 degrees</source>
+        <translation>खींचने से प्रकाश हिलता है: किनारे पर तिरछा प्रकाश, बीच में आपकी ओर से प्रकाश। तीर उसे 5 अंश हिलाते हैं</translation>
+    </message>
+    <message>
+        <source>Light from %1°, %2° high</source>
+        <translation>प्रकाश %1° से, %2° ऊँचा</translation>
     </message>
 </context>
 <context>
@@ -3261,14 +3276,6 @@
     <message>
         <source>&amp;View</source>
         <translation>दृश्य (&amp;V)</translation>
-    </message>
-    <message>
-        <source>Turn &amp;detail view</source>
-        <translation>विवरण दृश्य घुमाएँ (&amp;D)</translation>
-    </message>
-    <message>
-        <source>Turn the detail view</source>
-        <translation>विवरण दृश्य घुमाएँ</translation>
     </message>
     <message>
         <source>Relief ima&amp;ge</source>
@@ -4676,6 +4683,122 @@
     <message>
         <source>Help in the browser, at the page for what has the keyboard; guide, documentation</source>
         <translation>ब्राउज़र में पुस्तिका, उस भाग के पृष्ठ पर जहाँ कुंजीपटल है; सहायता, मार्गदर्शिका, दस्तावेज़</translation>
+    </message>
+    <message>
+        <source>&amp;Detail view</source>
+        <translation>विवरण दृश्य (&amp;D)</translation>
+    </message>
+    <message>
+        <source>What the left button does, and turning by keys</source>
+        <translation>बायाँ बटन क्या करता है, और कुंजियों से घुमाना</translation>
+    </message>
+    <message>
+        <source>Ke&amp;y light</source>
+        <translation>मुख्य प्रकाश (&amp;Y)</translation>
+    </message>
+    <message>
+        <source>From where the light shines; low light brings out detail</source>
+        <translation>प्रकाश कहाँ से आता है; नीचा प्रकाश बारीकियाँ उभारता है</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k with the left button</source>
+        <translation>बाएँ बटन से देखें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Dragging with the left button turns the detail view</source>
+        <translation>बाएँ बटन से खींचना विवरण दृश्य को घुमाता है</translation>
+    </message>
+    <message>
+        <source>&amp;Touch with the left button</source>
+        <translation>बाएँ बटन से स्पर्श करें (&amp;T)</translation>
+    </message>
+    <message>
+        <source>The left button presses the hand into the surface</source>
+        <translation>बायाँ बटन हाथ को सतह में दबाता है</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>देखना</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>स्पर्श</translation>
+    </message>
+    <message>
+        <source>&amp;Switch between look and touch</source>
+        <translation>देखने और स्पर्श के बीच बदलें (&amp;S)</translation>
+    </message>
+    <message>
+        <source>What the left button does in the detail view: turn it, or press the hand in</source>
+        <translation>बायाँ बटन विवरण दृश्य में क्या करता है: उसे घुमाना, या हाथ भीतर दबाना</translation>
+    </message>
+    <message>
+        <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
+        <translation>माउस विवरण दृश्य में क्या करता है; F7 देखने और स्पर्श के बीच बदलता है, वरीयताएँ बटन चुनती हैं</translation>
+    </message>
+    <message>
+        <source>Turn &amp;counterclockwise</source>
+        <translation>घड़ी की उलटी दिशा में घुमाएँ (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Turn the light by 5 degrees, counterclockwise</source>
+        <translation>प्रकाश को 5 अंश घड़ी की उलटी दिशा में घुमाएँ</translation>
+    </message>
+    <message>
+        <source>Turn cloc&amp;kwise</source>
+        <translation>घड़ी की दिशा में घुमाएँ (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Turn the light by 5 degrees, clockwise</source>
+        <translation>प्रकाश को 5 अंश घड़ी की दिशा में घुमाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Higher</source>
+        <translation>ऊँचा (&amp;H)</translation>
+    </message>
+    <message>
+        <source>The light 5 degrees higher</source>
+        <translation>प्रकाश 5 अंश ऊँचा</translation>
+    </message>
+    <message>
+        <source>Lo&amp;wer</source>
+        <translation>नीचा (&amp;W)</translation>
+    </message>
+    <message>
+        <source>The light 5 degrees lower: worn detail comes out</source>
+        <translation>प्रकाश 5 अंश नीचा: घिसी बारीकियाँ उभरती हैं</translation>
+    </message>
+    <message>
+        <source>Light almost along the surface, 10 degrees above it</source>
+        <translation>लगभग सतह के साथ-साथ प्रकाश, उससे 10 अंश ऊपर</translation>
+    </message>
+    <message>
+        <source>&amp;Usual light</source>
+        <translation>सामान्य प्रकाश (&amp;U)</translation>
+    </message>
+    <message>
+        <source>From the upper left, 45 degrees high</source>
+        <translation>ऊपर बाएँ से, 45 अंश ऊँचा</translation>
+    </message>
+    <message>
+        <source>Raking from the &amp;left</source>
+        <translation>बाएँ से तिरछा प्रकाश (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Raking from the &amp;right</source>
+        <translation>दाएँ से तिरछा प्रकाश (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Raking from &amp;above</source>
+        <translation>ऊपर से तिरछा प्रकाश (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Raking from &amp;below</source>
+        <translation>नीचे से तिरछा प्रकाश (&amp;B)</translation>
+    </message>
+    <message>
+        <source>%1. This relief image has no lamp: the light shows in others.</source>
+        <translation>%1। इस उभार चित्र में कोई दीपक नहीं: प्रकाश दूसरों में दिखता है।</translation>
     </message>
 </context>
 <context>
@@ -7610,6 +7733,61 @@
     </message>
 </context>
 <context>
+    <name>relievo::PointerBindings</name>
+    <message>
+        <source>left turns</source>
+        <translation>बायाँ घुमाता है</translation>
+    </message>
+    <message>
+        <source>left moves</source>
+        <translation>बायाँ खिसकाता है</translation>
+    </message>
+    <message>
+        <source>left zooms</source>
+        <translation>बायाँ पास-दूर करता है</translation>
+    </message>
+    <message>
+        <source>middle turns</source>
+        <translation>बीच का घुमाता है</translation>
+    </message>
+    <message>
+        <source>middle moves</source>
+        <translation>बीच का खिसकाता है</translation>
+    </message>
+    <message>
+        <source>middle zooms</source>
+        <translation>बीच का पास-दूर करता है</translation>
+    </message>
+    <message>
+        <source>right turns</source>
+        <translation>दायाँ घुमाता है</translation>
+    </message>
+    <message>
+        <source>right moves</source>
+        <translation>दायाँ खिसकाता है</translation>
+    </message>
+    <message>
+        <source>right zooms</source>
+        <translation>दायाँ पास-दूर करता है</translation>
+    </message>
+    <message>
+        <source>left presses the hand in</source>
+        <translation>बायाँ हाथ को भीतर दबाता है</translation>
+    </message>
+    <message>
+        <source>wheel zooms</source>
+        <translation>पहिया पास-दूर करता है</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>देखना</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>स्पर्श</translation>
+    </message>
+</context>
+<context>
     <name>relievo::PreferencesDialog</name>
     <message>
         <source>No setting has these words.</source>
@@ -7862,6 +8040,82 @@
     <message>
         <source>Angle between the two eyes&apos; directions at the start, without automatic depth</source>
         <translation>आरंभ में दोनों आँखों की दिशाओं के बीच कोण, स्वचालित गहराई के बिना</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>माउस</translation>
+    </message>
+    <message>
+        <source>Left button</source>
+        <translation>बायाँ बटन</translation>
+    </message>
+    <message>
+        <source>What it does in the detail view: look turns it, touch presses the hand in (F7)</source>
+        <translation>यह विवरण दृश्य में क्या करता है: देखना उसे घुमाता है, स्पर्श हाथ को भीतर दबाता है (F7)</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>देखना</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>स्पर्श</translation>
+    </message>
+    <message>
+        <source>turns the view</source>
+        <translation>दृश्य घुमाता है</translation>
+    </message>
+    <message>
+        <source>moves the window</source>
+        <translation>विंडो खिसकाता है</translation>
+    </message>
+    <message>
+        <source>zooms</source>
+        <translation>पास-दूर करता है</translation>
+    </message>
+    <message>
+        <source>does nothing</source>
+        <translation>कुछ नहीं करता</translation>
+    </message>
+    <message>
+        <source>What dragging with this button does in the detail view</source>
+        <translation>इस बटन से खींचना विवरण दृश्य में क्या करता है</translation>
+    </message>
+    <message>
+        <source>To look: left</source>
+        <translation>देखना: बायाँ</translation>
+    </message>
+    <message>
+        <source>To look: middle</source>
+        <translation>देखना: बीच का</translation>
+    </message>
+    <message>
+        <source>To look: right</source>
+        <translation>देखना: दायाँ</translation>
+    </message>
+    <message>
+        <source>To touch: middle</source>
+        <translation>स्पर्श: बीच का</translation>
+    </message>
+    <message>
+        <source>To touch: right</source>
+        <translation>स्पर्श: दायाँ</translation>
+    </message>
+    <message>
+        <source>Wheel away from you</source>
+        <translation>पहिया आपसे दूर</translation>
+    </message>
+    <message>
+        <source>Which way the wheel zooms in the detail view</source>
+        <translation>विवरण दृश्य में पहिया किस दिशा में पास-दूर करता है</translation>
+    </message>
+    <message>
+        <source>zooms in</source>
+        <translation>पास लाता है</translation>
+    </message>
+    <message>
+        <source>zooms out</source>
+        <translation>दूर ले जाता है</translation>
     </message>
 </context>
 <context>
@@ -8852,6 +9106,10 @@
     <message>
         <source>Working</source>
         <translation>काम चल रहा है</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>माउस</translation>
     </message>
 </context>
 <context>

@@ -99,7 +99,8 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
   showWindow();
   showHistory();
   showRecent();
-  for (const char* key : {"theme", "text_percent", "size_unit", "stereo_kind", "recording_kind"}) {
+  for (const char* key :
+       {"theme", "text_percent", "size_unit", "stereo_kind", "recording_kind", "pointer_mode"}) {
     applyPreference(QString::fromLatin1(key));
   }
   restoreLayout();
@@ -278,6 +279,7 @@ void MainWindow::connectParts() {
     announce(tr("Press depth %1 mm of hand").arg(numberText(depth, 2)));
   });
   connectPlaces();
+  connectLight();
   connectReplay();
   connectVideo();
   connectImages();
@@ -328,6 +330,7 @@ void MainWindow::showSurface() {
   pages_->setCurrentIndex(is_open ? 1 : 0);
   tools_->setVisible(is_open);
   enableCommands();
+  showBindings();
   if (!is_open) return;
   const Surface& surface = *document_.surface();
   const HeightRange heights = mapFacts(surface).heights;

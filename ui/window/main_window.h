@@ -17,6 +17,7 @@
 #include "ui/style/icons.h"
 #include "ui/style/palette.h"
 #include "ui/views/picture_file.h"
+#include "ui/views/pointer_bindings.h"
 #include "ui/views/quiet_turns.h"
 #include "ui/views/touch_readout.h"
 #include "ui/window/settings.h"
@@ -36,6 +37,7 @@ class FirstViewCard;
 class MeasurePanel;
 class MessageStrip;
 struct MapExport;
+class LightBall;
 class OverviewInset;
 class PathPreview;
 class PlacesPanel;
@@ -314,6 +316,22 @@ class MainWindow : public QMainWindow {
   void showView(const ViewState& view, const QString& name);
   void offerLeftWork();
 
+  // main_window_light.cpp
+  void makeLightCommands();
+  void connectLight();
+  void stepLight(int clockwise, int higher);
+  void chooseLight(const LightOptions& light, int merge_id);
+  void showLight();
+  static constexpr int kMergeDraggedLight = 104;
+
+  // main_window_pointer.cpp
+  void makePointerCommands();
+  PointerBindings pointerBindings() const;  ///< As preferences say.
+  void choosePointerMode(PointerMode mode);
+  void showPointerMode(PointerMode mode);
+  void showBindings();
+  void touchWhileForcesAreOn(bool on);  ///< Does something when they come on or go off.
+
   // main_window_measure.cpp
   void makeMeasureCommands();
   void makeReliefCommands();
@@ -371,6 +389,7 @@ class MainWindow : public QMainWindow {
   ReferenceView* reference_ = nullptr;
   DetailView* detail_ = nullptr;
   OverviewInset* inset_ = nullptr;
+  LightBall* light_ball_ = nullptr;
   SidePanels* panels_ = nullptr;
   SurfacePanel* surface_panel_ = nullptr;
   RegionPanel* region_panel_ = nullptr;
@@ -403,6 +422,8 @@ class MainWindow : public QMainWindow {
   std::optional<Probe> probe_;
   TouchReadout touch_;
   bool touch_present_ = false;
+  bool forces_were_on_ = false;
+  bool looks_after_forces_ = false;  ///< Touch was chosen by the forces, not by the person.
   QByteArray layout_before_full_screen_;
   bool closes_when_saved_ = false;
   std::shared_ptr<const Surface> warned_of_rivalry_;

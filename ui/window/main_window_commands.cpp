@@ -166,6 +166,8 @@ void MainWindow::makeCommands() {
   makeWindowCommands();
   makeReliefCommands();
   makeMeasureCommands();
+  makePointerCommands();
+  makeLightCommands();
   makePlaceCommands();
   makePackageCommand();
   makeExportCommand();

@@ -21,6 +21,7 @@
 #include "ui/plots/time_plot.h"
 #include "ui/style/text.h"
 #include "ui/views/detail_view.h"
+#include "ui/views/light_ball.h"
 #include "ui/views/reference_view.h"
 #include "ui/window/main_window.h"
 
@@ -61,6 +62,7 @@ void MainWindow::setFullScreenDetail(bool on) {
   panels_->setVisible(!on && command("show_panels")->isChecked());
   showPlots();
   inset_->setVisible(on);
+  light_ball_->place();
   if (!on) restoreState(layout_before_full_screen_);
   command("full_screen")->setChecked(on);
   detail_->setFocus();
@@ -147,6 +149,12 @@ void MainWindow::applyPreference(const QString& key) {
   } else if (key == QLatin1String("recording_kind")) {
     command(recordingEnding() == QLatin1String("h5") ? "record_h5" : "record_csv")
         ->setChecked(true);
+  } else if (key == QLatin1String("pointer_mode")) {
+    const bool touches = settings_.choice(key, QString()).toString() == QLatin1String("touch");
+    showPointerMode(touches ? PointerMode::touch : PointerMode::look);
+  } else if (key.startsWith(QLatin1String("look_")) || key.startsWith(QLatin1String("touch_")) ||
+             key == QLatin1String("wheel_forward")) {
+    showBindings();
   } else if (key.startsWith(QLatin1String("stereo_"))) {
     const auto mode =
         stereoMode(settings_.choice(QStringLiteral("stereo_kind"), QStringLiteral("anaglyph"))

@@ -57,10 +57,11 @@ void MainWindow::makeMenus() {
                                                   "paste_view", "-", "answer", "-", "preferences"});
   QMenu* view = menu(QStringLiteral("view"), tr("&View"));
   add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "-"});
-  QMenu* turn = view->addMenu(tr("Turn &detail view"));
-  turn->menuAction()->setToolTip(tr("Turn the detail view"));
+  QMenu* turn = view->addMenu(tr("&Detail view"));
+  turn->menuAction()->setToolTip(tr("What the left button does, and turning by keys"));
   turn->setToolTipsVisible(true);
-  add(turn, {"turn_left", "turn_right", "turn_up", "turn_down"});
+  add(turn, {"pointer_look", "pointer_touch", "pointer_switch", "-", "turn_left", "turn_right",
+             "turn_up", "turn_down"});
   add(view, {"use_view", "fit", "-", "stereo", "-", "show_reference", "show_panels", "show_plots"});
   QMenu* relief = view->addMenu(tr("Relief ima&ge"));
   relief->menuAction()->setToolTip(tr("How heights are painted"));
@@ -74,6 +75,11 @@ void MainWindow::makeMenus() {
   for (const std::string_view name : kColourMapNames) {
     colours->addAction(command(("colours_" + std::string(name)).c_str()));
   }
+  QMenu* light = view->addMenu(tr("Ke&y light"));
+  light->menuAction()->setToolTip(tr("From where the light shines; low light brings out detail"));
+  light->setToolTipsVisible(true);
+  add(light, {"light_usual", "light_rake_left", "light_rake_right", "light_rake_above",
+              "light_rake_below", "-", "light_back", "light_on", "light_higher", "light_lower"});
   add(view, {"show_unmeasured"});
   makeThemeMenu(view);
   add(view, {"full_screen", "-", "swap_views", "next_part", "previous_part"});
@@ -153,6 +159,9 @@ void MainWindow::makeToolBar() {
   tools_->addWidget(views);
   tools_->addAction(command("fit"));
   tools_->addSeparator();
+  tools_->addAction(command("pointer_look"));
+  tools_->addAction(command("pointer_touch"));
+  tools_->addSeparator();
   tools_->addAction(command("coarser"));
   detail_choice_ = new QComboBox;
   // It is filled later; nothing beside it jumps then.
@@ -223,12 +232,41 @@ void MainWindow::enableCommands() {
   enableVideo();
   const bool is_open = document_.isOpen();
   const bool is_raster = is_open && document_.surface()->is_raster;
-  for (const char* name :
-       {"image",          "export",      "package",   "copy_view",  "paste_view",  "finer",
-        "coarser",        "whole",       "move_left", "move_right", "move_up",     "move_down",
-        "turn_left",      "turn_right",  "turn_up",   "turn_down",  "type_window", "fit",
-        "stereo",         "full_screen", "depth_map", "units",      "name_place",  "next_place",
-        "previous_place", "beacon"}) {
+  for (const char* name : {"image",
+                           "export",
+                           "package",
+                           "copy_view",
+                           "paste_view",
+                           "finer",
+                           "coarser",
+                           "whole",
+                           "move_left",
+                           "move_right",
+                           "move_up",
+                           "move_down",
+                           "turn_left",
+                           "turn_right",
+                           "turn_up",
+                           "turn_down",
+                           "type_window",
+                           "fit",
+                           "stereo",
+                           "full_screen",
+                           "depth_map",
+                           "units",
+                           "name_place",
+                           "next_place",
+                           "previous_place",
+                           "beacon",
+                           "light_usual",
+                           "light_rake_left",
+                           "light_rake_right",
+                           "light_rake_above",
+                           "light_rake_below",
+                           "light_back",
+                           "light_on",
+                           "light_higher",
+                           "light_lower"}) {
     command(name)->setEnabled(is_open);
   }
   for (const char* name : {"front", "back", "left", "right", "top", "bottom", "auto", "engine_cpu",

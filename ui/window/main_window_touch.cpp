@@ -83,6 +83,10 @@ void MainWindow::addToMenu(const QString& title, QAction* action) {
   to->insertAction(place < 0 ? nullptr : to->actions().value(place), action);
   to->menuAction()->setVisible(true);
   const bool forces = action->objectName() == QLatin1String("forces");
+  if (forces) connect(action, &QAction::toggled, this, &MainWindow::touchWhileForcesAreOn);
+  if (action->objectName() == QLatin1String("forcesOff")) {
+    connect(action, &QAction::triggered, this, [this] { touchWhileForcesAreOn(false); });
+  }
   if (!forces && action->objectName() != QLatin1String("record")) return;
   if (action->icon().isNull()) action->setIcon(icon(forces ? Icon::forces : Icon::record));
   QAction* before = command("image");
@@ -164,6 +168,7 @@ void MainWindow::showTouch(const TouchReadout& readout) {
     });
   }
   touch_ = readout;
+  touchWhileForcesAreOn(readout.forces_on);
   if (replay_->showing()) {
     if (!readout.forces_on) return;
     replay_->close();  // Whoever feels something must see where the hand is.
