@@ -857,6 +857,145 @@
         <source>Commands</source>
         <translation>आदेश</translation>
     </message>
+    <message>
+        <source>No command has these words. Try one word, or another for the same; F1 lists all keys, Shift+F1 opens the manual.</source>
+        <translation>किसी आदेश में ये शब्द नहीं। एक ही शब्द, या उसी का दूसरा शब्द आज़माएँ; F1 सब कुंजियाँ दिखाता है, Shift+F1 पुस्तिका खोलता है।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::CommandWords</name>
+    <message>
+        <source>load import file read</source>
+        <translation>लोड आयात फ़ाइल पढ़ें</translation>
+    </message>
+    <message>
+        <source>load import directory images</source>
+        <translation>लोड आयात निर्देशिका चित्र</translation>
+    </message>
+    <message>
+        <source>store keep session</source>
+        <translation>सहेजें रखें सत्र</translation>
+    </message>
+    <message>
+        <source>export publish print paper PDF SVG TIFF screenshot</source>
+        <translation>निर्यात प्रकाशन छपाई लेख PDF SVG TIFF</translation>
+    </message>
+    <message>
+        <source>export screenshot snapshot picture photo PNG capture</source>
+        <translation>निर्यात स्क्रीनशॉट तस्वीर फ़ोटो PNG</translation>
+    </message>
+    <message>
+        <source>save as convert STL PLY OBJ glTF GeoTIFF mesh 3D print section profile</source>
+        <translation>रूप बदलें STL PLY OBJ glTF GeoTIFF जाल 3D छपाई काट प्रोफ़ाइल</translation>
+    </message>
+    <message>
+        <source>export archive zip share cite</source>
+        <translation>निर्यात संग्रह zip साझा उद्धरण</translation>
+    </message>
+    <message>
+        <source>end unload</source>
+        <translation>समाप्त बंद</translation>
+    </message>
+    <message>
+        <source>exit end</source>
+        <translation>बाहर समाप्त</translation>
+    </message>
+    <message>
+        <source>clean crop cut trim align register merge join thin decimate outliers noise edit cloud</source>
+        <translation>साफ़ काटें छाँटें संरेखण जोड़ें मिलाएँ पतला शोर बिंदु संपादन</translation>
+    </message>
+    <message>
+        <source>align rotate orient resolution grid holes fill rasterize crop clean</source>
+        <translation>संरेखण घुमाएँ दिशा विभेदन जाली छेद भरें काटें साफ़</translation>
+    </message>
+    <message>
+        <source>scale millimetres metres inches</source>
+        <translation>पैमाना मिलीमीटर मीटर इंच</translation>
+    </message>
+    <message>
+        <source>zoom in closer magnify level</source>
+        <translation>ज़ूम पास बड़ा स्तर</translation>
+    </message>
+    <message>
+        <source>zoom out farther level</source>
+        <translation>ज़ूम दूर छोटा स्तर</translation>
+    </message>
+    <message>
+        <source>zoom all overview reset fit</source>
+        <translation>ज़ूम सब अवलोकन वापस</translation>
+    </message>
+    <message>
+        <source>zoom reset home straighten camera</source>
+        <translation>ज़ूम वापस सीधा कैमरा</translation>
+    </message>
+    <message>
+        <source>crop region coordinates selection go to</source>
+        <translation>काटें क्षेत्र निर्देशांक चयन जाएँ</translation>
+    </message>
+    <message>
+        <source>best feel where find interesting places</source>
+        <translation>सर्वोत्तम स्पर्श कहाँ खोजें रोचक स्थान</translation>
+    </message>
+    <message>
+        <source>rotate orbit spin</source>
+        <translation>घुमाव परिक्रमा</translation>
+    </message>
+    <message>
+        <source>rotate orbit tilt</source>
+        <translation>घुमाव परिक्रमा झुकाव</translation>
+    </message>
+    <message>
+        <source>align rotate orient plane</source>
+        <translation>संरेखण घुमाव दिशा तल</translation>
+    </message>
+    <message>
+        <source>align rotate orient level</source>
+        <translation>संरेखण घुमाव दिशा समतल</translation>
+    </message>
+    <message>
+        <source>rotate orbit mouse navigate</source>
+        <translation>घुमाव माउस संचालन</translation>
+    </message>
+    <message>
+        <source>feel press mouse haptic</source>
+        <translation>महसूस दबाएँ माउस</translation>
+    </message>
+    <message>
+        <source>mouse button mode tool</source>
+        <translation>माउस बटन विधा औज़ार</translation>
+    </message>
+    <message>
+        <source>light shadow oblique grazing</source>
+        <translation>प्रकाश छाया तिरछा</translation>
+    </message>
+    <message>
+        <source>light lamp reset</source>
+        <translation>प्रकाश दीपक वापस</translation>
+    </message>
+    <message>
+        <source>cross section cut line height curve</source>
+        <translation>अनुप्रस्थ काट रेखा ऊँचाई वक्र</translation>
+    </message>
+    <message>
+        <source>export curve plot SVG CSV</source>
+        <translation>निर्यात वक्र SVG CSV</translation>
+    </message>
+    <message>
+        <source>export table spreadsheet CSV</source>
+        <translation>निर्यात सारणी CSV</translation>
+    </message>
+    <message>
+        <source>help guide documentation handbook</source>
+        <translation>सहायता मार्गदर्शिका प्रलेखन</translation>
+    </message>
+    <message>
+        <source>help shortcuts hotkeys keyboard mouse</source>
+        <translation>सहायता शॉर्टकट कीबोर्ड माउस</translation>
+    </message>
+    <message>
+        <source>settings options configure language theme</source>
+        <translation>विकल्प विन्यास भाषा रंग</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DepthMapDialog</name>
@@ -1718,6 +1857,10 @@
     <message>
         <source>Coor&amp;dinates</source>
         <translation>निर्देशांक (&amp;D)</translation>
+    </message>
+    <message>
+        <source>as long as its lines</source>
+        <translation>अपनी रेखाओं जितना</translation>
     </message>
 </context>
 <context>
@@ -3088,6 +3231,26 @@
         <source>To look: turn the view; to touch: press the hand in</source>
         <translation>देखना: दृश्य घुमाएँ; स्पर्श: हाथ भीतर दबाएँ</translation>
     </message>
+    <message>
+        <source>Other commands</source>
+        <translation>अन्य आदेश</translation>
+    </message>
+    <message>
+        <source>In the views, by mouse and keys</source>
+        <translation>दृश्यों में, माउस और कुंजियों से</translation>
+    </message>
+    <message>
+        <source>Search keys</source>
+        <translation>कुंजियाँ खोजें</translation>
+    </message>
+    <message>
+        <source>Words of what a key does, or the key itself</source>
+        <translation>कुंजी क्या करती है उसके शब्द, या स्वयं कुंजी</translation>
+    </message>
+    <message>
+        <source>No key has these words. Ctrl+K finds commands without a key, too.</source>
+        <translation>किसी कुंजी में ये शब्द नहीं। Ctrl+K बिना कुंजी के आदेश भी खोजता है।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::LightBall</name>
@@ -3885,14 +4048,6 @@
         <translation>विवरण %1/%2</translation>
     </message>
     <message>
-        <source>hand 1 : %1</source>
-        <translation>हाथ 1 : %1</translation>
-    </message>
-    <message>
-        <source>1 mm of hand = %1 mm on the object</source>
-        <translation>हाथ का 1 mm = वस्तु पर %1 mm</translation>
-    </message>
-    <message>
         <source>&amp;Load what is there</source>
         <translation>जो है उसे लोड करें (&amp;L)</translation>
     </message>
@@ -4449,10 +4604,6 @@
         <translation>निर्यात (&amp;X)…</translation>
     </message>
     <message>
-        <source>A map or mesh for other programs</source>
-        <translation>दूसरे प्रोग्रामों के लिए मानचित्र या जाल</translation>
-    </message>
-    <message>
         <source>&amp;Keep them</source>
         <translation>उन्हें रखें (&amp;K)</translation>
     </message>
@@ -4799,6 +4950,94 @@
     <message>
         <source>%1. This relief image has no lamp: the light shows in others.</source>
         <translation>%1। इस उभार चित्र में कोई दीपक नहीं: प्रकाश दूसरों में दिखता है।</translation>
+    </message>
+    <message>
+        <source>A map, mesh, picture, profile or section for other programs</source>
+        <translation>दूसरे कार्यक्रमों के लिए मानचित्र, जाल, चित्र, प्रोफ़ाइल या काट</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels; File &gt; Image asks for others</source>
+        <translation>%1 x %2 पिक्सेल; फ़ाइल &gt; चित्र दूसरे पूछता है</translation>
+    </message>
+    <message>
+        <source>Picture of the detail view (.png)</source>
+        <translation>विवरण दृश्य का चित्र (.png)</translation>
+    </message>
+    <message>
+        <source>Picture of the whole object (.png)</source>
+        <translation>पूरी वस्तु का चित्र (.png)</translation>
+    </message>
+    <message>
+        <source>Profile %1, drawing (.svg)</source>
+        <translation>प्रोफ़ाइल %1, रेखाचित्र (.svg)</translation>
+    </message>
+    <message>
+        <source>Profile %1, numbers (.csv)</source>
+        <translation>प्रोफ़ाइल %1, संख्याएँ (.csv)</translation>
+    </message>
+    <message>
+        <source>Section %1, drawing (.svg)</source>
+        <translation>काट %1, रेखाचित्र (.svg)</translation>
+    </message>
+    <message>
+        <source>Section %1, numbers (.csv)</source>
+        <translation>काट %1, संख्याएँ (.csv)</translation>
+    </message>
+    <message>
+        <source>Profile c&amp;urve</source>
+        <translation>प्रोफ़ाइल वक्र (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Show or hide the curve of the selected profile under the views</source>
+        <translation>चुनी प्रोफ़ाइल का वक्र दृश्यों के नीचे दिखाएँ या छिपाएँ</translation>
+    </message>
+    <message>
+        <source>Save profil&amp;e as shown…</source>
+        <translation>प्रोफ़ाइल जैसी दिखती है सहेजें… (&amp;E)</translation>
+    </message>
+    <message>
+        <source>The curve under the views with its cursor as SVG, or its numbers as CSV</source>
+        <translation>दृश्यों के नीचे का वक्र अपने सूचक के साथ SVG में, या उसकी संख्याएँ CSV में</translation>
+    </message>
+    <message>
+        <source>Save profile</source>
+        <translation>प्रोफ़ाइल सहेजें</translation>
+    </message>
+    <message>
+        <source>As it is shown (*.svg)</source>
+        <translation>जैसी दिखती है (*.svg)</translation>
+    </message>
+    <message>
+        <source>Its numbers (*.csv)</source>
+        <translation>उसकी संख्याएँ (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 is closed</source>
+        <translation>%1 बंद है</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>बंद करें (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Close the scan and go back to the start page</source>
+        <translation>स्कैन बंद करें और आरंभ पृष्ठ पर लौटें</translation>
+    </message>
+    <message>
+        <source>&amp;Suggest windows</source>
+        <translation>विंडो सुझाएँ (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Rank windows by how much of their relief a hand feels</source>
+        <translation>विंडो को इससे क्रम दें कि उनके उभार का कितना भाग हाथ महसूस करता है</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was suggested.</source>
+        <translation>रद्द। कुछ सुझाया नहीं गया।</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>सुझाव</translation>
     </message>
 </context>
 <context>
@@ -8603,6 +8842,61 @@
     </message>
 </context>
 <context>
+    <name>relievo::ProfileStrip</name>
+    <message>
+        <source>at %1 mm: height %2 mm</source>
+        <translation>%1 mm पर: ऊँचाई %2 mm</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>प्रोफ़ाइल</translation>
+    </message>
+    <message>
+        <source>Press to put the cursor, drag to choose a piece. Arrows move the cursor, with Shift they choose a piece</source>
+        <translation>दबाने से सूचक रखें, खींचने से टुकड़ा चुनें। तीर सूचक को हिलाते हैं, Shift के साथ टुकड़ा चुनते हैं</translation>
+    </message>
+    <message>
+        <source>Profile under the views</source>
+        <translation>दृश्यों के नीचे प्रोफ़ाइल</translation>
+    </message>
+    <message>
+        <source>Length and depth</source>
+        <translation>लंबाई और गहराई</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>सहेजें…</translation>
+    </message>
+    <message>
+        <source>Save profile</source>
+        <translation>प्रोफ़ाइल सहेजें</translation>
+    </message>
+    <message>
+        <source>Save the curve as it is shown, or its numbers</source>
+        <translation>वक्र जैसा दिखता है, या उसकी संख्याएँ सहेजें</translation>
+    </message>
+    <message>
+        <source>Hide profile</source>
+        <translation>प्रोफ़ाइल छिपाएँ</translation>
+    </message>
+    <message>
+        <source>Hide the curve; the Measure menu shows it again</source>
+        <translation>वक्र छिपाएँ; माप मेनू उसे फिर दिखाता है</translation>
+    </message>
+    <message>
+        <source>Profile %1: %2</source>
+        <translation>प्रोफ़ाइल %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 mm long, %2 mm deep</source>
+        <translation>%1 mm लंबा, %2 mm गहरा</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm: %3 mm long, %4 mm deep, ends differ by %5 mm</source>
+        <translation>%1 से %2 mm: %3 mm लंबा, %4 mm गहरा, सिरों में %5 mm का अंतर</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ReferenceView</name>
     <message>
         <source>Draw window</source>
@@ -9072,10 +9366,6 @@
         <translation>विवरण</translation>
     </message>
     <message>
-        <source>Hand scale</source>
-        <translation>हाथ का पैमाना</translation>
-    </message>
-    <message>
         <source>Force</source>
         <translation>बल</translation>
     </message>
@@ -9508,6 +9798,61 @@
     <message>
         <source>%1, automatic</source>
         <translation>%1, स्वचालित</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SuggestPanel</name>
+    <message>
+        <source>Suggest windows</source>
+        <translation>विंडो सुझाएँ</translation>
+    </message>
+    <message>
+        <source>Show them in the overview</source>
+        <translation>अवलोकन में दिखाएँ</translation>
+    </message>
+    <message>
+        <source>Look for windows with relief that a hand feels (Ctrl+Shift+F)</source>
+        <translation>ऐसी विंडो खोजें जिनका उभार हाथ महसूस करे (Ctrl+Shift+F)</translation>
+    </message>
+    <message>
+        <source>Ranked by the share of a window whose relief is higher than what a hand on a grip just feels at that scale: the threshold of a fingertip (Louw, Kappers and Koenderink 2000) times %1, which is an estimate. Steep, filled and missing places do not count.</source>
+        <translation>क्रम विंडो के उस भाग से, जिसका उभार उस पैमाने पर मूठ पकड़े हाथ को बस महसूस होने वाले से ऊँचा है: उँगली की सीमा (Louw, Kappers और Koenderink 2000) गुणा %1, जो अनुमान है। खड़ी, भरी और अनुपस्थित जगहें नहीं गिनी जातीं।</translation>
+    </message>
+    <message>
+        <source>Suggested windows</source>
+        <translation>सुझाई गई विंडो</translation>
+    </message>
+    <message>
+        <source>A click or Enter shows the window at its detail; undo goes back</source>
+        <translation>क्लिक या Enter विंडो को उसके विवरण में दिखाता है; पूर्ववत लौटाता है</translation>
+    </message>
+    <message>
+        <source>Frames with their ranks over the whole object</source>
+        <translation>पूरी वस्तु पर अपने क्रम के साथ चौखटे</translation>
+    </message>
+    <message>
+        <source>This map is read by tiles; windows are suggested on maps in memory.</source>
+        <translation>यह मानचित्र टुकड़ों में पढ़ा जाता है; विंडो स्मृति के मानचित्रों पर सुझाई जाती हैं।</translation>
+    </message>
+    <message>
+        <source>%1. Detail %2 of %3, %4: %5 % felt, relief about %6 wide</source>
+        <translation>%1. विवरण %2, कुल %3, %4: %5 % महसूस, उभार लगभग %6 चौड़ा</translation>
+    </message>
+    <message>
+        <source>%1 % measured, %2 % steep</source>
+        <translation>%1 % मापा गया, %2 % खड़ा</translation>
+    </message>
+    <message>
+        <source>No window has relief that stands out from what a hand just feels.</source>
+        <translation>किसी विंडो में ऐसा उभार नहीं जो बस महसूस होने वाले से ऊपर हो।</translation>
+    </message>
+    <message>
+        <source>Suggested window %1</source>
+        <translation>सुझाई गई विंडो %1</translation>
+    </message>
+    <message>
+        <source>Windows: %1, the best first</source>
+        <translation>विंडो: %1, सबसे अच्छी पहले</translation>
     </message>
 </context>
 <context>

@@ -162,6 +162,18 @@ void DetailView::pointHandAt(const QPointF& point) {
   placeHand(p.x, p.y);
 }
 
+bool DetailView::carryHandTo(double x_mm, double y_mm) {
+  const auto window = document_.window();
+  if (!window) return false;
+  const Region& r = window->region;
+  if (x_mm < r.x_mm || x_mm > r.x_mm + r.side_mm || y_mm < r.y_mm || y_mm > r.y_mm + r.side_mm) {
+    return false;
+  }
+  pointer_.reset();
+  placeHand(x_mm, y_mm);
+  return true;
+}
+
 void DetailView::placeHand(double x_mm, double y_mm) {
   const auto window = document_.window();
   if (!window) return;

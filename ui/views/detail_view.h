@@ -29,6 +29,8 @@ class DetailView : public SurfaceView {
   double pressDepthMm() const { return press_depth_mm_; }
   void setPressDepthMm(double depth_hand_mm);
   bool pressing() const { return mouse_presses_ || key_depth_mm_ > 0; }
+  /// To a place of the window, as keys carry it; elsewhere it stays. @return it is there
+  bool carryHandTo(double x_mm, double y_mm);
   std::optional<ViewMm> hand() const { return inside_ ? std::optional(hand_) : std::nullopt; }
 
   PointerMode pointerMode() const { return mode_; }

@@ -37,15 +37,18 @@ class FirstViewCard;
 class MeasurePanel;
 class MessageStrip;
 struct MapExport;
+struct OtherExport;
 class LightBall;
 class OverviewInset;
 class PathPreview;
 class PlacesPanel;
+class ProfileStrip;
 class ReferenceView;
 class RegionPanel;
 class SidePanels;
 class StartPage;
 class StatusFields;
+class SuggestPanel;
 class SurfacePanel;
 class TimePlot;
 class ViewPanel;
@@ -240,6 +243,10 @@ class MainWindow : public QMainWindow {
   void makeExportCommand();
   void connectExports();
   void chooseExport();
+  /// Pictures of the views, profiles and sections.
+  std::vector<OtherExport> otherExports();
+  /// Says that it is saved, or why not.
+  void tellWritten(const QString& file, const std::function<void()>& write);
 
   // main_window_prepare.cpp
   void makePrepareCommands();
@@ -299,6 +306,8 @@ class MainWindow : public QMainWindow {
   void shareRange();
 
   // main_window_unsaved.cpp
+  /// Back to the start page, once nothing is unsaved.
+  void closeDocument();
   /// Asks whether to save, if there is something; `then` comes after Save and Discard.
   void whenNothingIsUnsaved(const std::function<void()>& then);
   void restart();
@@ -323,6 +332,18 @@ class MainWindow : public QMainWindow {
   void chooseLight(const LightOptions& light, int merge_id);
   void showLight();
   static constexpr int kMergeDraggedLight = 104;
+
+  // main_window_profile.cpp
+  void makeProfileCommands();
+  void connectProfile();
+  void showProfile();
+  void showProfileMark();    ///< In both views, where the curve has its cursor.
+  void showProfileCursor();  ///< And carries the hand there.
+  void saveProfile();
+
+  // main_window_suggest.cpp
+  void makeSuggestCommand();
+  void connectSuggestions();
 
   // main_window_pointer.cpp
   void makePointerCommands();
@@ -398,8 +419,10 @@ class MainWindow : public QMainWindow {
   StereoPanel::Shown whole_shown_;  ///< By the reference view.
   MeasurePanel* measure_panel_ = nullptr;
   PlacesPanel* places_panel_ = nullptr;
+  SuggestPanel* suggest_panel_ = nullptr;
   WorkKeeper* keeper_ = nullptr;
   TimePlot* plot_ = nullptr;
+  ProfileStrip* profile_ = nullptr;
   ReplayControl* replay_ = nullptr;
   VideoControl* video_ = nullptr;
   PathPreview* path_preview_ = nullptr;
@@ -422,6 +445,7 @@ class MainWindow : public QMainWindow {
   std::optional<Probe> probe_;
   TouchReadout touch_;
   bool touch_present_ = false;
+  quint64 late_ticks_seen_ = 0;
   bool forces_were_on_ = false;
   bool looks_after_forces_ = false;  ///< Touch was chosen by the forces, not by the person.
   QByteArray layout_before_full_screen_;

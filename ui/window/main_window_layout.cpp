@@ -18,6 +18,7 @@
 #include "ui/panels/replay_control.h"
 #include "ui/panels/replay_panel.h"
 #include "ui/panels/stereo_panel.h"
+#include "ui/plots/profile_strip.h"
 #include "ui/plots/time_plot.h"
 #include "ui/style/text.h"
 #include "ui/views/detail_view.h"
@@ -70,8 +71,8 @@ void MainWindow::setFullScreenDetail(bool on) {
 
 void MainWindow::focusNextPart(int direction) {
   // Order of the window: message, toolbar, reference, detail, panels, plot, status.
-  const std::array<QWidget*, 7> parts{strip_,  tools_, reference_, detail_,
-                                      panels_, plot_,  statusBar()};
+  const std::array<QWidget*, 8> parts{strip_,  tools_, reference_, detail_,
+                                      panels_, plot_,  profile_,   statusBar()};
   const QWidget* focused = QApplication::focusWidget();
   int now = direction > 0 ? -1 : 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -105,6 +106,7 @@ void MainWindow::setTheme(Theme theme) {
   reference_->setBackground(c.viewport);
   detail_->setBackground(c.viewport);
   plot_->takeColours();
+  profile_->takeColours();
   replay_->panel()->takeColours();
   for (QLabel* label : {reference_title_, reference_note_, detail_title_, detail_note_}) {
     QPalette quiet = label->palette();
@@ -117,8 +119,16 @@ void MainWindow::showPlots() {
   const QAction* plots = command("show_plots");
   const bool wanted =
       plots->isVisible() && plots->isChecked() && !isFullScreen() && !replay_->showing();
-  const int views = rows_->height() - plot_->minimumSizeHint().height() - rows_->handleWidth();
-  plot_->setVisible(wanted && views >= kLeastViewLines * fontMetrics().height());
+  // The curve was asked for; what is plotted by itself makes room for it first.
+  const bool curve_wanted = command("show_profile")->isChecked() && !profile_->isEmpty() &&
+                            !isFullScreen() && !replay_->showing();
+  const int least = kLeastViewLines * fontMetrics().height();
+  int views = rows_->height() - profile_->minimumSizeHint().height() - rows_->handleWidth();
+  const bool has_curve = curve_wanted && views >= least;
+  profile_->setVisible(has_curve);
+  if (!has_curve) views = rows_->height();
+  views -= plot_->minimumSizeHint().height() + rows_->handleWidth();
+  plot_->setVisible(wanted && views >= least);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
@@ -184,7 +194,7 @@ void MainWindow::restoreLayout() {
   tools_->setVisible(document_.isOpen());  // The state may be of a window with a file.
   views_->restoreState(settings_.layout(QStringLiteral("views")).toByteArray());
   rows_->restoreState(settings_.layout(QStringLiteral("rows")).toByteArray());
-  for (const char* part : {"show_panels", "show_reference"}) {
+  for (const char* part : {"show_panels", "show_reference", "show_profile"}) {
     const QVariant shown = settings_.layout(QString::fromLatin1(part));
     if (shown.isValid()) command(part)->setChecked(shown.toBool());
   }
@@ -196,7 +206,7 @@ void MainWindow::saveLayout() {
   settings_.setLayout(QStringLiteral("state"), saveState());
   settings_.setLayout(QStringLiteral("views"), views_->saveState());
   settings_.setLayout(QStringLiteral("rows"), rows_->saveState());
-  for (const char* part : {"show_panels", "show_reference"}) {
+  for (const char* part : {"show_panels", "show_reference", "show_profile"}) {
     settings_.setLayout(QString::fromLatin1(part), command(part)->isChecked());
   }
 }

@@ -24,9 +24,9 @@ void MainWindow::makeLightCommands() {
     int clockwise, higher;
   };
   const std::array<Step, 4> steps{
-      {{"light_back", tr("Turn &counterclockwise"), "Alt+Shift+Left",
+      {{"light_counterclockwise", tr("Turn &counterclockwise"), "Alt+Shift+Left",
         tr("Turn the light by 5 degrees, counterclockwise"), -1, 0},
-       {"light_on", tr("Turn cloc&kwise"), "Alt+Shift+Right",
+       {"light_clockwise", tr("Turn cloc&kwise"), "Alt+Shift+Right",
         tr("Turn the light by 5 degrees, clockwise"), 1, 0},
        {"light_higher", tr("&Higher"), "Alt+Shift+Up", tr("The light 5 degrees higher"), 0, 1},
        {"light_lower", tr("Lo&wer"), "Alt+Shift+Down",

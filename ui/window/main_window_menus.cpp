@@ -52,7 +52,7 @@ void MainWindow::makeMenus() {
   recent_menu_->menuAction()->setToolTip(tr("Files opened before"));
   recent_menu_->setToolTipsVisible(true);
   add(file, {"save_project", "save_project_as", "-", "figure", "image", "export", "-", "package",
-             "-", "quit"});
+             "-", "close", "quit"});
   add(menu(QStringLiteral("edit"), tr("&Edit")), {"undo", "redo", "history", "-", "copy_view",
                                                   "paste_view", "-", "answer", "-", "preferences"});
   QMenu* view = menu(QStringLiteral("view"), tr("&View"));
@@ -78,22 +78,24 @@ void MainWindow::makeMenus() {
   QMenu* light = view->addMenu(tr("Ke&y light"));
   light->menuAction()->setToolTip(tr("From where the light shines; low light brings out detail"));
   light->setToolTipsVisible(true);
-  add(light, {"light_usual", "light_rake_left", "light_rake_right", "light_rake_above",
-              "light_rake_below", "-", "light_back", "light_on", "light_higher", "light_lower"});
+  add(light,
+      {"light_usual", "light_rake_left", "light_rake_right", "light_rake_above", "light_rake_below",
+       "-", "light_counterclockwise", "light_clockwise", "light_higher", "light_lower"});
   add(view, {"show_unmeasured"});
   makeThemeMenu(view);
   add(view, {"full_screen", "-", "swap_views", "next_part", "previous_part"});
   command("show_plots")->setVisible(false);
   QMenu* surface = menu(QStringLiteral("surface"), tr("&Surface"));
   add(surface, {"finer", "coarser", "whole", "-", "move_left", "move_right", "move_up", "move_down",
-                "type_window", "-", "name_place", "next_place", "previous_place", "beacon", "-",
-                "prepare", "depth_map", "units"});
+                "type_window", "suggest_windows", "-", "name_place", "next_place", "previous_place",
+                "beacon", "-", "prepare", "depth_map", "units"});
   QMenu* engine = surface->addMenu(tr("Depth &engine"));
   engine->menuAction()->setToolTip(tr("How the depth map is made"));
   add(engine, {"engine_cpu", "engine_depthbuffer"});
   add(menu(QStringLiteral("measure"), tr("&Measure")),
       {"measure_point", "measure_distance", "measure_depth", "measure_angle", "measure_profile",
-       "measure_area", "measure_section", "measure_touch", "-", "measure_save_list"});
+       "measure_area", "measure_section", "measure_touch", "-", "show_profile", "profile_save",
+       "measure_save_list"});
   // Present from the start so that the order is fixed; shown once somebody adds an entry.
   menu(QStringLiteral("touch"), tr("&Touch"))->menuAction()->setVisible(false);
   add(menu(QStringLiteral("record"), tr("Re&cord")),
@@ -232,7 +234,9 @@ void MainWindow::enableCommands() {
   enableVideo();
   const bool is_open = document_.isOpen();
   const bool is_raster = is_open && document_.surface()->is_raster;
-  for (const char* name : {"image",
+  for (const char* name : {"close",
+                           "suggest_windows",
+                           "image",
                            "export",
                            "package",
                            "copy_view",
@@ -263,8 +267,8 @@ void MainWindow::enableCommands() {
                            "light_rake_right",
                            "light_rake_above",
                            "light_rake_below",
-                           "light_back",
-                           "light_on",
+                           "light_counterclockwise",
+                           "light_clockwise",
                            "light_higher",
                            "light_lower"}) {
     command(name)->setEnabled(is_open);
@@ -282,7 +286,7 @@ void MainWindow::enableCommands() {
   if (replay_->showing()) {  // The recording chooses the window.
     for (const char* name :
          {"finer", "coarser", "whole", "move_left", "move_right", "move_up", "move_down",
-          "type_window", "paste_view", "prepare", "depth_map", "units"}) {
+          "type_window", "suggest_windows", "paste_view", "prepare", "depth_map", "units"}) {
       command(name)->setEnabled(false);
     }
     return;

@@ -10,6 +10,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <utility>
 
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
@@ -28,6 +29,9 @@
 
 namespace relievo {
 namespace {
+
+constexpr double kLeastRateHz = 900;  // Of the force loop's 1000; below, stiffness has to give way.
+constexpr quint64 kLateTicks = 10;    // Since the report before, half a second ago.
 
 /// Of the window's sample nearest a view position.
 Origin originAt(const RegionWindow& window, double x_mm, double y_mm) {
@@ -178,8 +182,14 @@ void MainWindow::showTouch(const TouchReadout& readout) {
                    tr("Worst period: %1 ms").arg(numberText(readout.worst_period_ms, 2))};
   more << (readout.realtime ? tr("Real-time priority")
                             : tr("No real-time priority: %1").arg(readout.realtime_note));
+  // A loop that runs as it should says nothing; the panel Touch has its numbers at any time.
+  const bool late =
+      std::exchange(late_ticks_seen_, readout.late_ticks) + kLateTicks < readout.late_ticks;
+  const bool is_slow = readout.rate_hz > 0 && readout.rate_hz < kLeastRateHz;
   status_->set(StatusField::rate,
-               tr("%1/s, late %2").arg(numberText(readout.rate_hz, 0)).arg(readout.late_ticks),
+               late || is_slow
+                   ? tr("%1/s, late %2").arg(numberText(readout.rate_hz, 0)).arg(readout.late_ticks)
+                   : QString(),
                more.join('\n'));
   status_->set(StatusField::recording,
                readout.recording ? tr("recording %1").arg(readout.recorded_samples) : QString());
