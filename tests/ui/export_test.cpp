@@ -6,11 +6,13 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFile>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QTableWidget>
 #include <QtTest/QTest>
 
 #include "core/io/import.h"
@@ -90,6 +92,36 @@ TEST_F(ExportWindowTest, WritesTheBytesOfTheSameFunctionForEveryFormat) {
     exportMap(other, *document().surface(), choice, nullptr);
     EXPECT_EQ(bytes(name), bytes(QString::fromStdString(other)));
   }
+}
+
+TEST_F(ExportWindowTest, OffersPicturesProfilesAndSectionsToo) {
+  openRelief();
+  document().edit({}, [](Project& p) {
+    p.measurements = {
+        {.name = "rim", .kind = MeasureKind::profile, .places = {{20, 90}, {180, 90}}},
+        {.name = "contour", .kind = MeasureKind::section, .plane_mm = 10}};
+  });
+  const auto* list = child<QTableWidget>("measure_list");
+  ASSERT_TRUE(waitFor([list] { return list->item(1, 1)->text().contains("curve"); }));
+  const auto write = [&](const QString& what, const QString& name) {
+    window().runCommand("export");
+    auto* const dialog = child<QDialog>("export_dialog");
+    auto* const format = dialog->findChild<QComboBox*>("export_format");
+    format->setCurrentIndex(format->findText(what));
+    EXPECT_FALSE(dialog->findChild<QComboBox*>("export_part")->isEnabled());
+    typeInto(*dialog->findChild<QLineEdit*>("export_file"), path(name));
+    QTest::keyClick(dialog->findChild<QLineEdit*>("export_file"), Qt::Key_Return);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  };
+  write("Profile rim, numbers (.csv)", "rim.csv");
+  EXPECT_NE(bytes(path("rim.csv")).find("along_mm"), std::string::npos);
+  write("Profile rim, drawing (.svg)", "rim");
+  EXPECT_NE(bytes(path("rim.svg")).find("<svg"), std::string::npos) << "the ending is added";
+  write("Section contour, drawing (.svg)", "contour.svg");
+  EXPECT_NE(bytes(path("contour.svg")).find("<svg"), std::string::npos);
+  write("Picture of the detail view (.png)", "detail.png");
+  ASSERT_TRUE(waitFor([&] { return !window().savingImage(); }));
+  EXPECT_EQ(QImage(path("detail.png")).size(), window().detailView().shotSize());
 }
 
 TEST_F(ExportWindowTest, NeverTakesThePlaceOfTheScanAndSaysWhy) {

@@ -43,6 +43,7 @@ TEST_F(HandTest, ThePointerCarriesTheHandJustAboveTheSurface) {
 }
 
 TEST_F(HandTest, TheLeftButtonPressesInToThePressDepthAndLetsGo) {
+  action("pointer_touch")->trigger();
   press(view(), middle());
   EXPECT_NEAR(last().position.z - surfaceAt(last().position), -kPressDepthMm * objectPerHand(),
               1e-9);
@@ -72,6 +73,7 @@ TEST_F(HandTest, AWindowElsewhereComesUnderThePointer) {
 }
 
 TEST_F(HandTest, TheWheelWhilePressingChangesTheDepthNotTheWindow) {
+  action("pointer_touch")->trigger();
   const Region before = document().project().region;
   press(view(), middle());
   wheel(view(), middle(), 2);

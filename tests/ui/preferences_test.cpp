@@ -163,8 +163,7 @@ TEST_F(PreferencesTest, LargeTextHidesNoFieldOfTheStatusAndNoCommandOfTheTools) 
   window().resize(1439, 900);
   QApplication::processEvents();
   ASSERT_TRUE(waitFor([&] { return child<QLabel>("status_message")->height() > 2 * row; }));
-  for (const char* name :
-       {"status_position", "status_kind_of_surface", "status_detail", "status_hand_scale"}) {
+  for (const char* name : {"status_position", "status_kind_of_surface", "status_detail"}) {
     auto* field = child<QLabel>(name);
     EXPECT_TRUE(waitFor([field] {
       return field->isHidden() || field->width() >= field->sizeHint().width();

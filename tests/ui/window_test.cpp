@@ -159,16 +159,34 @@ TEST_F(WindowTest, WithoutATouchModuleTheWindowSaysSoAndShowsNoPlots) {
             "Touch is not available: the haptics plugin was not found. Viewing works.");
 }
 
-TEST_F(WindowTest, RateAndRecordingAreShownOnceTouchReports) {
+TEST_F(WindowTest, ALoopThatRunsAsItShouldIsNotInTheStatusBar) {
   openRelief();
   TouchReadout readout;
   readout.rate_hz = 1000;
+  readout.late_ticks = 3;
+  window().showTouch(readout);
+  EXPECT_FALSE(child<QLabel>("status_force_rate")->isVisible());
+  readout.rate_hz = 640;
+  window().showTouch(readout);
+  EXPECT_EQ(child<QLabel>("status_force_rate")->text(), "640/s, late 3");
+  readout.rate_hz = 1000;
+  readout.late_ticks = 200;
+  window().showTouch(readout);
+  EXPECT_EQ(child<QLabel>("status_force_rate")->text(), "1000/s, late 200") << "ticks came late";
+  window().showTouch(readout);
+  EXPECT_FALSE(child<QLabel>("status_force_rate")->isVisible()) << "and no more since";
+}
+
+TEST_F(WindowTest, RateAndRecordingAreShownOnceTouchReports) {
+  openRelief();
+  TouchReadout readout;
+  readout.rate_hz = 810;
   readout.late_ticks = 3;
   readout.recording = true;
   readout.recorded_samples = 42;
   readout.realtime_note = "not permitted";
   window().showTouch(readout);
-  EXPECT_EQ(child<QLabel>("status_force_rate")->text(), "1000/s, late 3");
+  EXPECT_EQ(child<QLabel>("status_force_rate")->text(), "810/s, late 3");
   EXPECT_TRUE(child<QLabel>("status_force_rate")->toolTip().contains("not permitted"));
   EXPECT_TRUE(child<QLabel>("status_recording")->text().contains("42"));
   EXPECT_TRUE(child<QWidget>("time_plot")->isVisible());

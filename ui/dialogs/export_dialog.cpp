@@ -57,10 +57,11 @@ bool isFromTop(const Surface& surface) {
 }  // namespace
 
 ExportDialog::ExportDialog(std::shared_ptr<const Surface> surface, const Region& region,
-                           const QString& model, QWidget* parent)
+                           const QString& model, std::vector<OtherExport> others, QWidget* parent)
     : QDialog(parent),
       surface_(std::move(surface)),
       region_(region),
+      others_(std::move(others)),
       format_(choiceOf("export_format", tr("Format"), tr("What the other program reads"))),
       part_(choiceOf("export_part", tr("Part"), tr("How much of the map is written"))),
       coordinates_(choiceOf("export_coordinates", tr("Coordinates"),
@@ -92,10 +93,13 @@ ExportDialog::ExportDialog(std::shared_ptr<const Surface> surface, const Region&
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
   nameButtons(*buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-    const ExportOrder made = order();
-    QDir().mkpath(QFileInfo(made.file).absolutePath());
+    QDir().mkpath(QFileInfo(chosenFile()).absolutePath());
     accept();
-    Q_EMIT chosen(made);
+    if (other() != nullptr) {
+      other()->write(chosenFile());
+    } else {
+      Q_EMIT chosen(order());
+    }
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QFormLayout(this);
@@ -122,6 +126,7 @@ void ExportDialog::fillFormats() {
   for (std::size_t i = 0; i < names.size(); ++i) {
     format_->addItem(names[i], static_cast<int>(kEndings[i].first));
   }
+  for (const OtherExport& other : others_) format_->addItem(other.text);
 }
 
 void ExportDialog::fillParts() {
@@ -148,17 +153,37 @@ void ExportDialog::browse() {
 }
 
 QString ExportDialog::ending() const {
+  if (other() != nullptr) return other()->ending;
   const auto at = static_cast<std::size_t>(std::max(0, format_->currentIndex()));
   return QString::fromLatin1(kEndings[at].second);
 }
 
+const OtherExport* ExportDialog::other() const {
+  const int at = format_->currentIndex() - static_cast<int>(kEndings.size());
+  return at < 0 ? nullptr : &others_[static_cast<std::size_t>(at)];
+}
+
+QString ExportDialog::chosenFile() const {
+  const QString file = file_->text();
+  return file.endsWith(ending(), Qt::CaseInsensitive) ? file : file + ending();
+}
+
 void ExportDialog::follow() {
   const QFileInfo now(file_->text());
-  for (const auto& [format, known] : kEndings) {
-    if (file_->text().endsWith(QLatin1String(known), Qt::CaseInsensitive)) {
-      file_->setText(now.dir().filePath(now.completeBaseName() + ending()));
-      break;
-    }
+  QStringList known;
+  for (const auto& [format, of_format] : kEndings) known << QString::fromLatin1(of_format);
+  for (const OtherExport& one : others_) known << one.ending;
+  for (const QString& of_format : known) {
+    if (!file_->text().endsWith(of_format, Qt::CaseInsensitive)) continue;
+    file_->setText(now.dir().filePath(now.completeBaseName() + ending()));
+    break;
+  }
+  const bool is_map = other() == nullptr;
+  part_->setEnabled(is_map);
+  coordinates_->setEnabled(is_map && coordinates_->count() > 1);
+  if (!is_map) {
+    size_->setText(other()->size.isEmpty() ? tr("as long as its lines") : other()->size);
+    return;
   }
   const MapExport choice = order().choice;
   const GridSize size = exportedSize(*surface_, choice);
@@ -180,8 +205,7 @@ ExportOrder ExportDialog::order() const {
                                   : ExportPart::level;
   if (part > 0) made.choice.region.level = {part};
   made.choice.in_file_frame = coordinates_->currentData().toBool();
-  made.file = file_->text();
-  if (!made.file.endsWith(ending(), Qt::CaseInsensitive)) made.file += ending();
+  made.file = chosenFile();
   return made;
 }
 

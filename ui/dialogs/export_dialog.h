@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <QDialog>
 #include <QString>
+#include <vector>
 
 #include "core/session/export_map.h"
 
@@ -17,6 +19,14 @@ struct ExportOrder {
   QString file;
 };
 
+/// Something else that can be written than the map: a picture, a profile, a section.
+struct OtherExport {
+  QString text;    ///< In the list of formats: "Profile 2, numbers (.csv)".
+  QString ending;  ///< ".csv"
+  QString size;    ///< In words; empty: not known before.
+  std::function<void(const QString& file)> write;
+};
+
 /// Asks what goes to another program, in which format and where; says how large it will be.
 /// [GUI thread]
 class ExportDialog : public QDialog {
@@ -24,12 +34,13 @@ class ExportDialog : public QDialog {
  public:
   /// @param model   names the file
   /// @param region  the window, with its level
+  /// @param others  offered after the formats of maps and meshes
   ExportDialog(std::shared_ptr<const Surface> surface, const Region& region, const QString& model,
-               QWidget* parent);
+               std::vector<OtherExport> others, QWidget* parent);
   ExportOrder order() const;
 
  Q_SIGNALS:
-  void chosen(const relievo::ExportOrder& order);
+  void chosen(const relievo::ExportOrder& order);  ///< Of a map or mesh; others write themselves.
 
  private:
   void fillFormats();
@@ -37,11 +48,14 @@ class ExportDialog : public QDialog {
   void fillCoordinates();
   void browse();
   QString ending() const;
+  const OtherExport* other() const;  ///< The chosen one; null: it is a map or mesh.
+  QString chosenFile() const;        ///< With the format's ending.
   /// The file's ending follows the format, and the estimate all of them.
   void follow();
 
   std::shared_ptr<const Surface> surface_;
   Region region_;
+  std::vector<OtherExport> others_;
   QComboBox *format_, *part_, *coordinates_;
   QLineEdit* file_;
   QLabel* size_;

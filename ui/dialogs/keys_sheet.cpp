@@ -2,9 +2,14 @@
 #include "ui/dialogs/keys_sheet.h"
 
 #include <algorithm>
+#include <limits>
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -18,7 +23,8 @@ namespace {
 constexpr double kMostOfKeys = 0.42;  // Of the table's width, for the keys.
 
 struct Row {
-  QString keys, what;
+  QString group, keys, what;
+  int place = 0;  ///< Of the group.
 };
 
 /// Both columns wrap: keys have what they need, but leave room for what they do.
@@ -43,6 +49,25 @@ class KeyTable : public QTableWidget {
   }
 };
 
+struct Group {
+  int place;  ///< Of its menu in the bar.
+  QString title;
+};
+
+/// The menu that a command stands in, or the one around its submenu: "Surface".
+Group groupOf(const QAction* command) {
+  for (const QWidget* widget : command->associatedWidgets()) {
+    const auto* menu = qobject_cast<const QMenu*>(widget);
+    if (menu == nullptr) continue;
+    while (const auto* around = qobject_cast<const QMenu*>(menu->parentWidget())) menu = around;
+    const QWidget* bar = menu->parentWidget();
+    if (qobject_cast<const QMenuBar*>(bar) == nullptr) continue;  // Of a button.
+    return {static_cast<int>(bar->actions().indexOf(menu->menuAction())),
+            withoutMnemonic(menu->title())};
+  }
+  return {std::numeric_limits<int>::max(), KeysSheet::tr("Other commands")};
+}
+
 QList<Row> rowsOf(const QList<QAction*>& commands) {
   QList<Row> rows;
   for (const QAction* command : commands) {
@@ -58,14 +83,21 @@ QList<Row> rowsOf(const QList<QAction*>& commands) {
     if (std::count_if(commands.begin(), commands.end(), shares) > 1) {
       what = KeysSheet::tr("%1: %2").arg(withoutMnemonic(command->text()), what);
     }
-    rows.append({keys.join(QLatin1String(", ")), what});
+    const Group group = groupOf(command);
+    rows.append({group.title, keys.join(QLatin1String(", ")), what, group.place});
   }
-  const auto add = [&rows](const QString& keys, const QString& what) { rows.append({keys, what}); };
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& a, const Row& b) { return a.place < b.place; });
+  const QString views = KeysSheet::tr("In the views, by mouse and keys");
+  const auto add = [&](const QString& keys, const QString& what) {
+    rows.append({views, keys, what, 0});
+  };
   add(KeysSheet::tr("Esc"), KeysSheet::tr("Stop forces, then cancel, then leave the mode"));
   add(KeysSheet::tr("Detail view: arrows, Shift+arrows"),
       KeysSheet::tr("Move the hand by 1 or by 10 cells"));
   add(KeysSheet::tr("Detail view: Page Down, Page Up"), KeysSheet::tr("Press in, lift"));
-  add(KeysSheet::tr("Detail view: left button"), KeysSheet::tr("Press the hand in"));
+  add(KeysSheet::tr("Detail view: left button"),
+      KeysSheet::tr("To look: turn the view; to touch: press the hand in"));
   add(KeysSheet::tr("Detail view: Ctrl+wheel"), KeysSheet::tr("Change the press depth"));
   add(KeysSheet::tr("Detail view: wheel"), KeysSheet::tr("Zoom about the pointer"));
   add(KeysSheet::tr("Detail view: middle, right button"),
@@ -78,6 +110,32 @@ QList<Row> rowsOf(const QList<QAction*>& commands) {
   return rows;
 }
 
+/// Hides all others, and groups of which none is left. @return some are left
+bool showRowsWith(QTableWidget& table, const QStringList& words) {
+  int group = -1;
+  bool any = false, any_of_group = false;
+  const auto end_group = [&] {
+    if (group >= 0) table.setRowHidden(group, !any_of_group);
+  };
+  for (int row = 0; row < table.rowCount(); ++row) {
+    if (table.item(row, 1) == nullptr) {
+      end_group();
+      group = row;
+      any_of_group = false;
+      continue;
+    }
+    const QString text = table.item(row, 0)->text() + ' ' + table.item(row, 1)->text();
+    const bool fits = std::all_of(words.begin(), words.end(), [&text](const QString& word) {
+      return text.contains(word, Qt::CaseInsensitive);
+    });
+    table.setRowHidden(row, !fits);
+    any_of_group = any_of_group || fits;
+    any = any || fits;
+  }
+  end_group();
+  return any;
+}
+
 }  // namespace
 
 KeysSheet::KeysSheet(const QList<QAction*>& commands, QWidget* parent) : QDialog(parent) {
@@ -85,22 +143,58 @@ KeysSheet::KeysSheet(const QList<QAction*>& commands, QWidget* parent) : QDialog
   setWindowTitle(tr("Keys"));
   resizeToText(*this, {92, 36});
   const QList<Row> rows = rowsOf(commands);
-  auto* table = new KeyTable(rows.size());
+  QStringList groups;
+  for (const Row& row : rows) {
+    if (!groups.contains(row.group)) groups << row.group;
+  }
+  auto* table = new KeyTable(rows.size() + groups.size());
+  table->setObjectName(QStringLiteral("keys_table"));
   table->setAccessibleName(tr("Keys"));
   table->setHorizontalHeaderLabels({tr("Keys"), tr("What they do")});
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   table->setShowGrid(false);
   table->setAlternatingRowColors(true);
-  for (int i = 0; i < rows.size(); ++i) {
-    table->setItem(i, 0, new QTableWidgetItem(rows[i].keys));
-    table->setItem(i, 1, new QTableWidgetItem(rows[i].what));
+  int at = 0;
+  QString group;
+  for (const Row& row : rows) {
+    if (row.group != group) {
+      group = row.group;
+      auto* title = new QTableWidgetItem(group);
+      QFont bold = table->font();
+      bold.setBold(true);
+      title->setFont(bold);
+      table->setItem(at, 0, title);
+      table->setSpan(at, 0, 1, 2);
+      table->setRowHeight(at, 2 * fontMetrics().height());
+      ++at;
+    }
+    table->setItem(at, 0, new QTableWidgetItem(row.keys));
+    table->setItem(at, 1, new QTableWidgetItem(row.what));
+    ++at;
   }
+  auto* words = new QLineEdit;
+  words->setObjectName(QStringLiteral("keys_words"));
+  words->setAccessibleName(tr("Search keys"));
+  words->setToolTip(tr("Words of what a key does, or the key itself"));
+  words->setPlaceholderText(tr("Search keys"));
+  words->setClearButtonEnabled(true);
+  auto* nothing =
+      new QLabel(tr("No key has these words. Ctrl+K finds commands without a key, too."));
+  nothing->setObjectName(QStringLiteral("keys_nothing"));
+  nothing->setWordWrap(true);
+  nothing->hide();
+  connect(words, &QLineEdit::textChanged, this, [table, nothing](const QString& text) {
+    const bool any = showRowsWith(*table, text.split(' ', Qt::SkipEmptyParts));
+    nothing->setVisible(!any);
+  });
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   nameButtons(*buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* column = new QVBoxLayout(this);
-  column->addWidget(table);
+  column->addWidget(words);
+  column->addWidget(nothing);
+  column->addWidget(table, 1);
   column->addWidget(buttons);
 }
 

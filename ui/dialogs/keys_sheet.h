@@ -8,7 +8,8 @@ class QAction;
 
 namespace relievo {
 
-/// Every key that works, from the commands themselves, and what the mouse does. [GUI thread]
+/// Every key that works, from the commands themselves, by menus, and what the mouse does; found by
+/// words. [GUI thread]
 class KeysSheet : public QDialog {
   Q_OBJECT
  public:

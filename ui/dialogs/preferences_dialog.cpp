@@ -25,6 +25,7 @@
 #include "ui/style/dialog_size.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
+#include "ui/views/pointer_bindings.h"
 
 namespace relievo {
 namespace {
@@ -63,6 +64,7 @@ PreferencesDialog::PreferencesDialog(Settings& settings, QWidget* parent)
   makeAppearance();
   makeUnits();
   makeStereo();
+  makeMouse();
   makeDevice();
   makeRecording();
   auto* column = new QVBoxLayout(this);
@@ -267,6 +269,35 @@ void PreferencesDialog::makeStereo() {
   addSwitch(
       {"stereo_swap", tr("Swap eyes"), tr("For glasses whose red filter is at the right eye")},
       false);
+}
+
+void PreferencesDialog::makeMouse() {
+  addPage(tr("Mouse"));
+  addChoice({"pointer_mode", tr("Left button"),
+             tr("What it does in the detail view: look turns it, touch presses the hand in (F7)")},
+            QStringLiteral("look"),
+            {{tr("Look"), QStringLiteral("look")}, {tr("Touch"), QStringLiteral("touch")}});
+  const std::vector<std::pair<QString, QVariant>> acts{
+      {tr("turns the view"), keptName(PointerAct::turn)},
+      {tr("moves the window"), keptName(PointerAct::move)},
+      {tr("zooms"), keptName(PointerAct::zoom)},
+      {tr("does nothing"), keptName(PointerAct::none)}};
+  struct Button {
+    Field about;
+    PointerAct fallback;
+  };
+  const PointerBindings first;
+  const QString tip = tr("What dragging with this button does in the detail view");
+  for (const Button& b : {Button{{"look_left", tr("To look: left"), tip}, first.look_left},
+                          Button{{"look_middle", tr("To look: middle"), tip}, first.look_middle},
+                          Button{{"look_right", tr("To look: right"), tip}, first.look_right},
+                          Button{{"touch_middle", tr("To touch: middle"), tip}, first.touch_middle},
+                          Button{{"touch_right", tr("To touch: right"), tip}, first.touch_right}}) {
+    addChoice(b.about, keptName(b.fallback), acts);
+  }
+  addChoice({"wheel_forward", tr("Wheel away from you"),
+             tr("Which way the wheel zooms in the detail view")},
+            true, {{tr("zooms in"), true}, {tr("zooms out"), false}});
 }
 
 void PreferencesDialog::makeDevice() {

@@ -54,6 +54,7 @@ class PreferencesDialog : public QDialog {
   void makeAppearance();
   void makeUnits();
   void makeStereo();
+  void makeMouse();
   void makeDevice();
   void makeRecording();
 

@@ -33,10 +33,10 @@ constexpr std::array<FieldFact, kStatusFieldCount> kFields{{
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Position"), "x 1234.56  y 1234.56  z 123.45 mm"},
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Kind of surface"), "interpolated"},
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Detail"), "Detail 10/10"},
-    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Hand scale"), "hand 1 : 123.45"},
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Force"), ""},
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Force rate"), ""},
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Recording"), ""},
+    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Mouse"), ""},
 }};
 
 /// Text that a narrow window has no room for ends in dots.
@@ -93,6 +93,8 @@ StatusFields::StatusFields(QStatusBar& bar)
     labels_[i] = field;
     field->setVisible(i == 0);
   }
+  rows->lastIsSpare();
+  rows_ = rows;
   auto* row = new QHBoxLayout(work_);
   row->setContentsMargins(4, 0, 4, 0);
   work_step_->setAccessibleName(tr("Running step"));
@@ -122,7 +124,11 @@ void StatusFields::set(StatusField field, const QString& text, const QString& ti
   label->setText(text);
   label->setToolTip(tip);
   label->setAccessibleDescription(tip.isEmpty() ? text : text + QLatin1String(". ") + tip);
-  if (field != StatusField::message) label->setVisible(!text.isEmpty());
+  if (field == StatusField::pointer) {
+    rows_->setSpareWanted(!text.isEmpty());
+  } else if (field != StatusField::message) {
+    label->setVisible(!text.isEmpty());
+  }
   label->setFocusPolicy(text.isEmpty() ? Qt::NoFocus : Qt::TabFocus);
 }
 

@@ -14,7 +14,9 @@ class QWidget;
 
 namespace relievo {
 
-enum class StatusField { message, position, origin, detail, hand, force, rate, recording };
+class StatusRows;
+
+enum class StatusField { message, position, origin, detail, force, rate, recording, pointer };
 inline constexpr std::size_t kStatusFieldCount = 8;
 
 /// The status bar: fields that can be focused and read one by one, and the progress of long work
@@ -47,6 +49,7 @@ class StatusFields : public QObject {
   QProgressBar* work_bar_;
   QToolButton* cancel_;
   QTimer* work_delay_;
+  StatusRows* rows_ = nullptr;  ///< Owned by the widget that it lays out.
 };
 
 }  // namespace relievo

@@ -8,6 +8,7 @@ namespace relievo {
 namespace {
 
 constexpr int kLeastCharacters = 20;  // Of a message.
+constexpr int kSpareCharacters = 36;  // Of a message beside what is shown in spare room.
 
 }  // namespace
 
@@ -55,7 +56,7 @@ std::vector<std::vector<std::size_t>> StatusRows::rows(int width) const {
   std::vector<std::vector<std::size_t>> found(1);
   int used = 0;
   for (std::size_t i = items_.size(); i-- > front_;) {
-    if (items_[i]->isEmpty()) continue;
+    if (items_[i]->isEmpty() || i == spare_) continue;
     const int wanted = items_[i]->sizeHint().width();
     if (used > 0 && used + wanted > width) {
       found.insert(found.begin(), std::vector<std::size_t>());
@@ -71,13 +72,32 @@ std::vector<std::vector<std::size_t>> StatusRows::rows(int width) const {
 QSize StatusRows::minimumSize() const {
   int width = 0;
   for (const QLayoutItem* item : items_) {
-    if (!item->isEmpty()) width = std::max(width, item->minimumSize().width());
+    const bool spare = spare_ && item == items_[*spare_];
+    if (!item->isEmpty() && !spare) width = std::max(width, item->minimumSize().width());
   }
   return {std::min(width, leastFront()), height()};
 }
 
 QSize StatusRows::sizeHint() const {
   return {minimumSize().width(), height()};
+}
+
+void StatusRows::setSpareWanted(bool wanted) {
+  spare_wanted_ = wanted;
+  invalidate();
+}
+
+/// @param before  where it ends, and its height @return the width it takes
+int StatusRows::placeSpare(int room, const QRect& before) {
+  if (!spare_) return 0;
+  QWidget* widget = items_[*spare_]->widget();
+  const int wanted = widget->sizeHint().width();
+  const int message = kSpareCharacters * parentWidget()->fontMetrics().averageCharWidth();
+  const bool fits = spare_wanted_ && room - wanted >= message;
+  if (widget->isHidden() == fits) widget->setVisible(fits);
+  if (!fits) return 0;
+  widget->setGeometry(before.left() - wanted, before.top(), wanted, before.height());
+  return wanted;
 }
 
 void StatusRows::setGeometry(const QRect& rect) {
@@ -95,6 +115,7 @@ void StatusRows::setGeometry(const QRect& rect) {
     for (const std::size_t i : row) needed += items_[i]->sizeHint().width();
     int left = std::max(rect.left(), rect.right() + 1 - needed);
     if (first) {
+      left -= placeSpare(left - rect.left(), {left, top, 0, height});
       int at = rect.left();
       for (std::size_t i = 0; i < front_; ++i) {
         if (items_[i]->isEmpty()) continue;
@@ -103,6 +124,7 @@ void StatusRows::setGeometry(const QRect& rect) {
         items_[i]->setGeometry({at, top, std::max(0, width), height});
         at += width;
       }
+      left = std::max(rect.left(), rect.right() + 1 - needed);
     }
     for (const std::size_t i : row) {
       const int width = std::min(items_[i]->sizeHint().width(), rect.right() + 1 - left);

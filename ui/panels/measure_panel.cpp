@@ -144,7 +144,9 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
     if (!showing_ && item->column() == 0) rename(item->row(), item->text());
   });
   connect(list_, &QTableWidget::currentCellChanged, this, [this] {
-    if (!showing_) showPlane();
+    if (showing_) return;
+    showPlane();
+    Q_EMIT changed();  // Another profile is the selected one.
   });
   connect(&document_, &Document::surfaceChanged, this, &MeasurePanel::showList);
   connect(&document_, &Document::measurementsChanged, this, &MeasurePanel::showOthers);

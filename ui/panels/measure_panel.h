@@ -7,6 +7,7 @@
 #include "core/measure/measure.h"
 #include "core/measure/touch_marks.h"
 #include "ui/panels/measure_readings.h"
+#include "ui/views/view_labels.h"
 #include "ui/work/document.h"
 
 class QDoubleSpinBox;
@@ -50,6 +51,15 @@ class MeasurePanel : public QWidget {
   /// Heights along the profile that is selected, or the curves of the section, as CSV or SVG.
   /// @throw ArgumentError, WriteError
   void writeSelected(const QString& file) const;
+  /// The same of any profile or section in the list.
+  void writeRow(int row, const QString& file) const;
+  /// A drawing of one of them, with the state that it was measured on.
+  void writeDrawing(const std::string& svg, const QString& file) const;
+
+  /// The profile whose curve is shown: the selected one, else the last; nothing: there is none.
+  std::optional<int> shownProfile() const;
+  /// Empty while it is being read, or could not be read.
+  std::vector<ProfileRow> profileRows(int row) const;
 
  Q_SIGNALS:
   void changed();  ///< Of what is to be drawn.
@@ -61,6 +71,8 @@ class MeasurePanel : public QWidget {
   std::vector<std::vector<ViewMm>> lines() const;
   /// The sections' curves, for the views.
   std::vector<std::vector<ViewMm>> curves() const;
+  /// What each of them reads, beside it.
+  std::vector<ViewLabel> labels() const;
 
  private:
   using Measurements = std::vector<Measurement>;

@@ -49,9 +49,17 @@ QString MeasurePanel::csv(const QString& file) const {
 }
 
 void MeasurePanel::writeSelected(const QString& file) const {
+  writeRow(selected().value_or(-1), file);
+}
+
+void MeasurePanel::writeDrawing(const std::string& svg, const QString& file) const {
+  sourceText(file);  // Refuses the scan as target.
+  writeTextFile(QFile::encodeName(file).toStdString(), withState(svg, stateFor(file)));
+}
+
+void MeasurePanel::writeRow(int row, const QString& file) const {
   using enum MeasureKind;
-  const auto row = selected();
-  const Measurement* m = row ? &measurements()[static_cast<std::size_t>(*row)] : nullptr;
+  const Measurement* m = row >= 0 ? &measurements()[static_cast<std::size_t>(row)] : nullptr;
   if (m == nullptr || (m->kind != profile && m->kind != section)) {
     throw failure<MessageId::no_profile_selected>();
   }

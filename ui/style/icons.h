@@ -6,7 +6,20 @@
 namespace relievo {
 
 /// One family of stroked icons on a 24 px grid, in the palette's text colour.
-enum class Icon { open, view, fit, finer, coarser, whole, forces, camera, record, stereo };
+enum class Icon {
+  open,
+  view,
+  fit,
+  finer,
+  coarser,
+  whole,
+  forces,
+  camera,
+  record,
+  stereo,
+  look,
+  touch
+};
 QIcon icon(Icon which);
 
 }  // namespace relievo

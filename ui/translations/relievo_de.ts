@@ -857,6 +857,145 @@
         <source>Commands</source>
         <translation>Befehle</translation>
     </message>
+    <message>
+        <source>No command has these words. Try one word, or another for the same; F1 lists all keys, Shift+F1 opens the manual.</source>
+        <translation>Kein Befehl hat diese Wörter. Versuchen Sie ein einzelnes oder ein anderes Wort; F1 zeigt alle Tasten, Umschalt+F1 öffnet das Handbuch.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::CommandWords</name>
+    <message>
+        <source>load import file read</source>
+        <translation>laden importieren Datei einlesen</translation>
+    </message>
+    <message>
+        <source>load import directory images</source>
+        <translation>laden importieren Verzeichnis Bilder</translation>
+    </message>
+    <message>
+        <source>store keep session</source>
+        <translation>sichern behalten Sitzung</translation>
+    </message>
+    <message>
+        <source>export publish print paper PDF SVG TIFF screenshot</source>
+        <translation>exportieren veröffentlichen drucken Aufsatz PDF SVG TIFF Bildschirmfoto</translation>
+    </message>
+    <message>
+        <source>export screenshot snapshot picture photo PNG capture</source>
+        <translation>exportieren Bildschirmfoto Schnappschuss Foto PNG</translation>
+    </message>
+    <message>
+        <source>save as convert STL PLY OBJ glTF GeoTIFF mesh 3D print section profile</source>
+        <translation>speichern unter umwandeln STL PLY OBJ glTF GeoTIFF Netz 3D-Druck Schnitt Profil</translation>
+    </message>
+    <message>
+        <source>export archive zip share cite</source>
+        <translation>exportieren Archiv zip teilen zitieren</translation>
+    </message>
+    <message>
+        <source>end unload</source>
+        <translation>beenden zumachen</translation>
+    </message>
+    <message>
+        <source>exit end</source>
+        <translation>verlassen schließen</translation>
+    </message>
+    <message>
+        <source>clean crop cut trim align register merge join thin decimate outliers noise edit cloud</source>
+        <translation>säubern reinigen zuschneiden beschneiden ausrichten registrieren zusammenfügen vereinen ausdünnen Ausreißer Rauschen Punktwolke bearbeiten</translation>
+    </message>
+    <message>
+        <source>align rotate orient resolution grid holes fill rasterize crop clean</source>
+        <translation>ausrichten drehen orientieren Auflösung Raster Löcher füllen rastern zuschneiden säubern</translation>
+    </message>
+    <message>
+        <source>scale millimetres metres inches</source>
+        <translation>Maßstab Millimeter Meter Zoll</translation>
+    </message>
+    <message>
+        <source>zoom in closer magnify level</source>
+        <translation>zoomen hinein näher vergrößern Ebene</translation>
+    </message>
+    <message>
+        <source>zoom out farther level</source>
+        <translation>zoomen heraus weiter verkleinern Ebene</translation>
+    </message>
+    <message>
+        <source>zoom all overview reset fit</source>
+        <translation>zoomen alles Übersicht zurücksetzen einpassen</translation>
+    </message>
+    <message>
+        <source>zoom reset home straighten camera</source>
+        <translation>zoomen zurücksetzen geraderichten Kamera</translation>
+    </message>
+    <message>
+        <source>crop region coordinates selection go to</source>
+        <translation>zuschneiden Bereich Koordinaten Auswahl gehe zu</translation>
+    </message>
+    <message>
+        <source>best feel where find interesting places</source>
+        <translation>beste fühlen wo finden interessante Stellen</translation>
+    </message>
+    <message>
+        <source>rotate orbit spin</source>
+        <translation>rotieren kreisen schwenken</translation>
+    </message>
+    <message>
+        <source>rotate orbit tilt</source>
+        <translation>rotieren kreisen kippen</translation>
+    </message>
+    <message>
+        <source>align rotate orient plane</source>
+        <translation>ausrichten rotieren orientieren Ebene</translation>
+    </message>
+    <message>
+        <source>align rotate orient level</source>
+        <translation>ausrichten rotieren orientieren eben</translation>
+    </message>
+    <message>
+        <source>rotate orbit mouse navigate</source>
+        <translation>rotieren drehen Maus navigieren</translation>
+    </message>
+    <message>
+        <source>feel press mouse haptic</source>
+        <translation>ertasten drücken Maus haptisch</translation>
+    </message>
+    <message>
+        <source>mouse button mode tool</source>
+        <translation>Maustaste Modus Werkzeug</translation>
+    </message>
+    <message>
+        <source>light shadow oblique grazing</source>
+        <translation>Licht Schatten schräg streifend</translation>
+    </message>
+    <message>
+        <source>light lamp reset</source>
+        <translation>Licht Lampe zurücksetzen</translation>
+    </message>
+    <message>
+        <source>cross section cut line height curve</source>
+        <translation>Querschnitt Linie Höhenkurve</translation>
+    </message>
+    <message>
+        <source>export curve plot SVG CSV</source>
+        <translation>exportieren Kurve SVG CSV</translation>
+    </message>
+    <message>
+        <source>export table spreadsheet CSV</source>
+        <translation>exportieren Tabelle CSV</translation>
+    </message>
+    <message>
+        <source>help guide documentation handbook</source>
+        <translation>Hilfe Anleitung Dokumentation</translation>
+    </message>
+    <message>
+        <source>help shortcuts hotkeys keyboard mouse</source>
+        <translation>Hilfe Tastenkürzel Tastatur Maus</translation>
+    </message>
+    <message>
+        <source>settings options configure language theme</source>
+        <translation>Optionen konfigurieren Sprache Farben</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DepthMapDialog</name>
@@ -1218,12 +1357,12 @@
         <translation>Detailansicht</translation>
     </message>
     <message>
-        <source>The part inside the pink window. The pointer carries the hand just above the surface; hold the left button to press in, turn the wheel meanwhile to press deeper. Middle drag turns, right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
-        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche; mit gehaltener linker Maustaste wird eingedrückt, das Rad dabei drückt tiefer. Ziehen mit der mittleren Taste dreht, mit der rechten verschiebt es den Ausschnitt, das Rad vergrößert. Tasten: Pfeile, Bild ab, Bild auf.</translation>
-    </message>
-    <message>
         <source>Move window</source>
         <translation>Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface. To look, drag with the left button to turn; to touch (F7), hold it to press in, and turn the wheel meanwhile to press deeper. Right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
+        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche. Zum Betrachten drehen Sie mit gezogener linker Taste; zum Fühlen (F7) drückt sie ein, solange sie gehalten wird, und das Rad währenddessen tiefer. Ziehen mit rechts verschiebt den Ausschnitt, das Rad zoomt. Tasten: Pfeile, Bild ab, Bild auf.</translation>
     </message>
 </context>
 <context>
@@ -1686,6 +1825,10 @@
     <message>
         <source>Coor&amp;dinates</source>
         <translation>&amp;Koordinaten</translation>
+    </message>
+    <message>
+        <source>as long as its lines</source>
+        <translation>so lang wie seine Linien</translation>
     </message>
 </context>
 <context>
@@ -2989,10 +3132,6 @@
         <translation>Detailansicht: linke Maustaste</translation>
     </message>
     <message>
-        <source>Press the hand in</source>
-        <translation>Die Hand eindrücken</translation>
-    </message>
-    <message>
         <source>Detail view: Ctrl+wheel</source>
         <translation>Detailansicht: Strg+Rad</translation>
     </message>
@@ -3055,6 +3194,45 @@
     <message>
         <source>What they do</source>
         <translation>Was sie tun</translation>
+    </message>
+    <message>
+        <source>To look: turn the view; to touch: press the hand in</source>
+        <translation>Betrachten: Ansicht drehen; Fühlen: Hand eindrücken</translation>
+    </message>
+    <message>
+        <source>Other commands</source>
+        <translation>Andere Befehle</translation>
+    </message>
+    <message>
+        <source>In the views, by mouse and keys</source>
+        <translation>In den Ansichten, mit Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>Search keys</source>
+        <translation>Tasten suchen</translation>
+    </message>
+    <message>
+        <source>Words of what a key does, or the key itself</source>
+        <translation>Wörter dessen, was eine Taste tut, oder die Taste selbst</translation>
+    </message>
+    <message>
+        <source>No key has these words. Ctrl+K finds commands without a key, too.</source>
+        <translation>Keine Taste hat diese Wörter. Strg+K findet auch Befehle ohne Taste.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::LightBall</name>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Drag to move the light: the rim is raking light, the middle is light from you. Arrows move it by 5 degrees</source>
+        <translation>Ziehen bewegt das Licht: Am Rand ist Streiflicht, in der Mitte Licht von Ihnen her. Pfeile bewegen es um 5 Grad</translation>
+    </message>
+    <message>
+        <source>Light from %1°, %2° high</source>
+        <translation>Licht aus %1°, %2° hoch</translation>
     </message>
 </context>
 <context>
@@ -3229,14 +3407,6 @@
     <message>
         <source>&amp;View</source>
         <translation>A&amp;nsicht</translation>
-    </message>
-    <message>
-        <source>Turn &amp;detail view</source>
-        <translation>De&amp;tailansicht drehen</translation>
-    </message>
-    <message>
-        <source>Turn the detail view</source>
-        <translation>Die Detailansicht drehen</translation>
     </message>
     <message>
         <source>Relief ima&amp;ge</source>
@@ -3846,14 +4016,6 @@
         <translation>Detail %1/%2</translation>
     </message>
     <message>
-        <source>hand 1 : %1</source>
-        <translation>Hand 1 : %1</translation>
-    </message>
-    <message>
-        <source>1 mm of hand = %1 mm on the object</source>
-        <translation>1 mm der Hand = %1 mm auf dem Objekt</translation>
-    </message>
-    <message>
         <source>&amp;Load what is there</source>
         <translation>&amp;Laden, was da ist</translation>
     </message>
@@ -4410,10 +4572,6 @@
         <translation>E&amp;xportieren…</translation>
     </message>
     <message>
-        <source>A map or mesh for other programs</source>
-        <translation>Karte oder Netz für andere Programme</translation>
-    </message>
-    <message>
         <source>&amp;Keep them</source>
         <translation>&amp;Behalten</translation>
     </message>
@@ -4644,6 +4802,210 @@
     <message>
         <source>Help in the browser, at the page for what has the keyboard; guide, documentation</source>
         <translation>Handbuch im Browser, auf der Seite zu dem, wo die Tastatur ist; Hilfe, Anleitung, Dokumentation</translation>
+    </message>
+    <message>
+        <source>&amp;Detail view</source>
+        <translation>De&amp;tailansicht</translation>
+    </message>
+    <message>
+        <source>What the left button does, and turning by keys</source>
+        <translation>Was die linke Maustaste tut, und Drehen mit Tasten</translation>
+    </message>
+    <message>
+        <source>Ke&amp;y light</source>
+        <translation>Licht&amp;quelle</translation>
+    </message>
+    <message>
+        <source>From where the light shines; low light brings out detail</source>
+        <translation>Woher das Licht kommt; niedriges Licht zeigt Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k with the left button</source>
+        <translation>Mit der linken Taste &amp;betrachten</translation>
+    </message>
+    <message>
+        <source>Dragging with the left button turns the detail view</source>
+        <translation>Ziehen mit der linken Taste dreht die Detailansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Touch with the left button</source>
+        <translation>Mit der linken Taste &amp;fühlen</translation>
+    </message>
+    <message>
+        <source>The left button presses the hand into the surface</source>
+        <translation>Die linke Taste drückt die Hand in die Oberfläche</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Betrachten</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>&amp;Switch between look and touch</source>
+        <translation>&amp;Zwischen Betrachten und Fühlen wechseln</translation>
+    </message>
+    <message>
+        <source>What the left button does in the detail view: turn it, or press the hand in</source>
+        <translation>Was die linke Taste in der Detailansicht tut: sie drehen oder die Hand eindrücken</translation>
+    </message>
+    <message>
+        <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
+        <translation>Was die Maus in der Detailansicht tut; F7 wechselt zwischen Betrachten und Fühlen, die Einstellungen belegen die Tasten</translation>
+    </message>
+    <message>
+        <source>Turn &amp;counterclockwise</source>
+        <translation>&amp;Gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn the light by 5 degrees, counterclockwise</source>
+        <translation>Das Licht um 5 Grad gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn cloc&amp;kwise</source>
+        <translation>Im &amp;Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn the light by 5 degrees, clockwise</source>
+        <translation>Das Licht um 5 Grad im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Higher</source>
+        <translation>&amp;Höher</translation>
+    </message>
+    <message>
+        <source>The light 5 degrees higher</source>
+        <translation>Das Licht 5 Grad höher</translation>
+    </message>
+    <message>
+        <source>Lo&amp;wer</source>
+        <translation>&amp;Niedriger</translation>
+    </message>
+    <message>
+        <source>The light 5 degrees lower: worn detail comes out</source>
+        <translation>Das Licht 5 Grad niedriger: Abgenutztes tritt hervor</translation>
+    </message>
+    <message>
+        <source>Light almost along the surface, 10 degrees above it</source>
+        <translation>Licht fast entlang der Oberfläche, 10 Grad darüber</translation>
+    </message>
+    <message>
+        <source>&amp;Usual light</source>
+        <translation>Üb&amp;liches Licht</translation>
+    </message>
+    <message>
+        <source>From the upper left, 45 degrees high</source>
+        <translation>Von links oben, 45 Grad hoch</translation>
+    </message>
+    <message>
+        <source>Raking from the &amp;left</source>
+        <translation>&amp;Streiflicht von links</translation>
+    </message>
+    <message>
+        <source>Raking from the &amp;right</source>
+        <translation>Streiflicht von &amp;rechts</translation>
+    </message>
+    <message>
+        <source>Raking from &amp;above</source>
+        <translation>Streiflicht von &amp;oben</translation>
+    </message>
+    <message>
+        <source>Raking from &amp;below</source>
+        <translation>Strei&amp;flicht von unten</translation>
+    </message>
+    <message>
+        <source>%1. This relief image has no lamp: the light shows in others.</source>
+        <translation>%1. Dieses Reliefbild hat keine Lampe: Das Licht zeigt sich in anderen.</translation>
+    </message>
+    <message>
+        <source>A map, mesh, picture, profile or section for other programs</source>
+        <translation>Eine Karte, ein Netz, ein Bild, ein Profil oder ein Schnitt für andere Programme</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels; File &gt; Image asks for others</source>
+        <translation>%1 x %2 Pixel; Datei &gt; Bild fragt nach anderen</translation>
+    </message>
+    <message>
+        <source>Picture of the detail view (.png)</source>
+        <translation>Bild der Detailansicht (.png)</translation>
+    </message>
+    <message>
+        <source>Picture of the whole object (.png)</source>
+        <translation>Bild des ganzen Objekts (.png)</translation>
+    </message>
+    <message>
+        <source>Profile %1, drawing (.svg)</source>
+        <translation>Profil %1, Zeichnung (.svg)</translation>
+    </message>
+    <message>
+        <source>Profile %1, numbers (.csv)</source>
+        <translation>Profil %1, Zahlen (.csv)</translation>
+    </message>
+    <message>
+        <source>Section %1, drawing (.svg)</source>
+        <translation>Schnitt %1, Zeichnung (.svg)</translation>
+    </message>
+    <message>
+        <source>Section %1, numbers (.csv)</source>
+        <translation>Schnitt %1, Zahlen (.csv)</translation>
+    </message>
+    <message>
+        <source>Profile c&amp;urve</source>
+        <translation>Profil&amp;kurve</translation>
+    </message>
+    <message>
+        <source>Show or hide the curve of the selected profile under the views</source>
+        <translation>Die Kurve des gewählten Profils unter den Ansichten zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Save profil&amp;e as shown…</source>
+        <translation>Profil wie &amp;gezeigt speichern…</translation>
+    </message>
+    <message>
+        <source>The curve under the views with its cursor as SVG, or its numbers as CSV</source>
+        <translation>Die Kurve unter den Ansichten mit ihrem Zeiger als SVG oder ihre Zahlen als CSV</translation>
+    </message>
+    <message>
+        <source>Save profile</source>
+        <translation>Profil speichern</translation>
+    </message>
+    <message>
+        <source>As it is shown (*.svg)</source>
+        <translation>Wie gezeigt (*.svg)</translation>
+    </message>
+    <message>
+        <source>Its numbers (*.csv)</source>
+        <translation>Seine Zahlen (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 is closed</source>
+        <translation>%1 ist geschlossen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close the scan and go back to the start page</source>
+        <translation>Den Scan schließen und zur Startseite zurückgehen</translation>
+    </message>
+    <message>
+        <source>&amp;Suggest windows</source>
+        <translation>Ausschnitte vors&amp;chlagen</translation>
+    </message>
+    <message>
+        <source>Rank windows by how much of their relief a hand feels</source>
+        <translation>Ausschnitte danach ordnen, wie viel von ihrem Relief eine Hand fühlt</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was suggested.</source>
+        <translation>Abgebrochen. Nichts wurde vorgeschlagen.</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Vorschläge</translation>
     </message>
 </context>
 <context>
@@ -7986,6 +8348,61 @@
     </message>
 </context>
 <context>
+    <name>relievo::PointerBindings</name>
+    <message>
+        <source>left turns</source>
+        <translation>links dreht</translation>
+    </message>
+    <message>
+        <source>left moves</source>
+        <translation>links verschiebt</translation>
+    </message>
+    <message>
+        <source>left zooms</source>
+        <translation>links zoomt</translation>
+    </message>
+    <message>
+        <source>middle turns</source>
+        <translation>Mitte dreht</translation>
+    </message>
+    <message>
+        <source>middle moves</source>
+        <translation>Mitte verschiebt</translation>
+    </message>
+    <message>
+        <source>middle zooms</source>
+        <translation>Mitte zoomt</translation>
+    </message>
+    <message>
+        <source>right turns</source>
+        <translation>rechts dreht</translation>
+    </message>
+    <message>
+        <source>right moves</source>
+        <translation>rechts verschiebt</translation>
+    </message>
+    <message>
+        <source>right zooms</source>
+        <translation>rechts zoomt</translation>
+    </message>
+    <message>
+        <source>left presses the hand in</source>
+        <translation>links drückt die Hand ein</translation>
+    </message>
+    <message>
+        <source>wheel zooms</source>
+        <translation>Rad zoomt</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Betrachten</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Fühlen</translation>
+    </message>
+</context>
+<context>
     <name>relievo::PreferencesDialog</name>
     <message>
         <source>No setting has these words.</source>
@@ -8238,6 +8655,82 @@
     <message>
         <source>Angle between the two eyes&apos; directions at the start, without automatic depth</source>
         <translation>Winkel zwischen den Blickrichtungen der Augen am Anfang, ohne automatische Tiefe</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Left button</source>
+        <translation>Linke Taste</translation>
+    </message>
+    <message>
+        <source>What it does in the detail view: look turns it, touch presses the hand in (F7)</source>
+        <translation>Was sie in der Detailansicht tut: Betrachten dreht sie, Fühlen drückt die Hand ein (F7)</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Betrachten</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>turns the view</source>
+        <translation>dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>moves the window</source>
+        <translation>verschiebt den Ausschnitt</translation>
+    </message>
+    <message>
+        <source>zooms</source>
+        <translation>zoomt</translation>
+    </message>
+    <message>
+        <source>does nothing</source>
+        <translation>tut nichts</translation>
+    </message>
+    <message>
+        <source>What dragging with this button does in the detail view</source>
+        <translation>Was Ziehen mit dieser Taste in der Detailansicht tut</translation>
+    </message>
+    <message>
+        <source>To look: left</source>
+        <translation>Betrachten: links</translation>
+    </message>
+    <message>
+        <source>To look: middle</source>
+        <translation>Betrachten: Mitte</translation>
+    </message>
+    <message>
+        <source>To look: right</source>
+        <translation>Betrachten: rechts</translation>
+    </message>
+    <message>
+        <source>To touch: middle</source>
+        <translation>Fühlen: Mitte</translation>
+    </message>
+    <message>
+        <source>To touch: right</source>
+        <translation>Fühlen: rechts</translation>
+    </message>
+    <message>
+        <source>Wheel away from you</source>
+        <translation>Rad von Ihnen weg</translation>
+    </message>
+    <message>
+        <source>Which way the wheel zooms in the detail view</source>
+        <translation>In welche Richtung das Rad in der Detailansicht zoomt</translation>
+    </message>
+    <message>
+        <source>zooms in</source>
+        <translation>zoomt hinein</translation>
+    </message>
+    <message>
+        <source>zooms out</source>
+        <translation>zoomt heraus</translation>
     </message>
 </context>
 <context>
@@ -8725,6 +9218,61 @@
     </message>
 </context>
 <context>
+    <name>relievo::ProfileStrip</name>
+    <message>
+        <source>at %1 mm: height %2 mm</source>
+        <translation>bei %1 mm: Höhe %2 mm</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Press to put the cursor, drag to choose a piece. Arrows move the cursor, with Shift they choose a piece</source>
+        <translation>Drücken setzt den Zeiger, Ziehen wählt ein Stück. Pfeile bewegen den Zeiger, mit Umschalt wählen sie ein Stück</translation>
+    </message>
+    <message>
+        <source>Profile under the views</source>
+        <translation>Profil unter den Ansichten</translation>
+    </message>
+    <message>
+        <source>Length and depth</source>
+        <translation>Länge und Tiefe</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save profile</source>
+        <translation>Profil speichern</translation>
+    </message>
+    <message>
+        <source>Save the curve as it is shown, or its numbers</source>
+        <translation>Die Kurve wie gezeigt oder ihre Zahlen speichern</translation>
+    </message>
+    <message>
+        <source>Hide profile</source>
+        <translation>Profil verbergen</translation>
+    </message>
+    <message>
+        <source>Hide the curve; the Measure menu shows it again</source>
+        <translation>Die Kurve verbergen; das Menü Messen zeigt sie wieder</translation>
+    </message>
+    <message>
+        <source>Profile %1: %2</source>
+        <translation>Profil %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 mm long, %2 mm deep</source>
+        <translation>%1 mm lang, %2 mm tief</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm: %3 mm long, %4 mm deep, ends differ by %5 mm</source>
+        <translation>%1 bis %2 mm: %3 mm lang, %4 mm tief, Enden %5 mm verschieden</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ReferenceView</name>
     <message>
         <source>Draw window</source>
@@ -9194,10 +9742,6 @@
         <translation>Detail</translation>
     </message>
     <message>
-        <source>Hand scale</source>
-        <translation>Maßstab der Hand</translation>
-    </message>
-    <message>
         <source>Force</source>
         <translation>Kraft</translation>
     </message>
@@ -9228,6 +9772,10 @@
     <message>
         <source>Working</source>
         <translation>In Arbeit</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
     </message>
 </context>
 <context>
@@ -9626,6 +10174,61 @@
     <message>
         <source>%1, automatic</source>
         <translation>%1, automatisch</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SuggestPanel</name>
+    <message>
+        <source>Suggest windows</source>
+        <translation>Ausschnitte vorschlagen</translation>
+    </message>
+    <message>
+        <source>Show them in the overview</source>
+        <translation>In der Übersicht zeigen</translation>
+    </message>
+    <message>
+        <source>Look for windows with relief that a hand feels (Ctrl+Shift+F)</source>
+        <translation>Ausschnitte suchen, deren Relief eine Hand fühlt (Strg+Umschalt+F)</translation>
+    </message>
+    <message>
+        <source>Ranked by the share of a window whose relief is higher than what a hand on a grip just feels at that scale: the threshold of a fingertip (Louw, Kappers and Koenderink 2000) times %1, which is an estimate. Steep, filled and missing places do not count.</source>
+        <translation>Geordnet nach dem Anteil eines Ausschnitts, dessen Relief höher ist, als eine Hand am Griff bei diesem Maßstab gerade fühlt: die Schwelle einer Fingerspitze (Louw, Kappers und Koenderink 2000) mal %1, was geschätzt ist. Steile, gefüllte und fehlende Stellen zählen nicht.</translation>
+    </message>
+    <message>
+        <source>Suggested windows</source>
+        <translation>Vorgeschlagene Ausschnitte</translation>
+    </message>
+    <message>
+        <source>A click or Enter shows the window at its detail; undo goes back</source>
+        <translation>Ein Klick oder Eingabe zeigt den Ausschnitt mit seinem Detail; Rückgängig führt zurück</translation>
+    </message>
+    <message>
+        <source>Frames with their ranks over the whole object</source>
+        <translation>Rahmen mit ihren Rängen über dem ganzen Objekt</translation>
+    </message>
+    <message>
+        <source>This map is read by tiles; windows are suggested on maps in memory.</source>
+        <translation>Diese Karte wird kachelweise gelesen; Ausschnitte werden auf Karten im Speicher vorgeschlagen.</translation>
+    </message>
+    <message>
+        <source>%1. Detail %2 of %3, %4: %5 % felt, relief about %6 wide</source>
+        <translation>%1. Detail %2 von %3, %4: %5 % fühlbar, Relief etwa %6 breit</translation>
+    </message>
+    <message>
+        <source>%1 % measured, %2 % steep</source>
+        <translation>%1 % gemessen, %2 % steil</translation>
+    </message>
+    <message>
+        <source>No window has relief that stands out from what a hand just feels.</source>
+        <translation>Kein Ausschnitt hat ein Relief, das über das gerade Fühlbare hinausgeht.</translation>
+    </message>
+    <message>
+        <source>Suggested window %1</source>
+        <translation>Vorgeschlagener Ausschnitt %1</translation>
+    </message>
+    <message>
+        <source>Windows: %1, the best first</source>
+        <translation>Ausschnitte: %1, der beste zuerst</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@ constexpr double kZoomStep = 1.25;
 constexpr double kDepthStepMm = 0.25;  // Of hand, per notch or key press.
 constexpr double kMostDepthMm = 10;
 constexpr double kTurnDegPerPixel = 0.4;
+constexpr double kZoomPixels = 20;  // Of dragging upwards, for one notch of the wheel.
 constexpr double kBallOfSide = 0.017;
 constexpr double kLeastCells = 8;  // Side of the smallest window, in finest cells.
 constexpr double kDeg = 3.14159265358979323846 / 180;
@@ -41,10 +42,11 @@ DetailView::DetailView(Document& document, QuietTurns& turns, QWidget* parent)
   setObjectName(QStringLiteral("detail_view"));
   setAccessibleName(tr("Detail view"));
   setWhatsThis(
-      tr("The part inside the pink window. The pointer carries the hand just above the surface; "
-         "hold the left button to press in, turn the wheel meanwhile to press deeper. Middle drag "
-         "turns, right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up."));
-  setCursor(Qt::CrossCursor);
+      tr("The part inside the pink window. The pointer carries the hand just above the surface. To "
+         "look, drag with the left button to turn; to touch (F7), hold it to press in, and turn "
+         "the wheel meanwhile to press deeper. Right drag moves the window, the wheel zooms. Keys: "
+         "arrows, Page Down, Page Up."));
+  showCursor();
   connect(&document_, &Document::windowChanged, this, &DetailView::showWindow);
   connect(&document_, &Document::turnChanged, this, &DetailView::showTurn);
   showWindow();
@@ -160,6 +162,18 @@ void DetailView::pointHandAt(const QPointF& point) {
   placeHand(p.x, p.y);
 }
 
+bool DetailView::carryHandTo(double x_mm, double y_mm) {
+  const auto window = document_.window();
+  if (!window) return false;
+  const Region& r = window->region;
+  if (x_mm < r.x_mm || x_mm > r.x_mm + r.side_mm || y_mm < r.y_mm || y_mm > r.y_mm + r.side_mm) {
+    return false;
+  }
+  pointer_.reset();
+  placeHand(x_mm, y_mm);
+  return true;
+}
+
 void DetailView::placeHand(double x_mm, double y_mm) {
   const auto window = document_.window();
   if (!window) return;
@@ -169,37 +183,73 @@ void DetailView::placeHand(double x_mm, double y_mm) {
   Q_EMIT handMoved(hand_, true);
 }
 
+DetailView::Drag DetailView::dragOf(Qt::MouseButton button) const {
+  const bool looks = mode_ == PointerMode::look;
+  PointerAct act = PointerAct::none;
+  if (button == Qt::LeftButton && looks) act = bindings_.look_left;
+  if (button == Qt::MiddleButton) act = looks ? bindings_.look_middle : bindings_.touch_middle;
+  if (button == Qt::RightButton) act = looks ? bindings_.look_right : bindings_.touch_right;
+  switch (act) {
+    case PointerAct::turn:
+      return Drag::turn;
+    case PointerAct::move:
+      return Drag::pan;
+    case PointerAct::zoom:
+      return Drag::zoom;
+    case PointerAct::none:
+      break;
+  }
+  return Drag::none;
+}
+
+void DetailView::showCursor() {
+  if (drag_ == Drag::turn) {
+    setCursor(Qt::ClosedHandCursor);
+  } else if (drag_ == Drag::pan) {
+    setCursor(Qt::SizeAllCursor);
+  } else if (drag_ == Drag::zoom) {
+    setCursor(Qt::SizeVerCursor);
+  } else if (picking_) {
+    setCursor(Qt::PointingHandCursor);
+  } else {
+    setCursor(mode_ == PointerMode::look ? Qt::OpenHandCursor : Qt::CrossCursor);
+  }
+}
+
+void DetailView::setPointerMode(PointerMode mode) {
+  if (mode == mode_) return;
+  mode_ = mode;
+  if (std::exchange(mouse_presses_, false)) placeHand(hand_.x, hand_.y);
+  showCursor();
+}
+
 void DetailView::mousePressEvent(QMouseEvent* event) {
   if (!document_.isOpen() || drag_ != Drag::none) return;
   drag_point_ = event->localPos();
   drag_start_ = document_.project().region;
-  switch (event->button()) {
-    case Qt::LeftButton:
-      if (picking_) {
-        const ViewMm p = onSurface(event->localPos());
-        Q_EMIT picked(p.x, p.y);
-        return;
-      }
-      mouse_presses_ = true;
-      key_depth_mm_ = 0;
-      pointHandAt(event->localPos());
-      break;
-    case Qt::MiddleButton:
-      drag_ = Drag::turn;
-      setCursor(Qt::ClosedHandCursor);
-      break;
-    case Qt::RightButton:
-      drag_ = Drag::pan;
-      setCursor(Qt::SizeAllCursor);
-      break;
-    default:
-      QWidget::mousePressEvent(event);
+  if (event->button() == Qt::LeftButton && picking_) {
+    const ViewMm p = onSurface(event->localPos());
+    Q_EMIT picked(p.x, p.y);
+    return;
   }
+  if (event->button() == Qt::LeftButton && mode_ == PointerMode::touch) {
+    mouse_presses_ = true;
+    key_depth_mm_ = 0;
+    pointHandAt(event->localPos());
+    return;
+  }
+  drag_ = dragOf(event->button());
+  if (drag_ == Drag::none) {
+    QWidget::mousePressEvent(event);
+    return;
+  }
+  drag_button_ = event->button();
+  showCursor();
 }
 
 void DetailView::setPicking(bool on) {
   picking_ = on;
-  if (drag_ == Drag::none) setCursor(on ? Qt::PointingHandCursor : Qt::CrossCursor);
+  showCursor();
 }
 
 void DetailView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -220,6 +270,11 @@ void DetailView::mouseMoveEvent(QMouseEvent* event) {
     follow([this, point] {
       if (drag_ == Drag::pan) pan(point);
     });
+  } else if (drag_ == Drag::zoom) {
+    const int notches = static_cast<int>((drag_point_.y() - point.y()) / kZoomPixels);
+    if (notches == 0) return;
+    drag_point_.ry() -= notches * kZoomPixels;
+    zoomAbout(QRectF(rect()).center(), notches);
   } else {
     pointHandAt(point);
   }
@@ -238,16 +293,15 @@ void DetailView::mouseReleaseEvent(QMouseEvent* event) {
     if (document_.isOpen()) pointHandAt(event->localPos());
     return;
   }
-  const bool ends = (drag_ == Drag::turn && event->button() == Qt::MiddleButton) ||
-                    (drag_ == Drag::pan && event->button() == Qt::RightButton);
-  if (!ends) return;
-  if (drag_ == Drag::pan) {
+  if (drag_ == Drag::none || event->button() != drag_button_) return;
+  const bool moved_window = drag_ == Drag::pan;
+  if (moved_window) {
     forgetNewest();
     if (event->localPos() != drag_point_) pan(event->localPos());
   }
   drag_ = Drag::none;
-  setCursor(picking_ ? Qt::PointingHandCursor : Qt::CrossCursor);
-  document_.commit(tr("Move window"));
+  showCursor();
+  if (moved_window) document_.commit(tr("Move window"));
 }
 
 void DetailView::leaveEvent(QEvent* event) {
@@ -269,7 +323,7 @@ void DetailView::wheelEvent(QWheelEvent* event) {
     // Pushing the wheel away from oneself pushes into the surface.
     setPressDepthMm(press_depth_mm_ + kDepthStepMm * notches);
   } else {
-    zoomAbout(event->position(), notches);
+    zoomAbout(event->position(), bindings_.forward_is_closer ? notches : -notches);
   }
 }
 
@@ -330,7 +384,7 @@ void DetailView::keyPressEvent(QKeyEvent* event) {
     forgetNewest();
     document_.revert();
     drag_ = Drag::none;
-    setCursor(Qt::CrossCursor);
+    showCursor();
     return;
   }
   if (ours && picking_) {

@@ -5,14 +5,16 @@
 
 #include "core/depth/view.h"
 #include "core/region/hand.h"
+#include "ui/views/pointer_bindings.h"
 #include "ui/views/surface_view.h"
 #include "ui/work/document.h"
 
 namespace relievo {
 
 /// The window's 200 x 200 samples, and the hand on them. The pointer carries the hand just above
-/// the surface, the left button presses it in, Ctrl+wheel or the wheel while pressing changes the
-/// depth. Middle drag turns, right drag moves the window, the wheel zooms about the pointer.
+/// the surface. To look, a left drag turns; to touch, the left button presses the hand in, and
+/// Ctrl+wheel or the wheel while pressing changes the depth. Middle drag turns, right drag moves
+/// the window, the wheel zooms about the pointer; all of it as the bindings say.
 /// Keys: arrows move the hand one cell (Shift: ten), Page Down and Page Up press in and lift.
 /// [GUI thread]
 class DetailView : public SurfaceView {
@@ -27,7 +29,14 @@ class DetailView : public SurfaceView {
   double pressDepthMm() const { return press_depth_mm_; }
   void setPressDepthMm(double depth_hand_mm);
   bool pressing() const { return mouse_presses_ || key_depth_mm_ > 0; }
+  /// To a place of the window, as keys carry it; elsewhere it stays. @return it is there
+  bool carryHandTo(double x_mm, double y_mm);
   std::optional<ViewMm> hand() const { return inside_ ? std::optional(hand_) : std::nullopt; }
+
+  PointerMode pointerMode() const { return mode_; }
+  /// A hand that is pressed in by the mouse is lifted.
+  void setPointerMode(PointerMode mode);
+  void setBindings(const PointerBindings& bindings) { bindings_ = bindings; }
 
   /// While something is measured, the left button and Enter pick places instead of pressing in.
   void setPicking(bool on);
@@ -56,7 +65,11 @@ class DetailView : public SurfaceView {
   void leaveEvent(QEvent* event) override;
 
  private:
-  enum class Drag { none, turn, pan };
+  enum class Drag { none, turn, pan, zoom };
+
+  /// What a press of this button begins.
+  Drag dragOf(Qt::MouseButton button) const;
+  void showCursor();
 
   void showWindow();
   void showTurn();
@@ -72,7 +85,10 @@ class DetailView : public SurfaceView {
 
   Document& document_;
   std::optional<Region> camera_region_;
+  PointerMode mode_ = PointerMode::look;
+  PointerBindings bindings_;
   Drag drag_ = Drag::none;
+  Qt::MouseButton drag_button_ = Qt::NoButton;  ///< That holds the drag.
   QPointF drag_point_;
   Region drag_start_;
   ViewMm hand_;

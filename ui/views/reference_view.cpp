@@ -86,7 +86,10 @@ QString nameOf(PinkPart part) {
 }  // namespace
 
 ReferenceView::ReferenceView(Document& document, QuietTurns& turns, QWidget* parent)
-    : SurfaceView(turns, parent), document_(document), pink_(new PinkOverlay(this)) {
+    : SurfaceView(turns, parent),
+      document_(document),
+      suggested_(new SuggestionFrames(this, [this](double x, double y) { return pointOf(x, y); })),
+      pink_(new PinkOverlay(this)) {
   setObjectName(QStringLiteral("reference_view"));
   setAccessibleName(tr("Reference view"));
   setToolTip({});
@@ -129,6 +132,7 @@ void ReferenceView::placePink() {
 
 void ReferenceView::resizeEvent(QResizeEvent* event) {
   SurfaceView::resizeEvent(event);
+  suggested_->place();
   pink_->setGeometry(rect());
   placePink();
 }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ui/views/pink_window.h"
+#include "ui/views/suggestion_frames.h"
 #include "ui/views/surface_view.h"
 #include "ui/work/document.h"
 
@@ -23,6 +24,8 @@ class ReferenceView : public SurfaceView {
 
   /// Point of the widget over a view position; for tests and for the keyboard.
   QPointF pointOf(double x_mm, double y_mm) const;
+  /// Frames of windows that are suggested.
+  void setSuggestions(const std::vector<SuggestedFrame>& frames) { suggested_->setFrames(frames); }
 
  Q_SIGNALS:
   void left();  ///< Escape with nothing to return from.
@@ -60,7 +63,8 @@ class ReferenceView : public SurfaceView {
   double toleranceMm() const;
 
   Document& document_;
-  PinkOverlay* pink_;  ///< Child; owned by Qt.
+  SuggestionFrames* suggested_;  ///< Child; owned by Qt. Below the pink window.
+  PinkOverlay* pink_;            ///< Child; owned by Qt.
   std::optional<Drag> drag_;
   std::optional<KeyDraw> key_draw_;
   int wheel_rest_ = 0;  ///< Angle not yet worth a step.

@@ -267,6 +267,7 @@ SurfaceView::SurfaceView(QuietTurns& turns, QWidget* parent)
   canvas_->hide();
   bar_ = new ColourBar(this);
   legend_ = new CellLegend(this);
+  labels_ = new ViewLabels(this, [this](const ViewMm& place) { return pointOver(place); });
   painter_ = new GridPainter(this);
   connect(&turns.coarse(), &CoarsePictures::over, this, [this] { canvas_->renderWholeAgain(); });
   patience_.setSingleShot(true);
@@ -429,6 +430,7 @@ void SurfaceView::setGrid(std::shared_ptr<const HeldGrid> grid) {
 void SurfaceView::setCamera(const ReliefCamera& camera) {
   state_.camera = camera;
   scene_->setCamera(camera);
+  labels_->update();
   requestRender();
 }
 
@@ -469,6 +471,19 @@ CoarsePictures& SurfaceView::coarsePictures() {
   return turns_.coarse();
 }
 
+// Sight lines are parallel: on a plane of one height places and points are the same but for scale,
+// turn and slant, which three points tell.
+QPointF SurfaceView::pointOver(const ViewMm& place) const {
+  constexpr double kStep = 100;
+  const ViewMm origin = at({0, 0}, place.z);
+  const ViewMm right = at({kStep, 0}, place.z) - origin;
+  const ViewMm down = at({0, kStep}, place.z) - origin;
+  const double area = right.x * down.y - right.y * down.x;
+  if (area == 0) return {};
+  const ViewMm way = place - origin;
+  return kStep / area * QPointF(way.x * down.y - way.y * down.x, right.x * way.y - right.y * way.x);
+}
+
 double SurfaceView::mmPerPixel() const {
   const double shorter_x = state_.camera.rect.width_mm / std::max(1, canvas_->width());
   const double shorter_y = state_.camera.rect.height_mm / std::max(1, canvas_->height());
@@ -494,6 +509,7 @@ void SurfaceView::resizeEvent(QResizeEvent* /*event*/) {
   canvas_->setGeometry(rect().adjusted(kFocusFrame, kFocusFrame, -kFocusFrame, -kFocusFrame));
   bar_->place();
   legend_->place();
+  labels_->place();
   Q_EMIT sized();
 }
 

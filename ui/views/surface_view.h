@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "ui/views/scene_state.h"
+#include "ui/views/view_labels.h"
 
 namespace relievo {
 
@@ -44,6 +45,11 @@ class SurfaceView : public QWidget {
   void setLines(const std::vector<std::vector<ViewMm>>& lines,
                 const std::vector<std::vector<ViewMm>>& curves = {});
   void setBackground(const QColor& colour);
+  /// Over the picture, not in it: what measurements read, and the mark of a profile's cursor.
+  void setLabels(const std::vector<ViewLabel>& labels) { labels_->setLabels(labels); }
+  void setMark(const std::optional<ViewMm>& mark) { labels_->setMark(mark); }
+  /// Point of the widget over a place.
+  QPointF pointOver(const ViewMm& place) const;
 
   QString whereAmI() const { return where_am_i_; }
   /// Where the user is in this view, in words; assistive technology hears of a change.
@@ -114,6 +120,7 @@ class SurfaceView : public QWidget {
   Canvas* canvas_ = nullptr;      ///< Child; owned by Qt.
   ColourBar* bar_ = nullptr;      ///< Child; owned by Qt.
   CellLegend* legend_ = nullptr;  ///< Child; owned by Qt.
+  ViewLabels* labels_ = nullptr;  ///< Child; owned by Qt.
   std::optional<std::array<double, 2>> range_, shown_range_;
   QString where_am_i_;
 };

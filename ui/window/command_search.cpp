@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <QAction>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -12,6 +13,7 @@
 
 #include "ui/style/dialog_size.h"
 #include "ui/style/mnemonic.h"
+#include "ui/window/command_words.h"
 
 namespace relievo {
 namespace {
@@ -32,22 +34,29 @@ QString menusOf(const QAction* command) {
   return titles;
 }
 
-/// All words occur: 2 in the name, 1 in name, explanation or menu, 0 not at all.
+/// All words occur: 3 in the name, 2 with other words for it, 1 with its explanation and menu, 0
+/// not at all.
 int match(const QAction* command, const QStringList& words) {
   const QString name = nameOf(command);
-  const QString all = name + ' ' + command->whatsThis() + menusOf(command);
+  const QString meant = name + ' ' + otherWords(command->objectName());
+  const QString all = meant + ' ' + command->whatsThis() + menusOf(command);
   const auto in = [&words](const QString& text) {
     return std::all_of(words.begin(), words.end(), [&text](const QString& word) {
       return text.contains(word, Qt::CaseInsensitive);
     });
   };
-  return in(name) ? 2 : in(all) ? 1 : 0;
+  return in(name) ? 3 : in(meant) ? 2 : in(all) ? 1 : 0;
 }
 
 }  // namespace
 
 CommandSearch::CommandSearch(const QList<QAction*>& commands, QWidget* parent)
-    : QDialog(parent), words_(new QLineEdit), list_(new QListWidget) {
+    : QDialog(parent),
+      words_(new QLineEdit),
+      list_(new QListWidget),
+      nothing_(
+          new QLabel(tr("No command has these words. Try one word, or another for the same; F1 "
+                        "lists all keys, Shift+F1 opens the manual."))) {
   setObjectName(QStringLiteral("command_search"));
   setWindowTitle(tr("Search commands"));
   for (QAction* command : commands) {
@@ -67,6 +76,10 @@ CommandSearch::CommandSearch(const QList<QAction*>& commands, QWidget* parent)
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* column = new QVBoxLayout(this);
   column->addWidget(words_);
+  nothing_->setObjectName(QStringLiteral("command_nothing"));
+  nothing_->setWordWrap(true);
+  nothing_->hide();
+  column->addWidget(nothing_);
   column->addWidget(list_, 1);
   connect(words_, &QLineEdit::textChanged, this, &CommandSearch::showMatches);
   connect(words_, &QLineEdit::returnPressed, this, &CommandSearch::run);
@@ -91,7 +104,7 @@ bool CommandSearch::eventFilter(QObject* watched, QEvent* event) {
 void CommandSearch::showMatches() {
   list_->clear();
   const QStringList words = words_->text().split(' ', Qt::SkipEmptyParts);
-  for (const int wanted : {2, 1}) {
+  for (const int wanted : {3, 2, 1}) {
     for (int i = 0; i < commands_.size(); ++i) {
       const QAction* command = commands_[i];
       if (match(command, words) != wanted) continue;
@@ -106,6 +119,8 @@ void CommandSearch::showMatches() {
     }
   }
   list_->setCurrentRow(list_->count() > 0 ? 0 : -1);
+  nothing_->setVisible(list_->count() == 0);
+  list_->setAccessibleDescription(list_->count() == 0 ? nothing_->text() : QString());
 }
 
 void CommandSearch::run() {

@@ -4,13 +4,15 @@
 #include <QDialog>
 
 class QAction;
+class QLabel;
 class QLineEdit;
 class QListWidget;
 
 namespace relievo {
 
-/// Finds a command by words of its name or its explanation, and runs it: type, arrows, Enter.
-/// Commands that cannot run now are listed grey. [GUI thread]
+/// Finds a command by words of its name or its explanation, or by other words for it, and runs it:
+/// type, arrows, Enter. Commands that cannot run now are listed grey; where none is found a
+/// sentence says so. [GUI thread]
 class CommandSearch : public QDialog {
   Q_OBJECT
  public:
@@ -26,6 +28,7 @@ class CommandSearch : public QDialog {
   QList<QAction*> commands_;
   QLineEdit* words_;
   QListWidget* list_;
+  QLabel* nothing_;
 };
 
 }  // namespace relievo

@@ -34,8 +34,10 @@
 #include "ui/panels/places_panel.h"
 #include "ui/panels/replay_panel.h"
 #include "ui/panels/stereo_panel.h"
+#include "ui/panels/suggest_panel.h"
 #include "ui/panels/surface_panel.h"
 #include "ui/panels/view_panel.h"
+#include "ui/plots/profile_strip.h"
 #include "ui/plots/time_plot.h"
 #include "ui/style/text.h"
 #include "ui/views/detail_view.h"
@@ -99,7 +101,8 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
   showWindow();
   showHistory();
   showRecent();
-  for (const char* key : {"theme", "text_percent", "size_unit", "stereo_kind", "recording_kind"}) {
+  for (const char* key :
+       {"theme", "text_percent", "size_unit", "stereo_kind", "recording_kind", "pointer_mode"}) {
     applyPreference(QString::fromLatin1(key));
   }
   restoreLayout();
@@ -173,11 +176,15 @@ void MainWindow::layOut() {
   video_ = new VideoControl(this);
   path_preview_ = new PathPreview(this);
   rows_->addWidget(replay_->panel());
+  profile_ = new ProfileStrip;
+  profile_->hide();
+  rows_->addWidget(profile_);  // Last: kept layouts know the parts by their order.
   rows_->setCollapsible(0, false);
   rows_->setStretchFactor(0, 1);
   rows_->setStretchFactor(1, 0);
   rows_->setStretchFactor(2, 0);
-  rows_->setSizes({kFirstSize.height(), kPlotHeight, kPlotHeight});
+  rows_->setStretchFactor(3, 0);
+  rows_->setSizes({kFirstSize.height(), kPlotHeight, kPlotHeight, kPlotHeight});
   row->addWidget(rows_, 1);
 
   panels_ = new SidePanels(work);
@@ -193,12 +200,14 @@ void MainWindow::layOut() {
   panels_->add(tr("Measure"), measure_panel_);
   places_panel_ = new PlacesPanel(document_);
   panels_->add(tr("Places"), places_panel_);
+  suggest_panel_ = new SuggestPanel(document_);
+  panels_->add(tr("Suggestions"), suggest_panel_);
   row->addWidget(panels_);
   pages_->addWidget(work);
   first_view_ = new FirstViewCard(document_, pages_);
   setCentralWidget(centre);
-  for (QWidget* part : std::initializer_list<QWidget*>{reference_, detail_, plot_, panels_,
-                                                       first_view_, statusBar()}) {
+  for (QWidget* part : std::initializer_list<QWidget*>{reference_, detail_, plot_, profile_,
+                                                       panels_, first_view_, statusBar()}) {
     makeOwnWindow(part);
   }
 }
@@ -278,6 +287,9 @@ void MainWindow::connectParts() {
     announce(tr("Press depth %1 mm of hand").arg(numberText(depth, 2)));
   });
   connectPlaces();
+  connectLight();
+  connectProfile();
+  connectSuggestions();
   connectReplay();
   connectVideo();
   connectImages();
@@ -328,6 +340,9 @@ void MainWindow::showSurface() {
   pages_->setCurrentIndex(is_open ? 1 : 0);
   tools_->setVisible(is_open);
   enableCommands();
+  // What was open may still lie in the force loop.
+  if (QAction* forces = command("forces")) forces->setEnabled(is_open && !replay_->showing());
+  showBindings();
   if (!is_open) return;
   const Surface& surface = *document_.surface();
   const HeightRange heights = mapFacts(surface).heights;
@@ -368,8 +383,6 @@ void MainWindow::showWindow() {
   detail_choice_->setCurrentIndex(detail - 1);
   status_->set(StatusField::detail, tr("Detail %1/%2").arg(detail).arg(details),
                levelTip(document_.surface()->ladder, window->region.level));
-  status_->set(StatusField::hand, tr("hand 1 : %1").arg(scale_text),
-               tr("1 mm of hand = %1 mm on the object").arg(scale_text));
   showParallax();
   shareRange();
   Q_EMIT windowShown(window);

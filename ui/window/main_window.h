@@ -17,6 +17,7 @@
 #include "ui/style/icons.h"
 #include "ui/style/palette.h"
 #include "ui/views/picture_file.h"
+#include "ui/views/pointer_bindings.h"
 #include "ui/views/quiet_turns.h"
 #include "ui/views/touch_readout.h"
 #include "ui/window/settings.h"
@@ -36,14 +37,18 @@ class FirstViewCard;
 class MeasurePanel;
 class MessageStrip;
 struct MapExport;
+struct OtherExport;
+class LightBall;
 class OverviewInset;
 class PathPreview;
 class PlacesPanel;
+class ProfileStrip;
 class ReferenceView;
 class RegionPanel;
 class SidePanels;
 class StartPage;
 class StatusFields;
+class SuggestPanel;
 class SurfacePanel;
 class TimePlot;
 class ViewPanel;
@@ -242,6 +247,10 @@ class MainWindow : public QMainWindow {
   void makeExportCommand();
   void connectExports();
   void chooseExport();
+  /// Pictures of the views, profiles and sections.
+  std::vector<OtherExport> otherExports();
+  /// Says that it is saved, or why not.
+  void tellWritten(const QString& file, const std::function<void()>& write);
 
   // main_window_prepare.cpp
   void makePrepareCommands();
@@ -301,6 +310,8 @@ class MainWindow : public QMainWindow {
   void shareRange();
 
   // main_window_unsaved.cpp
+  /// Back to the start page, once nothing is unsaved.
+  void closeDocument();
   /// Asks whether to save, if there is something; `then` comes after Save and Discard.
   void whenNothingIsUnsaved(const std::function<void()>& then);
   void restart();
@@ -317,6 +328,34 @@ class MainWindow : public QMainWindow {
   /// One step to a view's look and stereo; its turn comes with it.
   void showView(const ViewState& view, const QString& name);
   void offerLeftWork();
+
+  // main_window_light.cpp
+  void makeLightCommands();
+  void connectLight();
+  void stepLight(int clockwise, int higher);
+  void chooseLight(const LightOptions& light, int merge_id);
+  void showLight();
+  static constexpr int kMergeDraggedLight = 104;
+
+  // main_window_profile.cpp
+  void makeProfileCommands();
+  void connectProfile();
+  void showProfile();
+  void showProfileMark();    ///< In both views, where the curve has its cursor.
+  void showProfileCursor();  ///< And carries the hand there.
+  void saveProfile();
+
+  // main_window_suggest.cpp
+  void makeSuggestCommand();
+  void connectSuggestions();
+
+  // main_window_pointer.cpp
+  void makePointerCommands();
+  PointerBindings pointerBindings() const;  ///< As preferences say.
+  void choosePointerMode(PointerMode mode);
+  void showPointerMode(PointerMode mode);
+  void showBindings();
+  void touchWhileForcesAreOn(bool on);  ///< Does something when they come on or go off.
 
   // main_window_measure.cpp
   void makeMeasureCommands();
@@ -375,6 +414,7 @@ class MainWindow : public QMainWindow {
   ReferenceView* reference_ = nullptr;
   DetailView* detail_ = nullptr;
   OverviewInset* inset_ = nullptr;
+  LightBall* light_ball_ = nullptr;
   SidePanels* panels_ = nullptr;
   SurfacePanel* surface_panel_ = nullptr;
   RegionPanel* region_panel_ = nullptr;
@@ -383,8 +423,10 @@ class MainWindow : public QMainWindow {
   StereoPanel::Shown whole_shown_;  ///< By the reference view.
   MeasurePanel* measure_panel_ = nullptr;
   PlacesPanel* places_panel_ = nullptr;
+  SuggestPanel* suggest_panel_ = nullptr;
   WorkKeeper* keeper_ = nullptr;
   TimePlot* plot_ = nullptr;
+  ProfileStrip* profile_ = nullptr;
   ReplayControl* replay_ = nullptr;
   VideoControl* video_ = nullptr;
   PathPreview* path_preview_ = nullptr;
@@ -408,6 +450,9 @@ class MainWindow : public QMainWindow {
   TouchReadout touch_;
   std::function<bool(const QString& text)> speaker_;
   bool touch_present_ = false;
+  quint64 late_ticks_seen_ = 0;
+  bool forces_were_on_ = false;
+  bool looks_after_forces_ = false;  ///< Touch was chosen by the forces, not by the person.
   QByteArray layout_before_full_screen_;
   bool closes_when_saved_ = false;
   std::shared_ptr<const Surface> warned_of_rivalry_;

@@ -78,6 +78,12 @@ void MainWindow::makeCommands() {
         tr("Save a picture of a view or of the window"),
         [this] { chooseImage(); },
         {}});
+  make({"close",
+        tr("&Close"),
+        {QKeySequence("Ctrl+W")},
+        tr("Close the scan and go back to the start page"),
+        [this] { closeDocument(); },
+        {}});
   make({"quit",
         tr("&Quit"),
         {QKeySequence("Ctrl+Q")},
@@ -166,6 +172,10 @@ void MainWindow::makeCommands() {
   makeWindowCommands();
   makeReliefCommands();
   makeMeasureCommands();
+  makePointerCommands();
+  makeSuggestCommand();
+  makeProfileCommands();
+  makeLightCommands();
   makePlaceCommands();
   makePackageCommand();
   makeExportCommand();

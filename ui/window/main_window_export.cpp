@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// File > Export...: maps and meshes for other programs.
+// File > Export...: maps, meshes, pictures, profiles and sections for other programs.
 #include <memory>
 #include <QFile>
 #include <QFileInfo>
@@ -13,6 +13,9 @@
 #include "ui/frame/message_strip.h"
 #include "ui/frame/status_fields.h"
 #include "ui/language/spoken_error.h"
+#include "ui/panels/measure_panel.h"
+#include "ui/views/detail_view.h"
+#include "ui/views/reference_view.h"
 #include "ui/window/main_window.h"
 #include "ui/work/file_names.h"
 
@@ -29,7 +32,7 @@ void MainWindow::makeExportCommand() {
   make({"export",
         tr("E&xport\u2026"),
         {},
-        tr("A map or mesh for other programs"),
+        tr("A map, mesh, picture, profile or section for other programs"),
         [this] { chooseExport(); },
         {}});
 }
@@ -44,13 +47,58 @@ void MainWindow::connectExports() {
 
 void MainWindow::chooseExport() {
   if (!document_.isOpen()) return;
-  auto* dialog =
-      new ExportDialog(document_.surface(), document_.project().region,
-                       stemOf(document_.file(), QStringLiteral("-heights.origin.tif")), this);
+  auto* dialog = new ExportDialog(document_.surface(), document_.project().region,
+                                  stemOf(document_.file(), QStringLiteral("-heights.origin.tif")),
+                                  otherExports(), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ExportDialog::chosen, this,
           [this](const ExportOrder& order) { exportMap(order.choice, order.file); });
   dialog->open();
+}
+
+std::vector<OtherExport> MainWindow::otherExports() {
+  std::vector<OtherExport> others;
+  const auto add_picture = [&](const QString& text, ImageSource source, const QSize& pixels) {
+    others.push_back(
+        {text, QStringLiteral(".png"),
+         tr("%1 x %2 pixels; File > Image asks for others")
+             .arg(pixels.width())
+             .arg(pixels.height()),
+         [this, source, pixels](const QString& file) { saveImage(source, pixels, file); }});
+  };
+  add_picture(tr("Picture of the detail view (.png)"), ImageSource::detail, detail_->shotSize());
+  add_picture(tr("Picture of the whole object (.png)"), ImageSource::reference,
+              reference_->shotSize());
+  const std::vector<Measurement>& all = measure_panel_->measurements();
+  for (int row = 0; row < static_cast<int>(all.size()); ++row) {
+    const Measurement& m = all[static_cast<std::size_t>(row)];
+    const bool is_profile = m.kind == MeasureKind::profile;
+    if (!is_profile && m.kind != MeasureKind::section) continue;
+    const QString name = QString::fromStdString(m.name);
+    for (const bool drawn : {true, false}) {
+      const QString text =
+          is_profile
+              ? (drawn ? tr("Profile %1, drawing (.svg)") : tr("Profile %1, numbers (.csv)"))
+              : (drawn ? tr("Section %1, drawing (.svg)") : tr("Section %1, numbers (.csv)"));
+      others.push_back({text.arg(name),
+                        drawn ? QStringLiteral(".svg") : QStringLiteral(".csv"),
+                        {},
+                        [this, row](const QString& file) {
+                          tellWritten(file,
+                                      [this, row, file] { measure_panel_->writeRow(row, file); });
+                        }});
+    }
+  }
+  return others;
+}
+
+void MainWindow::tellWritten(const QString& file, const std::function<void()>& write) {
+  try {
+    write();
+    announce(tr("%1 is saved").arg(shownName(file)));
+  } catch (const Error& error) {
+    strip_->show(spokenError(error));
+  }
 }
 
 void MainWindow::exportMap(const MapExport& choice, const QString& file) {

@@ -18,9 +18,11 @@
 #include "ui/panels/replay_control.h"
 #include "ui/panels/replay_panel.h"
 #include "ui/panels/stereo_panel.h"
+#include "ui/plots/profile_strip.h"
 #include "ui/plots/time_plot.h"
 #include "ui/style/text.h"
 #include "ui/views/detail_view.h"
+#include "ui/views/light_ball.h"
 #include "ui/views/reference_view.h"
 #include "ui/window/main_window.h"
 
@@ -61,6 +63,7 @@ void MainWindow::setFullScreenDetail(bool on) {
   panels_->setVisible(!on && command("show_panels")->isChecked());
   showPlots();
   inset_->setVisible(on);
+  light_ball_->place();
   if (!on) restoreState(layout_before_full_screen_);
   command("full_screen")->setChecked(on);
   detail_->setFocus();
@@ -68,8 +71,8 @@ void MainWindow::setFullScreenDetail(bool on) {
 
 void MainWindow::focusNextPart(int direction) {
   // Order of the window: message, toolbar, reference, detail, panels, plot, status.
-  const std::array<QWidget*, 7> parts{strip_,  tools_, reference_, detail_,
-                                      panels_, plot_,  statusBar()};
+  const std::array<QWidget*, 8> parts{strip_,  tools_, reference_, detail_,
+                                      panels_, plot_,  profile_,   statusBar()};
   const QWidget* focused = QApplication::focusWidget();
   int now = direction > 0 ? -1 : 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -103,6 +106,7 @@ void MainWindow::setTheme(Theme theme) {
   reference_->setBackground(c.viewport);
   detail_->setBackground(c.viewport);
   plot_->takeColours();
+  profile_->takeColours();
   replay_->panel()->takeColours();
   for (QLabel* label : {reference_title_, reference_note_, detail_title_, detail_note_}) {
     QPalette quiet = label->palette();
@@ -115,8 +119,16 @@ void MainWindow::showPlots() {
   const QAction* plots = command("show_plots");
   const bool wanted =
       plots->isVisible() && plots->isChecked() && !isFullScreen() && !replay_->showing();
-  const int views = rows_->height() - plot_->minimumSizeHint().height() - rows_->handleWidth();
-  plot_->setVisible(wanted && views >= kLeastViewLines * fontMetrics().height());
+  // The curve was asked for; what is plotted by itself makes room for it first.
+  const bool curve_wanted = command("show_profile")->isChecked() && !profile_->isEmpty() &&
+                            !isFullScreen() && !replay_->showing();
+  const int least = kLeastViewLines * fontMetrics().height();
+  int views = rows_->height() - profile_->minimumSizeHint().height() - rows_->handleWidth();
+  const bool has_curve = curve_wanted && views >= least;
+  profile_->setVisible(has_curve);
+  if (!has_curve) views = rows_->height();
+  views -= plot_->minimumSizeHint().height() + rows_->handleWidth();
+  plot_->setVisible(wanted && views >= least);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
@@ -147,6 +159,12 @@ void MainWindow::applyPreference(const QString& key) {
   } else if (key == QLatin1String("recording_kind")) {
     command(recordingEnding() == QLatin1String("h5") ? "record_h5" : "record_csv")
         ->setChecked(true);
+  } else if (key == QLatin1String("pointer_mode")) {
+    const bool touches = settings_.choice(key, QString()).toString() == QLatin1String("touch");
+    showPointerMode(touches ? PointerMode::touch : PointerMode::look);
+  } else if (key.startsWith(QLatin1String("look_")) || key.startsWith(QLatin1String("touch_")) ||
+             key == QLatin1String("wheel_forward")) {
+    showBindings();
   } else if (key.startsWith(QLatin1String("stereo_"))) {
     const auto mode =
         stereoMode(settings_.choice(QStringLiteral("stereo_kind"), QStringLiteral("anaglyph"))
@@ -176,7 +194,7 @@ void MainWindow::restoreLayout() {
   tools_->setVisible(document_.isOpen());  // The state may be of a window with a file.
   views_->restoreState(settings_.layout(QStringLiteral("views")).toByteArray());
   rows_->restoreState(settings_.layout(QStringLiteral("rows")).toByteArray());
-  for (const char* part : {"show_panels", "show_reference"}) {
+  for (const char* part : {"show_panels", "show_reference", "show_profile"}) {
     const QVariant shown = settings_.layout(QString::fromLatin1(part));
     if (shown.isValid()) command(part)->setChecked(shown.toBool());
   }
@@ -188,7 +206,7 @@ void MainWindow::saveLayout() {
   settings_.setLayout(QStringLiteral("state"), saveState());
   settings_.setLayout(QStringLiteral("views"), views_->saveState());
   settings_.setLayout(QStringLiteral("rows"), rows_->saveState());
-  for (const char* part : {"show_panels", "show_reference"}) {
+  for (const char* part : {"show_panels", "show_reference", "show_profile"}) {
     settings_.setLayout(QString::fromLatin1(part), command(part)->isChecked());
   }
 }

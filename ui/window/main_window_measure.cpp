@@ -146,6 +146,10 @@ void MainWindow::showMeasurements() {
   const auto curves = measure_panel_->curves();
   detail_->setLines(lines, curves);
   reference_->setLines(lines, curves);
+  const auto labels = measure_panel_->labels();
+  detail_->setLabels(labels);
+  reference_->setLabels(labels);
+  showProfile();
 }
 
 void MainWindow::saveMeasurements() {

@@ -52,15 +52,16 @@ void MainWindow::makeMenus() {
   recent_menu_->menuAction()->setToolTip(tr("Files opened before"));
   recent_menu_->setToolTipsVisible(true);
   add(file, {"save_project", "save_project_as", "-", "figure", "image", "export", "-", "package",
-             "-", "quit"});
+             "-", "close", "quit"});
   add(menu(QStringLiteral("edit"), tr("&Edit")), {"undo", "redo", "history", "-", "copy_view",
                                                   "paste_view", "-", "answer", "-", "preferences"});
   QMenu* view = menu(QStringLiteral("view"), tr("&View"));
   add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "-"});
-  QMenu* turn = view->addMenu(tr("Turn &detail view"));
-  turn->menuAction()->setToolTip(tr("Turn the detail view"));
+  QMenu* turn = view->addMenu(tr("&Detail view"));
+  turn->menuAction()->setToolTip(tr("What the left button does, and turning by keys"));
   turn->setToolTipsVisible(true);
-  add(turn, {"turn_left", "turn_right", "turn_up", "turn_down"});
+  add(turn, {"pointer_look", "pointer_touch", "pointer_switch", "-", "turn_left", "turn_right",
+             "turn_up", "turn_down"});
   add(view, {"use_view", "fit", "-", "stereo", "-", "show_reference", "show_panels", "show_plots"});
   QMenu* relief = view->addMenu(tr("Relief ima&ge"));
   relief->menuAction()->setToolTip(tr("How heights are painted"));
@@ -74,20 +75,27 @@ void MainWindow::makeMenus() {
   for (const std::string_view name : kColourMapNames) {
     colours->addAction(command(("colours_" + std::string(name)).c_str()));
   }
+  QMenu* light = view->addMenu(tr("Ke&y light"));
+  light->menuAction()->setToolTip(tr("From where the light shines; low light brings out detail"));
+  light->setToolTipsVisible(true);
+  add(light,
+      {"light_usual", "light_rake_left", "light_rake_right", "light_rake_above", "light_rake_below",
+       "-", "light_counterclockwise", "light_clockwise", "light_higher", "light_lower"});
   add(view, {"show_unmeasured"});
   makeThemeMenu(view);
   add(view, {"full_screen", "-", "swap_views", "next_part", "previous_part"});
   command("show_plots")->setVisible(false);
   QMenu* surface = menu(QStringLiteral("surface"), tr("&Surface"));
   add(surface, {"finer", "coarser", "whole", "-", "move_left", "move_right", "move_up", "move_down",
-                "type_window", "-", "name_place", "next_place", "previous_place", "beacon", "-",
-                "prepare", "depth_map", "units"});
+                "type_window", "suggest_windows", "-", "name_place", "next_place", "previous_place",
+                "beacon", "-", "prepare", "depth_map", "units"});
   QMenu* engine = surface->addMenu(tr("Depth &engine"));
   engine->menuAction()->setToolTip(tr("How the depth map is made"));
   add(engine, {"engine_cpu", "engine_depthbuffer"});
   add(menu(QStringLiteral("measure"), tr("&Measure")),
       {"measure_point", "measure_distance", "measure_depth", "measure_angle", "measure_profile",
-       "measure_area", "measure_section", "measure_touch", "-", "measure_save_list"});
+       "measure_area", "measure_section", "measure_touch", "-", "show_profile", "profile_save",
+       "measure_save_list"});
   // Present from the start so that the order is fixed; shown once somebody adds an entry.
   menu(QStringLiteral("touch"), tr("&Touch"))->menuAction()->setVisible(false);
   add(menu(QStringLiteral("record"), tr("Re&cord")),
@@ -152,6 +160,9 @@ void MainWindow::makeToolBar() {
   views->setMenu(sides);
   tools_->addWidget(views);
   tools_->addAction(command("fit"));
+  tools_->addSeparator();
+  tools_->addAction(command("pointer_look"));
+  tools_->addAction(command("pointer_touch"));
   tools_->addSeparator();
   tools_->addAction(command("coarser"));
   detail_choice_ = new QComboBox;
@@ -223,12 +234,43 @@ void MainWindow::enableCommands() {
   enableVideo();
   const bool is_open = document_.isOpen();
   const bool is_raster = is_open && document_.surface()->is_raster;
-  for (const char* name :
-       {"image",          "export",      "package",   "copy_view",  "paste_view",  "finer",
-        "coarser",        "whole",       "move_left", "move_right", "move_up",     "move_down",
-        "turn_left",      "turn_right",  "turn_up",   "turn_down",  "type_window", "fit",
-        "stereo",         "full_screen", "depth_map", "units",      "name_place",  "next_place",
-        "previous_place", "beacon"}) {
+  for (const char* name : {"close",
+                           "suggest_windows",
+                           "image",
+                           "export",
+                           "package",
+                           "copy_view",
+                           "paste_view",
+                           "finer",
+                           "coarser",
+                           "whole",
+                           "move_left",
+                           "move_right",
+                           "move_up",
+                           "move_down",
+                           "turn_left",
+                           "turn_right",
+                           "turn_up",
+                           "turn_down",
+                           "type_window",
+                           "fit",
+                           "stereo",
+                           "full_screen",
+                           "depth_map",
+                           "units",
+                           "name_place",
+                           "next_place",
+                           "previous_place",
+                           "beacon",
+                           "light_usual",
+                           "light_rake_left",
+                           "light_rake_right",
+                           "light_rake_above",
+                           "light_rake_below",
+                           "light_counterclockwise",
+                           "light_clockwise",
+                           "light_higher",
+                           "light_lower"}) {
     command(name)->setEnabled(is_open);
   }
   for (const char* name : {"front", "back", "left", "right", "top", "bottom", "auto", "engine_cpu",
@@ -244,7 +286,7 @@ void MainWindow::enableCommands() {
   if (replay_->showing()) {  // The recording chooses the window.
     for (const char* name :
          {"finer", "coarser", "whole", "move_left", "move_right", "move_up", "move_down",
-          "type_window", "paste_view", "prepare", "depth_map", "units"}) {
+          "type_window", "suggest_windows", "paste_view", "prepare", "depth_map", "units"}) {
       command(name)->setEnabled(false);
     }
     return;

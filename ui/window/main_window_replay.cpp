@@ -16,6 +16,7 @@
 #include "ui/language/spoken_error.h"
 #include "ui/panels/replay_control.h"
 #include "ui/panels/replay_panel.h"
+#include "ui/panels/suggest_panel.h"
 #include "ui/plots/time_plot.h"
 #include "ui/views/detail_view.h"
 #include "ui/window/main_window.h"
@@ -187,6 +188,7 @@ void MainWindow::showReplaying(bool on) {
     command(name)->setEnabled(on);
   }
   replay_->panel()->setVisible(on);
+  suggest_panel_->setEnabled(!on && document_.isOpen());
   showPlots();
   enableCommands();
   if (on) {

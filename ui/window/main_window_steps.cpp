@@ -34,6 +34,7 @@ void MainWindow::showLook() {
     view->setLight(look.light);
     view->setLook(look);
   }
+  showLight();
   shareRange();
   warnOfRivalry();
   for (std::size_t i = 0; i < kReliefKindNames.size(); ++i) {

@@ -10,6 +10,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <utility>
 
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
@@ -28,6 +29,9 @@
 
 namespace relievo {
 namespace {
+
+constexpr double kLeastRateHz = 900;  // Of the force loop's 1000; below, stiffness has to give way.
+constexpr quint64 kLateTicks = 10;    // Since the report before, half a second ago.
 
 /// Of the window's sample nearest a view position.
 Origin originAt(const RegionWindow& window, double x_mm, double y_mm) {
@@ -83,6 +87,10 @@ void MainWindow::addToMenu(const QString& title, QAction* action) {
   to->insertAction(place < 0 ? nullptr : to->actions().value(place), action);
   to->menuAction()->setVisible(true);
   const bool forces = action->objectName() == QLatin1String("forces");
+  if (forces) connect(action, &QAction::toggled, this, &MainWindow::touchWhileForcesAreOn);
+  if (action->objectName() == QLatin1String("forcesOff")) {
+    connect(action, &QAction::triggered, this, [this] { touchWhileForcesAreOn(false); });
+  }
   if (!forces && action->objectName() != QLatin1String("record")) return;
   if (action->icon().isNull()) action->setIcon(icon(forces ? Icon::forces : Icon::record));
   QAction* before = command("image");
@@ -164,6 +172,7 @@ void MainWindow::showTouch(const TouchReadout& readout) {
     });
   }
   touch_ = readout;
+  touchWhileForcesAreOn(readout.forces_on);
   if (replay_->showing()) {
     if (!readout.forces_on) return;
     replay_->close();  // Whoever feels something must see where the hand is.
@@ -173,8 +182,14 @@ void MainWindow::showTouch(const TouchReadout& readout) {
                    tr("Worst period: %1 ms").arg(numberText(readout.worst_period_ms, 2))};
   more << (readout.realtime ? tr("Real-time priority")
                             : tr("No real-time priority: %1").arg(readout.realtime_note));
+  // A loop that runs as it should says nothing; the panel Touch has its numbers at any time.
+  const bool late =
+      std::exchange(late_ticks_seen_, readout.late_ticks) + kLateTicks < readout.late_ticks;
+  const bool is_slow = readout.rate_hz > 0 && readout.rate_hz < kLeastRateHz;
   status_->set(StatusField::rate,
-               tr("%1/s, late %2").arg(numberText(readout.rate_hz, 0)).arg(readout.late_ticks),
+               late || is_slow
+                   ? tr("%1/s, late %2").arg(numberText(readout.rate_hz, 0)).arg(readout.late_ticks)
+                   : QString(),
                more.join('\n'));
   status_->set(StatusField::recording,
                readout.recording ? tr("recording %1").arg(readout.recorded_samples) : QString());

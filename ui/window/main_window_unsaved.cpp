@@ -9,8 +9,13 @@
 #include <QProcess>
 #include <utility>
 
+#include "ui/frame/message_strip.h"
+#include "ui/frame/start_page.h"
+#include "ui/frame/status_fields.h"
 #include "ui/language/core_words.h"
+#include "ui/panels/measure_panel.h"
 #include "ui/views/event_turn.h"
+#include "ui/views/path_preview.h"
 #include "ui/window/main_window.h"
 #include "ui/work/file_names.h"
 #include "ui/work/work_keeper.h"
@@ -56,6 +61,35 @@ void MainWindow::whenNothingIsUnsaved(const std::function<void()>& then) {
     }
   });
   box->open();
+}
+
+void MainWindow::closeDocument() {
+  if (!document_.isOpen()) return;
+  whenNothingIsUnsaved([this] {
+    const QString name = shownName(document_.file());
+    stopForces();
+    if (video_->live()) video_->stopLive();
+    path_preview_->stop();
+    if (replay_->showing()) replay_->close();
+    replay_->forgetWaiting();
+    measure_panel_->cancel();
+    if (isFullScreen()) setFullScreenDetail(false);
+    questions_.clear();
+    strip_->close();
+    restoring_.reset();
+    probe_.reset();
+    document_.close();
+    keeper_->forget();
+    recovered_copy_.clear();
+    for (const StatusField field :
+         {StatusField::position, StatusField::origin, StatusField::detail, StatusField::force}) {
+      status_->set(field, {});
+    }
+    setWindowTitle(QStringLiteral("relievo"));
+    setWindowModified(false);
+    start_->setFocus();
+    announce(tr("%1 is closed").arg(name));
+  });
 }
 
 // The new one reads the settings, so it speaks the language that was chosen.

@@ -15,7 +15,7 @@ namespace relievo {
 namespace {
 
 // Those of plugins by their names, since the window does not know them.
-constexpr std::array<ManualTopic, 26> kTopics{{
+constexpr std::array<ManualTopic, 28> kTopics{{
     {"StartPage", "open"},
     {"SurfacePanel", "depth_map"},
     {"DepthMapDialog", "depth_map"},
@@ -23,6 +23,7 @@ constexpr std::array<ManualTopic, 26> kTopics{{
     {"RegionPanel", "levels"},
     {"ReferenceView", "levels"},
     {"PlacesPanel", "levels"},
+    {"SuggestPanel", "levels"},
     {"DetailView", "touch"},
     {"HapticsPanel", "touch"},
     {"ButtonsPanel", "falcon"},
@@ -36,6 +37,7 @@ constexpr std::array<ManualTopic, 26> kTopics{{
     {"StereoPanel", "stereo"},
     {"GlassesDialog", "stereo"},
     {"MeasurePanel", "measure"},
+    {"ProfileStrip", "measure"},
     {"FigureDialog", "figures"},
     {"ImageDialog", "figures"},
     {"PackageDialog", "projects"},

@@ -111,6 +111,29 @@ void Document::open(const OpenRequest& request) {
   start(std::move(work));
 }
 
+void Document::close() {
+  cancel();
+  if (!isOpen()) return;
+  revert();
+  const Project before = state_.project;
+  DocumentState none;
+  none.project.version = before.version;
+  none.project.look = before.look;
+  none.project.stereo = before.stereo;
+  none.project.chosen_eye_angle_deg = before.chosen_eye_angle_deg;
+  state_ = std::move(none);
+  window_.reset();
+  ahead_.reset();
+  earlier_steps_.clear();
+  project_file_.clear();
+  saved_work_.reset();
+  is_in_no_file_ = false;
+  history_.clear();
+  Q_EMIT surfaceChanged();
+  Q_EMIT windowChanged();
+  tell(before);
+}
+
 void Document::cancel() {
   if (worker_.cancel()) Q_EMIT cancelled();
 }

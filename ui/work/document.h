@@ -69,6 +69,8 @@ class Document : public QObject {
   ~Document() override;
 
   void open(const OpenRequest& request);
+  /// Nothing is open any more, as at the start; how things are looked at goes on to the next file.
+  void close();
   /// Ends the running work; what was shown stays.
   void cancel();
   bool busy() const { return worker_.busy(); }

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// File > Close: back to the start page, and on from there.
+#include <QAction>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QtTest/QTest>
+
+#include "tests/ui/gui_fixture.h"
+#include "ui/frame/start_page.h"
+
+namespace relievo {
+namespace {
+
+using CloseTest = GuiTest;
+
+TEST_F(CloseTest, GoesBackToTheStartPageAndAnotherFileOpensAsTheFirst) {
+  EXPECT_FALSE(action("close")->isEnabled()) << "nothing is open";
+  openRelief();
+  document().setRect({40, 40, 60, 60});
+  window().detailView().turnBy(20, 10);
+  action("light_rake_left")->trigger();
+  QTest::keyClick(&window(), Qt::Key_W, Qt::ControlModifier);
+  EXPECT_FALSE(document().isOpen());
+  EXPECT_TRUE(window().findChild<StartPage*>()->isVisible());
+  EXPECT_EQ(window().windowTitle(), "relievo");
+  EXPECT_EQ(document().history().count(), 0);
+  EXPECT_FALSE(action("close")->isEnabled());
+  EXPECT_FALSE(action("finer")->isEnabled());
+  EXPECT_TRUE(child<QLabel>("status_message")->text().contains("is closed"));
+  for (const char* field : {"status_position", "status_detail", "status_mouse"}) {
+    EXPECT_TRUE(child<QLabel>(field)->text().isEmpty()) << field;
+  }
+  openRelief();
+  EXPECT_TRUE(action("close")->isEnabled());
+  EXPECT_FALSE(window().detailView().isTurned());
+  EXPECT_EQ(document().project().look.light, (LightOptions{270, 10}))
+      << "how things are looked at goes on";
+  EXPECT_TRUE(document().setRect({40, 40, 60, 60}));
+  EXPECT_EQ(document().history().count(), 1);
+}
+
+TEST_F(CloseTest, AsksForWorkThatIsInNoFile) {
+  openRelief();
+  document().edit({}, [](Project& p) {
+    p.places = {{"rim", {.x_mm = 0, .y_mm = 0, .side_mm = 50, .level = Level{0}}}};
+  });
+  action("close")->trigger();
+  auto* question = child<QMessageBox>("unsaved_dialog");
+  ASSERT_NE(question, nullptr);
+  EXPECT_TRUE(document().isOpen());
+  QTest::mouseClick(question->button(QMessageBox::Discard), Qt::LeftButton);
+  EXPECT_FALSE(document().isOpen());
+  EXPECT_TRUE(document().project().places.empty());
+}
+
+TEST_F(CloseTest, StopsTheForcesAndLetsNoneComeOnBehindTheStartPage) {
+  auto* forces = new QAction("Forces");
+  forces->setObjectName("forces");
+  forces->setCheckable(true);
+  auto* off = new QAction("Off");
+  off->setObjectName("forcesOff");
+  bool stopped = false;
+  QObject::connect(off, &QAction::triggered, [&stopped] { stopped = true; });
+  window().addToMenu("Touch", forces);
+  window().addToMenu("Touch", off);
+  openRelief();
+  TouchReadout readout;
+  readout.forces_on = true;
+  window().showTouch(readout);
+  action("close")->trigger();
+  EXPECT_TRUE(stopped);
+  EXPECT_FALSE(window().runCommand("forces"));
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Ctrl+K and F1: what somebody looks for, by the words of other programs.
+#include <array>
+#include <QAction>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QTableWidget>
+#include <QtTest/QTest>
+
+#include "tests/ui/gui_fixture.h"
+#include "ui/dialogs/keys_sheet.h"
+#include "ui/window/command_words.h"
+
+namespace relievo {
+namespace {
+
+class FindingTest : public GuiTest {
+ protected:
+  QDialog& search() {
+    if (auto* open = child<QDialog>("command_search")) return *open;
+    EXPECT_TRUE(window().runCommand("search_commands"));
+    return *child<QDialog>("command_search");
+  }
+  /// What Enter would run.
+  QString firstFor(const QString& words) {
+    search().findChild<QLineEdit*>("command_words")->setText(words);
+    const auto* list = search().findChild<QListWidget*>("command_list");
+    return list->count() == 0 ? QString()
+                              : list->item(0)->text().section(u'\u2013', 0, 0).trimmed();
+  }
+  QStringList allFor(const QString& words) {
+    firstFor(words);
+    const auto* list = search().findChild<QListWidget*>("command_list");
+    QStringList all;
+    for (int row = 0; row < list->count(); ++row) {
+      all << list->item(row)->text().section(u'\u2013', 0, 0).trimmed();
+    }
+    return all;
+  }
+};
+
+TEST_F(FindingTest, WordsOfOtherProgramsFindTheCommand) {
+  const std::array<std::pair<const char*, const char*>, 9> asked{{{"export", "Export"},
+                                                                  {"crop", "Prepare"},
+                                                                  {"clean", "Prepare"},
+                                                                  {"align", "Prepare"},
+                                                                  {"zoom in", "Finer"},
+                                                                  {"rotate", "Turn left"},
+                                                                  {"screenshot", "Image"},
+                                                                  {"handbook", "Manual"},
+                                                                  {"STL", "Export"}}};
+  for (const auto& [words, wanted] : asked) {
+    EXPECT_TRUE(allFor(words).contains(wanted))
+        << words << " finds " << allFor(words).join(", ").toStdString();
+  }
+  EXPECT_EQ(firstFor("export"), "Export") << "its own name comes first";
+}
+
+TEST_F(FindingTest, OtherWordsAreOfCommandsThatExist) {
+  int known = 0;
+  for (const QAction* command : window().findChildren<QAction*>()) {
+    if (!otherWords(command->objectName()).isEmpty()) ++known;
+  }
+  EXPECT_GE(known, 30);
+  EXPECT_TRUE(otherWords("no_such_command").isEmpty());
+}
+
+TEST_F(FindingTest, WhereNothingIsFoundASentenceSaysSo) {
+  EXPECT_TRUE(firstFor("xyzzy").isEmpty());
+  auto* nothing = search().findChild<QLabel*>("command_nothing");
+  EXPECT_TRUE(nothing->isVisible());
+  EXPECT_TRUE(nothing->text().contains("F1"));
+  EXPECT_FALSE(firstFor("manual").isEmpty());
+  EXPECT_FALSE(nothing->isVisible());
+}
+
+TEST_F(FindingTest, TheKeysStandUnderTheirMenusAndAreSearched) {
+  ASSERT_TRUE(window().runCommand("keys"));
+  auto* sheet = window().findChild<KeysSheet*>();
+  ASSERT_NE(sheet, nullptr);
+  const auto* table = sheet->findChild<QTableWidget*>("keys_table");
+  QStringList groups;
+  for (int row = 0; row < table->rowCount(); ++row) {
+    if (table->item(row, 1) == nullptr) groups << table->item(row, 0)->text();
+  }
+  EXPECT_EQ(groups.mid(0, 4), QStringList({"File", "Edit", "View", "Surface"}))
+      << "as in the menu bar: " << groups.join(", ").toStdString();
+  EXPECT_EQ(groups.removeDuplicates(), 0);
+  sheet->findChild<QLineEdit*>("keys_words")->setText("undo");
+  QStringList shown;
+  for (int row = 0; row < table->rowCount(); ++row) {
+    if (!table->isRowHidden(row)) shown << table->item(row, 0)->text();
+  }
+  EXPECT_EQ(shown, QStringList({"Edit", "Ctrl+Z"}));
+  sheet->findChild<QLineEdit*>("keys_words")->setText("xyzzy");
+  EXPECT_TRUE(sheet->findChild<QLabel*>("keys_nothing")->isVisible());
+}
+
+}  // namespace
+}  // namespace relievo

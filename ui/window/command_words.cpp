@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/window/command_words.h"
+
+#include <array>
+#include <QCoreApplication>
+
+namespace relievo {
+namespace {
+
+struct OtherWords {
+  const char* command;
+  const char* words;
+};
+
+constexpr std::array<OtherWords, 36> kWords{
+    {{"open", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import file read")},
+     {"open_folder", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import directory images")},
+     {"save_project", QT_TRANSLATE_NOOP("relievo::CommandWords", "store keep session")},
+     {"figure", QT_TRANSLATE_NOOP("relievo::CommandWords",
+                                  "export publish print paper PDF SVG TIFF screenshot")},
+     {"image", QT_TRANSLATE_NOOP("relievo::CommandWords",
+                                 "export screenshot snapshot picture photo PNG capture")},
+     {"export", QT_TRANSLATE_NOOP("relievo::CommandWords",
+                                  "save as convert STL PLY OBJ glTF GeoTIFF mesh 3D print "
+                                  "section profile")},
+     {"package", QT_TRANSLATE_NOOP("relievo::CommandWords", "export archive zip share cite")},
+     {"close", QT_TRANSLATE_NOOP("relievo::CommandWords", "end unload")},
+     {"quit", QT_TRANSLATE_NOOP("relievo::CommandWords", "exit end")},
+     {"prepare", QT_TRANSLATE_NOOP("relievo::CommandWords",
+                                   "clean crop cut trim align register merge join thin decimate "
+                                   "outliers noise edit cloud")},
+     {"depth_map", QT_TRANSLATE_NOOP("relievo::CommandWords",
+                                     "align rotate orient resolution grid holes fill rasterize "
+                                     "crop clean")},
+     {"units", QT_TRANSLATE_NOOP("relievo::CommandWords", "scale millimetres metres inches")},
+     {"finer", QT_TRANSLATE_NOOP("relievo::CommandWords", "zoom in closer magnify level")},
+     {"coarser", QT_TRANSLATE_NOOP("relievo::CommandWords", "zoom out farther level")},
+     {"whole", QT_TRANSLATE_NOOP("relievo::CommandWords", "zoom all overview reset fit")},
+     {"fit", QT_TRANSLATE_NOOP("relievo::CommandWords", "zoom reset home straighten camera")},
+     {"type_window",
+      QT_TRANSLATE_NOOP("relievo::CommandWords", "crop region coordinates selection go to")},
+     {"suggest_windows",
+      QT_TRANSLATE_NOOP("relievo::CommandWords", "best feel where find interesting places")},
+     {"turn_left", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit spin")},
+     {"turn_right", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit spin")},
+     {"turn_up", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit tilt")},
+     {"turn_down", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit tilt")},
+     {"use_view", QT_TRANSLATE_NOOP("relievo::CommandWords", "align rotate orient plane")},
+     {"auto", QT_TRANSLATE_NOOP("relievo::CommandWords", "align rotate orient level")},
+     {"pointer_look", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit mouse navigate")},
+     {"pointer_touch", QT_TRANSLATE_NOOP("relievo::CommandWords", "feel press mouse haptic")},
+     {"pointer_switch", QT_TRANSLATE_NOOP("relievo::CommandWords", "mouse button mode tool")},
+     {"light_rake_left",
+      QT_TRANSLATE_NOOP("relievo::CommandWords", "light shadow oblique grazing")},
+     {"light_lower", QT_TRANSLATE_NOOP("relievo::CommandWords", "light shadow oblique grazing")},
+     {"light_usual", QT_TRANSLATE_NOOP("relievo::CommandWords", "light lamp reset")},
+     {"measure_profile",
+      QT_TRANSLATE_NOOP("relievo::CommandWords", "cross section cut line height curve")},
+     {"profile_save", QT_TRANSLATE_NOOP("relievo::CommandWords", "export curve plot SVG CSV")},
+     {"measure_save_list",
+      QT_TRANSLATE_NOOP("relievo::CommandWords", "export table spreadsheet CSV")},
+     {"manual", QT_TRANSLATE_NOOP("relievo::CommandWords", "help guide documentation handbook")},
+     {"keys", QT_TRANSLATE_NOOP("relievo::CommandWords", "help shortcuts hotkeys keyboard mouse")},
+     {"preferences",
+      QT_TRANSLATE_NOOP("relievo::CommandWords", "settings options configure language theme")}}};
+
+}  // namespace
+
+QString otherWords(const QString& command) {
+  for (const OtherWords& known : kWords) {
+    if (command != QLatin1String(known.command)) continue;
+    return QCoreApplication::translate("relievo::CommandWords", known.words) + ' ' +
+           QString::fromLatin1(known.words);
+  }
+  return {};
+}
+
+}  // namespace relievo

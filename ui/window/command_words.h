@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QString>
+
+namespace relievo {
+
+/// Other words for a command, as other programs and people call it: those of the window's language,
+/// and the English ones in any. Empty: there are none. @param command  object name
+QString otherWords(const QString& command);
+
+}  // namespace relievo
