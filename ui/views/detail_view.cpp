@@ -264,8 +264,9 @@ void DetailView::mouseMoveEvent(QMouseEvent* event) {
   if (!document_.isOpen()) return;
   const QPointF point = event->localPos();
   if (drag_ == Drag::turn) {
-    const QPointF way = point - std::exchange(drag_point_, point);
-    turnBy(-kTurnDegPerPixel * way.x(), kTurnDegPerPixel * way.y());
+    follow([this, point] {
+      if (drag_ == Drag::turn) turnTo(point);
+    });
   } else if (drag_ == Drag::pan) {
     follow([this, point] {
       if (drag_ == Drag::pan) pan(point);
@@ -287,6 +288,11 @@ void DetailView::pan(const QPointF& point) {
   document_.preview(next.value_or(drag_start_));
 }
 
+void DetailView::turnTo(const QPointF& point) {
+  const QPointF way = point - std::exchange(drag_point_, point);
+  turnBy(-kTurnDegPerPixel * way.x(), kTurnDegPerPixel * way.y());
+}
+
 void DetailView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && mouse_presses_) {
     mouse_presses_ = false;
@@ -295,10 +301,9 @@ void DetailView::mouseReleaseEvent(QMouseEvent* event) {
   }
   if (drag_ == Drag::none || event->button() != drag_button_) return;
   const bool moved_window = drag_ == Drag::pan;
-  if (moved_window) {
-    forgetNewest();
-    if (event->localPos() != drag_point_) pan(event->localPos());
-  }
+  forgetNewest();
+  if (moved_window && event->localPos() != drag_point_) pan(event->localPos());
+  if (drag_ == Drag::turn) turnTo(event->localPos());
   drag_ = Drag::none;
   showCursor();
   if (moved_window) document_.commit(tr("Move window"));

@@ -80,6 +80,7 @@ class DetailView : public SurfaceView {
   void placeHand(double x_mm, double y_mm);
   void keepHand();
   void zoomAbout(const QPointF& point, int notches);
+  void turnTo(const QPointF& point);
   void pan(const QPointF& point);
   bool moveHandByKey(int key, double cells);
 
