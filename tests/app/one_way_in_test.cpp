@@ -20,6 +20,7 @@
 #include "core/io/las/las_header.h"
 #include "core/io/point_reader.h"
 #include "core/io/raster/embedded_state.h"
+#include "core/io/raster/picture_pixels.h"
 #include "core/io/raster/tiff_head.h"
 #include "core/io/read_scan.h"
 #include "core/io/worker/reader_guard.h"
@@ -305,6 +306,8 @@ TEST_F(OneWayIn, EveryVerbOnEveryFormat) {
     on({"suggest"}, {"--unit", "mm"});
     on({"fill"}, {"--unit", "mm", "--holes", "interpolate:5", "-o", out + "-f.tif"});
     on({"touch"}, {"--unit", "mm", "--stroke", test::kFlatStroke, "-o", out + ".csv"});
+    on({"record"},
+       {"--unit", "mm", "--device", "virtual", "--seconds", "0.1", "-o", out + "-r.csv"});
     on({"prepare"}, {"--unit", "mm", "-o", out + ".ply"});
     on({"figure"}, {"--unit", "mm", "--dpi", "40", "-o", out + ".pdf"});
   }
@@ -323,6 +326,21 @@ TEST_F(OneWayIn, WhatAStateNames) {
     expectNothingParsed({"info", path("fig.png")}, path("fig.png"));
     expectNothingParsed({"project", "new", path("fig.png"), "-o", path("q.relievo.json")},
                         path("fig.png"));
+    expectNothingParsed({"figure", "--compare", path("fig.png")}, path("fig.png"));
+    expectNothingParsed({"figure", "--compare", path("fig.png")}, file);
+  }
+  EXPECT_EQ(done_, runs_);
+}
+
+TEST_F(OneWayIn, WhatARecordingNames) {
+  for (const std::string& file : {path("a.las"), path("site.tif"), path("tiles.L0.tif")}) {
+    const std::string log = path("touched.csv");
+    ASSERT_EQ(runRelievo({"touch", file, "--unit", "mm", "--stroke", test::kFlatStroke, "-o", log})
+                  .exit_code,
+              0);
+    expectNothingParsed({"replay", log}, file);
+    expectNothingParsed({"video", log, "--frame", "0", "--size", "64x64", "-o", path("frame.png")},
+                        file);
   }
   EXPECT_EQ(done_, runs_);
 }
@@ -362,6 +380,7 @@ TEST(ReaderGuard, EndsAProcessThatParses) {
       {"PointReader", [&] { const PointReader reader(file); }},
       {"readTiffHead", [&] { readTiffHead(file); }},
       {"embeddedStateHere", [&] { embeddedStateHere(file); }},
+      {"readPixelsHere", [&] { readPixelsHere(file); }},
       {"inputFactsHere", [&] { inputFactsHere(file); }},
       {"parsePlyHeader", [&] { parsePlyHeader("ply\n", file); }},
       {"parsePcdHeader", [&] { parsePcdHeader("", file); }},
