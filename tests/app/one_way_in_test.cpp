@@ -306,8 +306,6 @@ TEST_F(OneWayIn, EveryVerbOnEveryFormat) {
     on({"suggest"}, {"--unit", "mm"});
     on({"fill"}, {"--unit", "mm", "--holes", "interpolate:5", "-o", out + "-f.tif"});
     on({"touch"}, {"--unit", "mm", "--stroke", test::kFlatStroke, "-o", out + ".csv"});
-    on({"record"},
-       {"--unit", "mm", "--device", "virtual", "--seconds", "0.1", "-o", out + "-r.csv"});
     on({"prepare"}, {"--unit", "mm", "-o", out + ".ply"});
     on({"figure"}, {"--unit", "mm", "--dpi", "40", "-o", out + ".pdf"});
   }
