@@ -29,6 +29,24 @@ function(relievo_add_module name)
   add_library(relievo::${name} ALIAS relievo_${name})
 endfunction()
 
+# What kind of test the path says: the word for `ctest -L`.
+#   e2e     whole programs: the command line, the window, Python, pages, what is installed
+#   gui     parts of the window and pictures; has a screen of its own
+#   device  a device, emulated or mocked
+#   fast    all else: functions, without a screen
+function(relievo_kind_of_test path is_drawn result)
+  if(path MATCHES "^(app|hostile|docs|manual)/")
+    set(kind e2e)
+  elseif(path MATCHES "^emulator/|^haptics/device/|falcon|device")
+    set(kind device)
+  elseif(is_drawn OR path MATCHES "^ui/")
+    set(kind gui)
+  else()
+    set(kind fast)
+  endif()
+  set(${result} ${kind} PARENT_SCOPE)
+endfunction()
+
 # relievo_add_test(core/depth/rules/rasterize_test LINK targets... [DISPLAY] [QT] [MAIN] [LABELS ...])
 # One test file tests/<path>.cpp, one executable, one CTest entry of the same name.
 # DISPLAY: needs an X display, and gets one of its own. MAIN: it has a main() of its own, in the
@@ -59,9 +77,9 @@ function(relievo_add_test path)
   if(ARG_DISPLAY)
     list(APPEND ARG_LABELS display)
   endif()
-  if(ARG_LABELS)
-    set_tests_properties(${path} PROPERTIES LABELS "${ARG_LABELS}")
-  endif()
+  relievo_kind_of_test(${path} "${ARG_DISPLAY}" kind)
+  list(APPEND ARG_LABELS ${kind})
+  set_tests_properties(${path} PROPERTIES LABELS "${ARG_LABELS}")
   if(ARG_ENVIRONMENT)
     set_tests_properties(${path} PROPERTIES ENVIRONMENT "${ARG_ENVIRONMENT}")
   endif()

@@ -65,7 +65,7 @@ std::string sizeText(const StoredPixels& p) {
 Outcome compareFigure(const CarrierArguments& picture, const std::string& given, const Task& task) {
   const fs::path file = picture.from_image;
   const std::string name = file.filename().string();
-  const std::optional<StoredPixels> before = readPixels(file);
+  const std::optional<StoredPixels> before = importPixels(file, task);
   if (!before) {
     throw FileError(
         name +

@@ -4,12 +4,23 @@
 #include <cstdio>
 
 #include "app/cli/verb.h"
-#include "ui/vtk/files/read_picture.h"
+#include "core/base/error.h"
+#include "core/io/raster/picture_pixels.h"
 
 namespace relievo {
 
+namespace {
+std::optional<StoredPixels> pixelsOf(const std::filesystem::path& picture) {
+  try {
+    return importPixels(picture);
+  } catch (const FileError&) {  // Whoever asked is told below, as of any other file.
+    return std::nullopt;
+  }
+}
+}  // namespace
+
 int handBackPixels(const std::filesystem::path& picture) {
-  const std::optional<StoredPixels> pixels = readPixels(picture);
+  const std::optional<StoredPixels> pixels = pixelsOf(picture);
   if (!pixels) {
     batch::tell(picture.filename().string() + " is no picture that relievo drew.");
     return 2;

@@ -203,7 +203,7 @@ void declareVideo(CLI::App& verb, VideoArguments& a) {
         {.low = 0.01, .high = 20, .unit = "degrees"});
   verb.add_flag("--swap-eyes", a.request.swap_eyes, "Red for the right eye");
   verb.add_option("--relief", a.look.relief, "How heights are painted, as for figure");
-  verb.add_option("--colours", a.look.colours, "grey, viridis, cividis or batlow");
+  verb.add_option("--colours", a.look.colours, listOf(kColourMapNames));
   takesList(verb.add_option("--light", a.look.light, "AZIMUTH,ELEVATION in degrees; 315,45"), 2,
             {.low = -360, .high = 360, .unit = "degrees"});
   takes(verb.add_option("--frame", a.frame, "Only this frame, counted from 0, as a PNG"),

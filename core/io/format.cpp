@@ -21,26 +21,28 @@ struct FormatFact {
   FileFormat format;
   bool readable_as_scan;
   std::string_view name;
+  std::string_view endings;  ///< Of the files that are offered to be opened.
 };
 
-/// Every format this program has heard of. A reader that is added turns its line to true.
-constexpr std::array<FormatFact, 15> kFormats{{
-    {FileFormat::ply, true, "a PLY file"},
-    {FileFormat::pcd, true, "a PCD file"},
-    {FileFormat::obj, true, "an OBJ file"},
-    {FileFormat::stl, true, "an STL file"},
-    {FileFormat::text, true, "a text file"},
-    {FileFormat::tiff, false, "a TIFF raster"},
-    {FileFormat::png, false, "a PNG raster"},
-    {FileFormat::ascii_grid, false, "an ESRI ASCII grid"},
-    {FileFormat::las, true, "a LAS file"},
-    {FileFormat::laz, true, "a compressed LAS file (LAZ or COPC)"},
-    {FileFormat::e57, true, "an E57 file"},
-    {FileFormat::three_ds, true, "a 3DS file"},
-    {FileFormat::ptx, true, "a PTX file"},
-    {FileFormat::other_raster, false, "a raster of another kind"},
-    {FileFormat::other, false, "no scan that this program knows"},
-}};
+/// Every format this program has heard of. A reader that is added turns its line to true. Pictures
+/// of every kind end in .png, so that none is offered for its ending.
+constexpr auto kFormats = std::to_array<FormatFact>({
+    {FileFormat::ply, true, "a PLY file", "ply"},
+    {FileFormat::pcd, true, "a PCD file", "pcd"},
+    {FileFormat::obj, true, "an OBJ file", "obj"},
+    {FileFormat::stl, true, "an STL file", "stl"},
+    {FileFormat::text, true, "a text file", "xyz asc pts csv txt"},
+    {FileFormat::tiff, false, "a TIFF raster", "tif tiff"},
+    {FileFormat::png, false, "a PNG raster", ""},
+    {FileFormat::ascii_grid, false, "an ESRI ASCII grid", "asc"},
+    {FileFormat::las, true, "a LAS file", "las"},
+    {FileFormat::laz, true, "a compressed LAS file (LAZ or COPC)", "laz"},
+    {FileFormat::e57, true, "an E57 file", "e57"},
+    {FileFormat::three_ds, true, "a 3DS file", "3ds"},
+    {FileFormat::ptx, true, "a PTX file", "ptx"},
+    {FileFormat::other_raster, false, "a raster of another kind", ""},
+    {FileFormat::other, false, "no scan that this program knows", ""},
+});
 
 struct Magic {
   std::string_view bytes;
@@ -48,7 +50,7 @@ struct Magic {
   std::string_view name;  ///< Empty: that of the format.
 };
 
-constexpr std::array<Magic, 32> kMagics{{
+constexpr auto kMagics = std::to_array<Magic>({
     {"II*\0"sv, FileFormat::tiff, {}},
     {"MM\0*"sv, FileFormat::tiff, {}},
     {"II+\0"sv, FileFormat::tiff, {}},
@@ -84,7 +86,7 @@ constexpr std::array<Magic, 32> kMagics{{
     {"\xFF\xFE"sv, FileFormat::other, "UTF-16 text; save it as UTF-8"},
     {"\xFE\xFF"sv, FileFormat::other, "UTF-16 text; save it as UTF-8"},
     {"{"sv, FileFormat::other, "a JSON file"},
-}};
+});
 
 std::string nameOf(FileFormat format) {
   for (const FormatFact& fact : kFormats) {
@@ -225,6 +227,20 @@ FoundFormat findFormat(std::string_view head, const std::filesystem::path& file,
     return {FileFormat::other, "damaged: it does not start as a file of this kind must"};
   }
   return {FileFormat::other, "neither text nor a format that this program knows"};
+}
+
+std::vector<std::string_view> offeredEndings() {
+  std::vector<std::string_view> endings;
+  for (const FormatFact& fact : kFormats) {
+    std::string_view rest = fact.endings;
+    while (!rest.empty()) {
+      const std::string_view ending = takeWord(rest);
+      if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
+        endings.push_back(ending);
+      }
+    }
+  }
+  return endings;
 }
 
 bool isReadableRaster(FileFormat format) noexcept {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace relievo {
 
@@ -35,6 +36,9 @@ struct FoundFormat {
 /// @param head  the first bytes, at least 64 kB or the whole file
 FoundFormat findFormat(std::string_view head, const std::filesystem::path& file,
                        std::uint64_t file_size);
+
+/// What names of scans and rasters end in, for lists of files to open: "ply", "las". Each once.
+std::vector<std::string_view> offeredEndings();
 
 /// Read by readRaster: TIFF, PNG, ESRI ASCII grid.
 bool isReadableRaster(FileFormat format) noexcept;

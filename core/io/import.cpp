@@ -13,6 +13,7 @@
 #include "core/io/input_facts.h"
 #include "core/io/raster/colour_raster.h"
 #include "core/io/raster/embedded_state.h"
+#include "core/io/raster/picture_pixels.h"
 #include "core/io/raster/raster.h"
 #include "core/io/raster/raster_rows.h"
 #include "core/io/raster/tiff_head.h"
@@ -230,6 +231,18 @@ std::optional<std::string> embeddedState(const std::filesystem::path& file, cons
   auto state = stateOf(askedOf({file}, ImportKind::state, task));
   if (!state) refuseEnd(file, {}, {});
   return std::move(*state);
+}
+
+std::optional<StoredPixels> importPixels(const std::filesystem::path& file, const Task& task) {
+  task.check();
+  checkedFileSize(file);
+  auto pixels = pixelsOf(importInWorker<WorkerText>({.program = ImportProgram::libraries,
+                                                     .file = file,
+                                                     .kind = ImportKind::pixels,
+                                                     .options = {}},
+                                                    task));
+  if (!pixels) refuseEnd(file, {}, {});
+  return std::move(*pixels);
 }
 
 InputFacts inputFacts(const std::filesystem::path& file, const Task& task) {

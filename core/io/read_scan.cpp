@@ -94,9 +94,15 @@ Scan readScanHere(const std::filesystem::path& file, const ImportOptions& option
       return readE57(job);
     case FileFormat::ptx:
       return readPtx(job);
-    default:
-      return readText(job);
+    case FileFormat::text:
+    case FileFormat::tiff:  // This one and those below were refused above.
+    case FileFormat::png:
+    case FileFormat::ascii_grid:
+    case FileFormat::other_raster:
+    case FileFormat::other:
+      break;  // No default: a format without a line here does not compile.
   }
+  return readText(job);
 }
 
 }  // namespace relievo

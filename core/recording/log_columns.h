@@ -18,8 +18,9 @@ namespace relievo {
 /// What a column's values are; CSV writes integers without a point or an exponent.
 enum class ColumnType : std::uint8_t { real, integer, text };
 
-/// For what a recording is read. Each use needs all columns that the ones before it need.
-enum class LogUse : std::uint8_t { plot, show, replay };
+/// For what a recording is read. Each use needs all columns that the ones before it need; `nothing`
+/// is no use: its columns came later, and whoever reads a recording does without them.
+enum class LogUse : std::uint8_t { plot, show, replay, nothing };
 
 /// One column of a recording: what files call it, and which member of TouchRow it holds.
 struct LogColumn {
@@ -87,7 +88,7 @@ constexpr LogColumn of(LogUse needed_by, From from, std::string_view name, std::
 
 /// All columns in their order. From this list the CSV and HDF5 files are written and read, replays
 /// compare, and a test checks docs/user/reference.md.
-inline constexpr std::array<LogColumn, 31> kLogColumns = [] {
+inline constexpr auto kLogColumns = [] {
   using columns::of;
   using enum columns::From;
   using enum LogUse;
@@ -95,7 +96,7 @@ inline constexpr std::array<LogColumn, 31> kLogColumns = [] {
   using View = ViewMm;
   using Hand = DeviceMm;
   // clang-format off
-  return std::array<LogColumn, 31>{{
+  return std::to_array<LogColumn>({
       of<&R::t_s>(plot, device, "t_s", "s", "time since the start of the log, or the stroke's"),
       of<&R::tick>(show, arithmetic, "tick", "1", "number of the loop's tick; a gap was dropped"),
       of<&R::hip, &View::x>(show, arithmetic, "hip_x_mm", "mm", "hand, on the object"),
@@ -126,7 +127,7 @@ inline constexpr std::array<LogColumn, 31> kLogColumns = [] {
       of<&R::hand_proxy, &Hand::x>(replay, arithmetic, "dev_proxy_x_mm", "mm", "proxy, in the hand's workspace"),
       of<&R::hand_proxy, &Hand::y>(replay, arithmetic, "dev_proxy_y_mm", "mm", "proxy, in the hand's workspace"),
       of<&R::hand_proxy, &Hand::z>(replay, arithmetic, "dev_proxy_z_mm", "mm", "proxy, in the hand's workspace"),
-      of<&R::age_s>(replay, device, "age_s", "s", "age of the position")}};
+      of<&R::age_s>(replay, device, "age_s", "s", "age of the position")});
   // clang-format on
 }();
 

@@ -39,8 +39,9 @@ std::optional<std::string_view> nextField(std::string_view& line, std::string& u
 }
 
 /// The columns of a CSV log in its own order; null: one that this version does not know.
+/// @param lacking  takes the names of those that are not there
 std::vector<const LogColumn*> columnsNamed(std::string_view line, const std::filesystem::path& file,
-                                           LogUse use) {
+                                           LogUse use, std::vector<std::string_view>& lacking) {
   std::vector<const LogColumn*> columns;
   std::string unquoted;
   for (bool ends = false; !ends;) {
@@ -57,8 +58,9 @@ std::vector<const LogColumn*> columnsNamed(std::string_view line, const std::fil
   };
   if (!has(kLogColumns.front())) throw noRecording(file);
   for (const LogColumn& column : kLogColumns) {
-    const bool is_needed = column.type != ColumnType::text && column.needed_by <= use;
-    if (is_needed && !has(column)) throw withoutColumn(file, column.name);
+    if (column.type == ColumnType::text || has(column)) continue;
+    if (column.needed_by <= use) throw withoutColumn(file, column.name);
+    lacking.push_back(column.name);
   }
   return columns;
 }
@@ -107,7 +109,7 @@ LogTable readCsvLog(const std::filesystem::path& file, LogUse use, const Task& t
       continue;
     }
     if (columns.empty()) {
-      columns = columnsNamed(line, file, use);
+      columns = columnsNamed(line, file, use, table.lacking);
       continue;
     }
     constexpr std::size_t kRowsPerCheck = 4096;

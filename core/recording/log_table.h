@@ -29,7 +29,8 @@ struct LogTable {
   std::string header;  ///< Comment lines before the rows, without "# ".
   std::string footer;  ///< Those after the first row: how the loop ran, where windows lay.
   std::vector<TouchRow> rows;
-  std::vector<LogEvent> events;  ///< In order.
+  std::vector<LogEvent> events;           ///< In order.
+  std::vector<std::string_view> lacking;  ///< Columns that the file does not have.
 };
 
 /// Is a file's name that of an HDF5 log? All others are CSV.

@@ -124,9 +124,16 @@ std::string readAttribute(hid_t object, const char* name) {
   return text;
 }
 
+/// Recordings made before a column came are without it. One that was taken out is missed by the
+/// checksums, which cover the values.
+bool mayLack(hid_t file, const LogColumn& column) {
+  return column.needed_by == LogUse::nothing && !hasColumn(file, column.name);
+}
+
 /// Units and descriptions are those of every log, so that they need no checksum.
 bool areColumnsNamedRight(hid_t file) {
   return std::all_of(kNumberColumns.begin(), kNumberColumns.end(), [&](const LogColumn& column) {
+    if (mayLack(file, column)) return true;
     const Id set(H5Dopen2(file, ("log/" + std::string(column.name)).c_str(), H5P_DEFAULT),
                  H5Dclose);
     return readAttribute(set, "unit") == column.unit &&
@@ -181,7 +188,7 @@ LogCheck checkBlocks(hid_t file, const Task& task) {
   std::vector<std::vector<double>> columns;
   for (const LogColumn& column : kNumberColumns) {
     task.check();
-    columns.push_back(readColumn(file, column.name));
+    if (!mayLack(file, column)) columns.push_back(readColumn(file, column.name));
   }
   const std::vector<EventRow> events = readEventRows(file);
   const std::vector<KeptLine> lines = readLines(file);
@@ -261,6 +268,7 @@ LogTable readHdf5Log(const std::filesystem::path& file, LogUse use, const Task& 
       if (!hasColumn(held, column.name)) {
         if (column.name == kNumberColumns.front().name) throw noRecording(file);
         if (column.needed_by <= use) throw withoutColumn(file, column.name);
+        table.lacking.push_back(column.name);
         continue;
       }
       const std::vector<double> values = readColumn(held, column.name);

@@ -121,10 +121,17 @@ std::optional<ColourMap> colourMap(std::string_view name) {
 Rgb8 colourOf(ColourMap map, double t) {
   if (!std::isfinite(t)) return {128, 128, 128};
   t = std::clamp(t, 0.0, 1.0);
-  if (map == ColourMap::viridis) return viridis(t);
-  if (map == ColourMap::cividis) return cividis(t);
-  if (map == ColourMap::batlow) return batlow(t);
   const std::uint8_t grey = byteOf(255 * t);
+  switch (map) {  // A map without a line here does not compile.
+    case ColourMap::viridis:
+      return viridis(t);
+    case ColourMap::cividis:
+      return cividis(t);
+    case ColourMap::batlow:
+      return batlow(t);
+    case ColourMap::grey:
+      break;
+  }
   return {grey, grey, grey};
 }
 

@@ -359,7 +359,7 @@ ReplayResult replayLoop(const RecordedLoop& loop, const LogTable& log,
     const std::int64_t now_ns = loop.first_ns + nanosecondsOf(row);
     HapticSample sample = loop.start.gradual ? core.tick(*now, *before, options, reading, now_ns)
                                              : core.tick(*now, options, reading, now_ns);
-    compare(sample, row, result, each);
+    compare(sample, row, log, result, each);
     ++tick;
   }
   return result;

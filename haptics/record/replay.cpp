@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/record/replay.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -20,6 +21,10 @@ std::int64_t nanoseconds(double seconds) {
 bool sameBits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
+
+bool lacks(const LogTable& log, std::string_view column) {
+  return std::find(log.lacking.begin(), log.lacking.end(), column) != log.lacking.end();
+}
 }  // namespace
 
 std::int64_t nanosecondsOf(const TouchRow& row) {
@@ -34,14 +39,14 @@ DeviceReading readingOf(const TouchRow& row, std::int64_t first_ns) {
   return reading;
 }
 
-void compare(HapticSample& sample, const TouchRow& row, ReplayResult& result,
+void compare(HapticSample& sample, const TouchRow& row, const LogTable& log, ReplayResult& result,
              const std::function<void(const HapticSample&, double t_s)>& each) {
   sample.rate_hz = row.rate_hz;  // Measured, not computed.
   each(sample, row.t_s);
   const TouchRow replayed = touchRow(sample, row.t_s);
   for (const LogColumn& column : kNumberColumns) {
     const double now = column.value(replayed), logged = column.value(row);
-    if (sameBits(now, logged)) continue;
+    if (sameBits(now, logged) || lacks(log, column.name)) continue;
     ++result.different;
     if (!result.first) {
       result.first = ReplayDifference{sample.tick, std::string(column.name), logged, now};
@@ -69,7 +74,7 @@ ReplayResult replay(const HapticSpace& space, const HapticOptions& core_options,
     DeviceReading reading = readingOf(row, 0);
     changes.tell(core, options, reading);
     HapticSample sample = core.tick(space, options, reading, nanosecondsOf(row));
-    compare(sample, row, result, each);
+    compare(sample, row, log, result, each);
   }
   return result;
 }

@@ -38,8 +38,9 @@ ReplayResult replay(const HapticSpace& space, const HapticOptions& core, ForceCh
 std::int64_t nanosecondsOf(const TouchRow& row);  ///< Since the first row.
 /// @param first_ns  time of the first row
 DeviceReading readingOf(const TouchRow& row, std::int64_t first_ns);
-/// Counts the row if the sample has another bit, and hands the sample on.
-void compare(HapticSample& sample, const TouchRow& row, ReplayResult& result,
+/// Counts the row, one of the log, if the sample has another bit in a column that the log has, and
+/// hands the sample on.
+void compare(HapticSample& sample, const TouchRow& row, const LogTable& log, ReplayResult& result,
              const std::function<void(const HapticSample&, double t_s)>& each);
 
 }  // namespace relievo

@@ -20,6 +20,7 @@
 #include "core/io/las/las_header.h"
 #include "core/io/point_reader.h"
 #include "core/io/raster/embedded_state.h"
+#include "core/io/raster/picture_pixels.h"
 #include "core/io/raster/tiff_head.h"
 #include "core/io/read_scan.h"
 #include "core/io/worker/reader_guard.h"
@@ -324,6 +325,21 @@ TEST_F(OneWayIn, WhatAStateNames) {
     expectNothingParsed({"info", path("fig.png")}, path("fig.png"));
     expectNothingParsed({"project", "new", path("fig.png"), "-o", path("q.relievo.json")},
                         path("fig.png"));
+    expectNothingParsed({"figure", "--compare", path("fig.png")}, path("fig.png"));
+    expectNothingParsed({"figure", "--compare", path("fig.png")}, file);
+  }
+  EXPECT_EQ(done_, runs_);
+}
+
+TEST_F(OneWayIn, WhatARecordingNames) {
+  for (const std::string& file : {path("a.las"), path("site.tif"), path("tiles.L0.tif")}) {
+    const std::string log = path("touched.csv");
+    ASSERT_EQ(runRelievo({"touch", file, "--unit", "mm", "--stroke", test::kFlatStroke, "-o", log})
+                  .exit_code,
+              0);
+    expectNothingParsed({"replay", log}, file);
+    expectNothingParsed({"video", log, "--frame", "0", "--size", "64x64", "-o", path("frame.png")},
+                        file);
   }
   EXPECT_EQ(done_, runs_);
 }
@@ -363,6 +379,7 @@ TEST(ReaderGuard, EndsAProcessThatParses) {
       {"PointReader", [&] { const PointReader reader(file); }},
       {"readTiffHead", [&] { readTiffHead(file); }},
       {"embeddedStateHere", [&] { embeddedStateHere(file); }},
+      {"readPixelsHere", [&] { readPixelsHere(file); }},
       {"inputFactsHere", [&] { inputFactsHere(file); }},
       {"parsePlyHeader", [&] { parsePlyHeader("ply\n", file); }},
       {"parsePcdHeader", [&] { parsePcdHeader("", file); }},

@@ -123,6 +123,33 @@ BENCHMARK(wholePyramid)
     ->ArgsProduct({{800, 4096}, {1, 2}})
     ->Unit(benchmark::kMillisecond);
 
+/// One halving on one thread, with the rows of the next call asked for meanwhile, or not: what the
+/// prefetches in halve.cpp buy. Without: the rows that are asked for are there already.
+void halving(benchmark::State& state) {
+  const DepthMap map = relief(static_cast<int>(state.range(0)));
+  const GridSize size = map.frame.size;
+  const bool asks_ahead = state.range(1) != 0;
+  std::vector<float> out((static_cast<std::size_t>(size.cols) + 1) / 2);
+  const auto row_at = [&](int row) {
+    const int there = relievo::mirrored(row, size.rows);
+    return map.heights_mm.data() + size.index({.col = 0, .row = there});
+  };
+  relievo::RowHalver halve(size.cols);
+  for (auto _ : state) {
+    for (int j = 0; j < (size.rows + 1) / 2; ++j) {
+      relievo::FiveRows rows{};
+      for (int n = 0; n < 5; ++n) rows[static_cast<std::size_t>(n)] = row_at(2 * j - 2 + n);
+      const int ahead = asks_ahead ? 2 * j + 3 : 2 * j;
+      halve(rows, {row_at(ahead), row_at(ahead + 1)}, out.data());
+      benchmark::DoNotOptimize(out.data());
+    }
+  }
+}
+BENCHMARK(halving)
+    ->ArgNames({"side", "asks_ahead"})
+    ->ArgsProduct({{800, 4096, 8192}, {0, 1}})
+    ->Unit(benchmark::kMillisecond);
+
 }  // namespace
 
 BENCHMARK_MAIN();

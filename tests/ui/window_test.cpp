@@ -306,6 +306,16 @@ TEST_F(WindowTest, AWindowAtRestLaysNothingOutAndWorkMovesNoView) {
   EXPECT_EQ(window().detailView().size(), view);
 }
 
+/// A list of texts that is one too short leaves a command without any.
+TEST_F(WindowTest, EveryCommandHasATextAndATip) {
+  for (const QAction* action :
+       window().findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly)) {
+    if (action->objectName().isEmpty()) continue;
+    EXPECT_FALSE(action->text().isEmpty()) << action->objectName().toStdString();
+    EXPECT_FALSE(action->toolTip().isEmpty()) << action->objectName().toStdString();
+  }
+}
+
 TEST_F(WindowTest, ThePlotKeepsTheLastTenSeconds) {
   TimePlot plot;
   std::vector<ForcePoint> points(15001);

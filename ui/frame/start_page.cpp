@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "core/io/format.h"
 #include "ui/style/icons.h"
 #include "ui/style/palette.h"
 #include "ui/work/file_names.h"
@@ -102,12 +103,12 @@ void fill(QListWidget* list, const QStringList& files, bool captions) {
 }  // namespace
 
 QStringList scanPatterns() {
-  return {QStringLiteral("*.ply"), QStringLiteral("*.pcd"),  QStringLiteral("*.obj"),
-          QStringLiteral("*.stl"), QStringLiteral("*.xyz"),  QStringLiteral("*.asc"),
-          QStringLiteral("*.pts"), QStringLiteral("*.csv"),  QStringLiteral("*.txt"),
-          QStringLiteral("*.tif"), QStringLiteral("*.tiff"), QStringLiteral("*.3ds"),
-          QStringLiteral("*.las"), QStringLiteral("*.laz"),  QStringLiteral("*.e57"),
-          QStringLiteral("*.ptx")};
+  QStringList patterns;
+  for (const std::string_view ending : offeredEndings()) {
+    patterns << QStringLiteral("*.%1").arg(
+        QLatin1String(ending.data(), static_cast<int>(ending.size())));
+  }
+  return patterns;
 }
 
 QStringList sampleFiles() {

@@ -19,12 +19,12 @@ std::vector<std::string> commandOf(const LogTable& log, const std::string& file)
 /// @throw FileError  this version does not understand it
 TouchArguments argumentsOf(const std::vector<std::string>& command);
 
-/// The raster of firm ground that the command named, with the checksum it had; nothing: none.
-/// @throw FileError  as argumentsOf
 /// With how many newtons the grip was held, whatever the settings say now.
 double liftIn(const LogTable& log);
 /// What a plug-in's device told of itself then; nothing: it was another device.
 std::optional<DeviceInfo> toldIn(const LogTable& log);
+/// The raster of firm ground that the command named, with the checksum it had; nothing: none.
+/// @throw FileError  as argumentsOf
 std::optional<InputFile> firmnessOfCommand(const LogTable& log);
 
 }  // namespace relievo::batch

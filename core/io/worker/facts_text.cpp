@@ -126,6 +126,35 @@ std::optional<std::optional<std::string>> stateOf(const WorkerText& text) {
   return std::optional<std::optional<std::string>>(std::in_place, std::move(carried));
 }
 
+WorkerText textOf(const std::optional<StoredPixels>& pixels) {
+  Packer packer;
+  const StoredPixels some = pixels.value_or(StoredPixels{});
+  for (const int number : {some.width, some.height, some.channels}) {
+    packer.put(static_cast<std::uint64_t>(number));
+  }
+  packer.put(std::string(some.bytes.begin(), some.bytes.end()));
+  return {packer.bytes()};
+}
+
+std::optional<std::optional<StoredPixels>> pixelsOf(const WorkerText& text) {
+  Unpacker unpacker(text.bytes);
+  std::array<std::uint64_t, 3> shape{};
+  for (std::uint64_t& number : shape) number = unpacker.get<std::uint64_t>();
+  const std::string bytes = unpacker.text();
+  if (!unpacker.good()) return std::nullopt;
+  const auto [width, height, channels] = shape;
+  if (width == 0 && height == 0) return std::optional<StoredPixels>();
+  constexpr std::uint64_t kMostSide = 1U << 20U;
+  const bool makes_sense = width > 0 && height > 0 && width <= kMostSide && height <= kMostSide &&
+                           (channels == 3 || channels == 4) &&
+                           bytes.size() == width * height * channels;
+  if (!makes_sense) return std::nullopt;
+  return StoredPixels{.width = static_cast<int>(width),
+                      .height = static_cast<int>(height),
+                      .channels = static_cast<int>(channels),
+                      .bytes = {bytes.begin(), bytes.end()}};
+}
+
 WorkerText textOf(const std::vector<std::optional<TiffHead>>& heads) {
   return listText(heads);
 }

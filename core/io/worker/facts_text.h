@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/io/input_facts.h"
+#include "core/io/raster/picture_pixels.h"
 #include "core/io/raster/tiff_head.h"
 #include "core/io/worker/scan_transport.h"
 
@@ -17,6 +18,9 @@ std::optional<std::vector<std::optional<InputFacts>>> inputFactsOf(const WorkerT
 
 WorkerText textOf(const std::optional<std::string>& state);
 std::optional<std::optional<std::string>> stateOf(const WorkerText& text);
+
+WorkerText textOf(const std::optional<StoredPixels>& pixels);
+std::optional<std::optional<StoredPixels>> pixelsOf(const WorkerText& text);
 
 WorkerText textOf(const std::vector<std::optional<TiffHead>>& heads);
 std::optional<std::vector<std::optional<TiffHead>>> tiffHeadsOf(const WorkerText& text);

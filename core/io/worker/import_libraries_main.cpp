@@ -6,5 +6,6 @@
 int main(int argc, char** argv) {
   return relievo::runImportWorker(argc, argv,
                                   {.read = {.pcl = nullptr, .load_texture = relievo::readTexture},
-                                   .read_raster = relievo::readRasterRows});
+                                   .read_raster = relievo::readRasterRows,
+                                   .read_pixels = relievo::readPixelsHere});
 }

@@ -212,11 +212,14 @@ void answer(const WorkerArguments& arguments, const WorkerLibraries& libraries) 
     case ImportKind::points:
       return servePoints(arguments.file, arguments.options, arguments.stream, task,
                          [&arguments] { return refusalInFlight(arguments); });
+    case ImportKind::pixels:
+      if (libraries.read_pixels == nullptr) break;
+      return sendAnswer(kAnswerFd, textOf(libraries.read_pixels(arguments.file)));
     case ImportKind::raster:
     case ImportKind::raster_rows:
       break;
   }
-  if (libraries.read_raster == nullptr) {
+  if (arguments.kind == ImportKind::pixels || libraries.read_raster == nullptr) {
     refuseScan(arguments.file, "this import program reads no rasters. Install relievo again.");
   }
   RasterAnswer rows(kAnswerFd);

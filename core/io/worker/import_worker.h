@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
+#include "core/io/raster/picture_pixels.h"
 #include "core/io/raster/raster.h"
 #include "core/io/read_scan.h"
 
@@ -12,6 +14,7 @@ namespace relievo {
 struct WorkerLibraries {
   ReadLibraries read = {};
   RasterEnd (*read_raster)(const std::filesystem::path&, const RasterSink&, const Task&) = nullptr;
+  std::optional<StoredPixels> (*read_pixels)(const std::filesystem::path&) = nullptr;
 };
 
 /// main() of the import programs: reads one file under limits and answers its parent.

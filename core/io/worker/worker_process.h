@@ -30,6 +30,7 @@ enum class ImportKind : char {
   tiff_heads = 't',  ///< Of the file, and of those that `more` names.
   state = 'e',       ///< embeddedState.
   points = 'p',      ///< PointStream.
+  pixels = 'x',      ///< StoredPixels; of the program with GDAL.
 };
 
 /// Which program reads: `own` starts in a few milliseconds, because it loads none of the large

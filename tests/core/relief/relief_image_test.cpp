@@ -292,8 +292,8 @@ double lightness(const Rgb8& rgb) {
 }
 
 TEST(ColourMaps, EveryMapGrowsLighterAllTheWayInEvenSteps) {
-  for (const ColourMap map :
-       {ColourMap::grey, ColourMap::viridis, ColourMap::cividis, ColourMap::batlow}) {
+  for (const std::string_view map_name : kColourMapNames) {
+    const ColourMap map = *colourMap(map_name);
     double before = -1;
     double least = 100;
     double most = 0;

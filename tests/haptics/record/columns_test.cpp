@@ -185,7 +185,9 @@ TEST_F(Columns, ARecordingIsReadForWhatItsColumnsAreEnoughFor) {
   for (const Expected& one : kExpected) columns.push_back(one.name);
   columns.pop_back();
   const fs::path first = only("first.csv", columns);
-  EXPECT_EQ(readLog(first, LogUse::show).rows.at(0).proxy, (ViewMm{5.5, 6.5, 7.5}));
+  const LogTable shown = readLog(first, LogUse::show);
+  EXPECT_EQ(shown.rows.at(0).proxy, (ViewMm{5.5, 6.5, 7.5}));
+  EXPECT_EQ(shown.lacking, std::vector<std::string_view>{"age_s"});
   const auto said = [](const fs::path& file, LogUse use) -> std::string {
     try {
       readLog(file, use);
@@ -212,7 +214,9 @@ TEST_F(Columns, AnHdf5RecordingIsReadForWhatItsColumnsAreEnoughFor) {
   const hid_t held = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   ASSERT_GE(H5Ldelete(held, "/log/age_s", H5P_DEFAULT), 0);
   H5Fclose(held);
-  EXPECT_EQ(readLog(file, LogUse::show).rows.at(0).rate_hz, 999.5);
+  const LogTable shown = readLog(file, LogUse::show);
+  EXPECT_EQ(shown.rows.at(0).rate_hz, 999.5);
+  EXPECT_EQ(shown.lacking, std::vector<std::string_view>{"age_s"});
   EXPECT_THROW(readLog(file, LogUse::replay), FileError);
 }
 

@@ -76,6 +76,18 @@ TEST_F(Replay, FindsASingleBitThatDiffers) {
   EXPECT_EQ(result.first->column, "f_z_N");
 }
 
+/// An earlier build did not record a column that a replay would compare.
+TEST_F(Replay, AColumnThatTheRecordingLacksIsNotCompared) {
+  const std::filesystem::path file = temporary("replay_lacks.csv");
+  record(file);
+  LogTable log = readLog(file);
+  EXPECT_TRUE(log.lacking.empty());
+  for (TouchRow& row : log.rows) row.unlimited_n = 0;
+  EXPECT_GT(replayed(log).different, 100U);
+  log.lacking = {"f_cmd_N"};
+  EXPECT_EQ(replayed(log).different, 0U);
+}
+
 TEST_F(Replay, FindsAnotherStiffness) {
   const std::filesystem::path file = temporary("replay_k.csv");
   record(file);
