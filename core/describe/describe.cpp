@@ -109,12 +109,16 @@ void findAreas(const HeightGrid& grid, const Span& span, int surface, Descriptio
   }
 }
 
-void findHighest(const HeightGrid& grid, const Span& span, Description& d) {
+/// Of what was measured: a filled hole has no highest place.
+void findHighest(const HeightGrid& grid, const RegionWindow& whole, const Span& span,
+                 Description& d) {
   const double as_high_mm = span.max_mm - kAsHigh * span.mm();
   GridArea all{.first_col = HeightGrid::kSide, .first_row = HeightGrid::kSide};
   for (int i = 0; i < HeightGrid::kCount; ++i) {
-    if (grid.has(i) && grid.heightMm(i) >= as_high_mm) all.add(i);
+    const bool was_seen = isMeasured(whole.origins[static_cast<std::size_t>(i)]);
+    if (was_seen && grid.has(i) && grid.heightMm(i) >= as_high_mm) all.add(i);
   }
+  if (all.samples == 0) return;
   const double reach_mm = kOnePlace * std::max(d.object.width_mm, d.object.height_mm);
   const int cells = std::max(all.last_col - all.first_col, all.last_row - all.first_row);
   if (cells * grid.stepMm() > reach_mm) return;
@@ -124,16 +128,23 @@ void findHighest(const HeightGrid& grid, const Span& span, Description& d) {
   d.highest = highest;
 }
 
-void findRoughness(const HeightGrid& grid, const Span& span, Description& d) {
+/// Of ninths at least half of which were measured: what fills a hole is smooth.
+void findRoughness(const HeightGrid& grid, const RegionWindow& whole, const Span& span,
+                   Description& d) {
   // What is left of the neighbourhood's mean is bent as the surface is; what is left of that again
   // is not.
   const HeightGrid bent = grid.without(grid.smoothed());
   const HeightGrid rough = bent.without(bent.smoothed());
   std::array<std::vector<double>, kNinths> off_mm;
+  std::array<int, kNinths> filled{};
   for (int i = 0; i < HeightGrid::kCount; ++i) {
     if (!rough.has(i)) continue;
     const Ninth ninth = ninthOf(d.object, grid.xMm(i % HeightGrid::kSide),
                                 grid.yMm(i / HeightGrid::kSide));  // NOLINT: rows.
+    if (!isMeasured(whole.origins[static_cast<std::size_t>(i)])) {
+      ++filled[static_cast<std::size_t>(ninth)];
+      continue;
+    }
     off_mm[static_cast<std::size_t>(ninth)].push_back(std::abs(rough.heightMm(i)));
   }
   const auto median = [](std::vector<double>& values) {
@@ -143,7 +154,8 @@ void findRoughness(const HeightGrid& grid, const Span& span, Description& d) {
   };
   std::vector<std::size_t> known;
   for (std::size_t n = 0; n < kNinths; ++n) {
-    const bool few = off_mm[n].size() < kFewestSamples;
+    const auto measured = static_cast<int>(off_mm[n].size());
+    const bool few = measured < kFewestSamples || measured < filled[n];
     d.roughness_mm[n] = few ? -1 : median(off_mm[n]);
     if (!few) known.push_back(n);
   }
@@ -202,13 +214,13 @@ Description describe(const RegionWindow& whole, const RectMm& object, const Heig
   d.most_span_mm = quantile(ascending, 0.98) - quantile(ascending, 0.02);
   constexpr double kFlat = 1e-6;  // Of the side: what single precision leaves of a plane.
   if (span.mm() <= kFlat * whole.region.side_mm) return d;
-  findHighest(grid, span, d);
+  findHighest(grid, whole, span, d);
   findThreshold(ascending, d);
   findAreas(grid, span, surface, d);
   const HeightGrid smooth = grid.smoothed();
   d.mirrored_sides = smooth.mirrored(true);
   d.mirrored_ends = smooth.mirrored(false);
-  findRoughness(grid, span, d);
+  findRoughness(grid, whole, span, d);
   return d;
 }
 

@@ -55,7 +55,9 @@ std::vector<Message> shortWords(const HandPlace& p) {
   }
   if (!p.name.empty()) words.push_back(said<MessageId::place_named>(p.name));
   const bool was_measured = p.origin == Origin::measured || p.origin == Origin::outside;
-  if (p.touching && !was_measured) {
+  if (p.touching && p.origin == Origin::steep) {
+    words.push_back(said<MessageId::place_steep>());
+  } else if (p.touching && !was_measured) {
     words.push_back(said<MessageId::place_not_measured>(messageOf(p.origin)));
   }
   return words;

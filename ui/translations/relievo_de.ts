@@ -7861,7 +7861,7 @@
     </message>
     <message>
         <source>middle left</source>
-        <translation>links auf halber Höhe</translation>
+        <translation>Mitte links</translation>
     </message>
     <message>
         <source>in the middle</source>
@@ -7869,7 +7869,7 @@
     </message>
     <message>
         <source>middle right</source>
-        <translation>rechts auf halber Höhe</translation>
+        <translation>Mitte rechts</translation>
     </message>
     <message>
         <source>bottom left</source>
@@ -7960,16 +7960,8 @@
         <translation>Oben und unten sind fast spiegelgleich.</translation>
     </message>
     <message>
-        <source>Roughest part: %1 (%2 from sample to sample).</source>
-        <translation>Rauester Teil: %1 (%2 von Abtastwert zu Abtastwert).</translation>
-    </message>
-    <message>
         <source>Roughest part: %1.</source>
         <translation>Rauester Teil: %1.</translation>
-    </message>
-    <message>
-        <source>Smoothest part: %1 (%2 from sample to sample).</source>
-        <translation>Glattester Teil: %1 (%2 von Abtastwert zu Abtastwert).</translation>
     </message>
     <message>
         <source>Smoothest part: %1.</source>
@@ -8122,6 +8114,18 @@
     <message>
         <source>Nothing was said yet.</source>
         <translation>Es wurde noch nichts gesagt.</translation>
+    </message>
+    <message>
+        <source>Roughest part: %1 (%2 off its surroundings).</source>
+        <translation>Rauester Teil: %1 (%2 neben seiner Umgebung).</translation>
+    </message>
+    <message>
+        <source>Smoothest part: %1 (%2 off its surroundings).</source>
+        <translation>Glattester Teil: %1 (%2 neben seiner Umgebung).</translation>
+    </message>
+    <message>
+        <source>Measured here, but too steep to trust.</source>
+        <translation>Hier gemessen, aber zu steil, um dem zu trauen.</translation>
     </message>
 </context>
 <context>

@@ -7960,16 +7960,8 @@
         <translation>ऊपरी और निचला भाग लगभग दर्पण-समान हैं।</translation>
     </message>
     <message>
-        <source>Roughest part: %1 (%2 from sample to sample).</source>
-        <translation>सबसे खुरदरा भाग: %1 (नमूने से नमूने तक %2)।</translation>
-    </message>
-    <message>
         <source>Roughest part: %1.</source>
         <translation>सबसे खुरदरा भाग: %1।</translation>
-    </message>
-    <message>
-        <source>Smoothest part: %1 (%2 from sample to sample).</source>
-        <translation>सबसे चिकना भाग: %1 (नमूने से नमूने तक %2)।</translation>
     </message>
     <message>
         <source>Smoothest part: %1.</source>
@@ -7997,7 +7989,7 @@
     </message>
     <message>
         <source>Moved.</source>
-        <translation>हटाया गया।</translation>
+        <translation>खिसकाया गया।</translation>
     </message>
     <message>
         <source>Back at the old window.</source>
@@ -8073,7 +8065,7 @@
     </message>
     <message>
         <source>One centimetre of hand: %2 of relief.</source>
-        <translation>हाथ का एक सेंटीमीटर: आकृति का %2।</translation>
+        <translation>हाथ का एक सेंटीमीटर: आकृति के %2।</translation>
     </message>
     <message>
         <source>Samples are %1 apart.</source>
@@ -8122,6 +8114,18 @@
     <message>
         <source>Nothing was said yet.</source>
         <translation>अभी तक कुछ नहीं कहा गया।</translation>
+    </message>
+    <message>
+        <source>Roughest part: %1 (%2 off its surroundings).</source>
+        <translation>सबसे खुरदरा भाग: %1 (अपने आस-पास से %2 का अंतर)।</translation>
+    </message>
+    <message>
+        <source>Smoothest part: %1 (%2 off its surroundings).</source>
+        <translation>सबसे चिकना भाग: %1 (अपने आस-पास से %2 का अंतर)।</translation>
+    </message>
+    <message>
+        <source>Measured here, but too steep to trust.</source>
+        <translation>यहाँ मापा गया, पर भरोसे के लिए बहुत खड़ा है।</translation>
     </message>
 </context>
 <context>

@@ -214,6 +214,23 @@ TEST(Describe, WhatWasNotMeasuredHasItsShareAndPlace) {
   EXPECT_THAT(d.raised, IsEmpty()) << "the ground of a hole parts nothing";
 }
 
+TEST(Describe, WhatFillsAHoleIsNeitherSmoothNorHighest) {
+  // Fields everywhere but in the top left, most of which is filled by a high smooth lid.
+  const auto is_lid = [](double x, double y) { return x < 100 && y > 140; };
+  const Heights z = [&](double x, double y) {
+    constexpr double kFieldMm = 4 * kCellMm;
+    const int parity = static_cast<int>(x / kFieldMm) + static_cast<int>(y / kFieldMm);
+    return is_lid(x, y) ? 3 + 0.01 * x : 0.5 * (parity % 2);
+  };
+  const Origins filled = [&](double x, double y) {
+    return is_lid(x, y) ? Origin::interpolated : Origin::measured;
+  };
+  EXPECT_EQ(descriptionOf(mapOf(z)).smoothest, Ninth::top_left) << "as it would be if measured";
+  const Description d = descriptionOf(mapOf(z, 1, filled));
+  EXPECT_FALSE(d.smoothest);
+  EXPECT_FALSE(d.highest);
+}
+
 TEST(Describe, StrangeMapsAreDescribedToo) {
   const Description outside = descriptionOf(
       mapOf([](double, double) { return 0.0; }, 1, [](double, double) { return Origin::outside; }));

@@ -72,6 +72,15 @@ TEST(HandPlace, WhatWasNotMeasuredSaysWhy) {
   EXPECT_EQ(englishText(words[1]), "Not measured here: interpolated.");
 }
 
+TEST(HandPlace, SteepGroundWasMeasured) {
+  HandPlace place = onTheDome();
+  place.name.clear();
+  place.origin = Origin::steep;
+  const std::vector<Message> words = shortWords(place);
+  ASSERT_EQ(words.size(), 2U);
+  EXPECT_EQ(englishSpoken(words[1]), "Measured here, but too steep to trust.");
+}
+
 TEST(HandPlace, TheGroundAndWhatIsBelowItHaveWordsOfTheirOwn) {
   HandPlace place = onTheDome();
   place.name.clear();
