@@ -27,9 +27,10 @@ void EspeakChild::speak(const QString& text, const SpeechStyle& style) {
   child_ = child;
   const std::filesystem::path name = program_.name.toStdString();
   connect(child, &QProcess::errorOccurred, this, [this, child, name](QProcess::ProcessError error) {
-    if (child != child_ || error != QProcess::FailedToStart) return;
+    if (error != QProcess::FailedToStart) return;
+    const bool is_wanted = child == child_;
     leave(*child);
-    Q_EMIT failed(said<MessageId::voice_no_program>(name));
+    if (is_wanted) Q_EMIT failed(said<MessageId::voice_no_program>(name));
   });
   connect(child, QOverload<int, QProcess::ExitStatus>::of(&QProcess::finished), this,
           [this, child, name](int code, QProcess::ExitStatus how) {

@@ -20,17 +20,15 @@ double nowS() {
 }  // namespace
 
 OwnVoice::OwnVoice(VoiceWays ways, QObject* parent)
-    : QObject(parent), ways_(std::move(ways)), program_(ways_.program) {
+    : QObject(parent), ways_(std::move(ways)), program_(ways_.program), probe_(ways_.program) {
   connect(&program_, &EspeakChild::failed, this, &OwnVoice::leaveProgram);
-  connect(&program_, &EspeakChild::ended, this, [this] {
-    unheard_.reset();
-    told_ = false;
-  });
-  retry_.setInterval(kRetryMs);
-  connect(&retry_, &QTimer::timeout, this, [this] {
+  connect(&program_, &EspeakChild::ended, this, &OwnVoice::wasHeard);
+  connect(&probe_, &EspeakChild::ended, this, [this] {
     program_failed_ = false;
-    if (!dispatcher_) connectToDispatcher();
+    Q_EMIT channelChanged();
   });
+  retry_.setInterval(ways_.retry_ms);
+  connect(&retry_, &QTimer::timeout, this, &OwnVoice::lookAgain);
   // What was noticed waits for the hand to rest.
   constexpr int kLookMs = 100;
   due_.setInterval(kLookMs);
@@ -47,54 +45,94 @@ void OwnVoice::setSettings(const VoiceSettings& settings) {
   const bool switched = settings.own_voice != settings_.own_voice;
   settings_ = settings;
   if (!switched) return;
-  if (!settings.own_voice) {
-    hush();
-    dispatcher_.reset();
-    retry_.stop();
-    due_.stop();
+  if (settings.own_voice) {
+    switchOn();
   } else {
-    program_failed_ = told_ = false;
-    retry_.start();
-    due_.start();
-    connectToDispatcher();
+    switchOff();
   }
   Q_EMIT channelChanged();
 }
 
-void OwnVoice::connectToDispatcher() {
-  dispatcher_ = std::make_unique<SsipClient>(ways_.socket, ways_.answer_ms);
-  connect(dispatcher_.get(), &SsipClient::failed, this, &OwnVoice::leaveDispatcher);
-  const auto heard = [this] {
-    unheard_.reset();
-    told_ = false;
-  };
-  connect(dispatcher_.get(), &SsipClient::begun, this, heard);
-  connect(dispatcher_.get(), &SsipClient::ended, this, heard);
+void OwnVoice::switchOn() {
+  program_failed_ = told_ = false;
+  retry_.start();
+  due_.start();
+  dispatcher_ = newClient();
 }
 
-void OwnVoice::leaveDispatcher(const Message& /*why*/) {
+void OwnVoice::switchOff() {
+  hush();
+  probe_.cancel();
+  candidate_.reset();
+  dispatcher_.reset();
+  retry_.stop();
+  due_.stop();
+}
+
+std::unique_ptr<SsipClient> OwnVoice::newClient() {
+  auto made = std::make_unique<SsipClient>(ways_.socket, ways_.answer_ms);
+  const SsipClient* client = made.get();
+  connect(client, &SsipClient::failed, this,
+          [this, client](const Message& why) { leaveClient(client, why); });
+  connect(client, &SsipClient::begun, this, &OwnVoice::wasHeard);
+  connect(client, &SsipClient::ended, this, &OwnVoice::wasHeard);
+  connect(client, &SsipClient::answered, this, [this, client] {
+    if (client != candidate_.get()) return;
+    dispatcher_ = std::move(candidate_);
+    Q_EMIT channelChanged();
+  });
+  return made;
+}
+
+void OwnVoice::lookAgain() {
+  if (dispatcher_) return;
+  if (!candidate_) candidate_ = newClient();
+  if (program_failed_ && !probe_.isSpeaking()) probe_.speak({}, styleOf({}));
+}
+
+void OwnVoice::leaveClient(const SsipClient* client, const Message& why) {
+  if (client == candidate_.get()) {
+    candidate_.release()->deleteLater();
+    return;
+  }
   dispatcher_.release()->deleteLater();
-  Q_EMIT channelChanged();
-  // What it was given is said by the other.
-  if (unheard_) utter(Speech(*unheard_));
+  changeAfterFailure(Channel::dispatcher, why);
 }
 
 void OwnVoice::leaveProgram(const Message& why) {
   program_failed_ = true;
-  unheard_.reset();
+  changeAfterFailure(Channel::program, why);
+}
+
+void OwnVoice::changeAfterFailure(Channel left, const Message& why) {
   Q_EMIT channelChanged();
-  if (!std::exchange(told_, true)) Q_EMIT failed(said<MessageId::voice_not_available>(why));
+  if (channel() == Channel::none && !std::exchange(told_, true)) {
+    Q_EMIT failed(said<MessageId::voice_not_available>(why));
+  }
+  // What it was given is said by another; what another was given is not begun again.
+  if (unheard_ && given_to_ == left) utter(Speech(*unheard_));
+}
+
+void OwnVoice::wasHeard() {
+  unheard_.reset();
+  told_ = false;
 }
 
 bool OwnVoice::speak(const std::vector<Message>& sentences, SaidBecause why) {
-  if (channel() == Channel::none) return false;
-  say({sentences, {}}, why);
-  return true;
+  return take({sentences, {}}, why);
 }
 
 bool OwnVoice::speak(const QString& text, SaidBecause why) {
-  if (channel() == Channel::none) return false;
-  say({{}, text}, why);
+  return take({{}, text}, why);
+}
+
+bool OwnVoice::take(Speech speech, SaidBecause why) {
+  if (channel() == Channel::none) {
+    // The screen reader says it; this voice can repeat it.
+    if (settings_.own_voice) queue_.saidElsewhere(std::move(speech));
+    return false;
+  }
+  say(std::move(speech), why);
   return true;
 }
 
@@ -108,11 +146,18 @@ void OwnVoice::sayWhatIsDue() {
 }
 
 void OwnVoice::utter(const Speech& speech) {
+  given_to_ = channel();
+  if (given_to_ == Channel::none) {
+    unheard_.reset();
+    Q_EMIT unheard(speech);
+    return;
+  }
   unheard_ = speech;
   const QString text = textOf(speech);
-  if (dispatcher_) {
+  if (given_to_ == Channel::dispatcher) {
+    program_.cancel();  // One voice at a time.
     dispatcher_->speak(text, styleOf(speech));
-  } else if (!program_failed_) {
+  } else {
     program_.speak(text, styleOf(speech));
   }
 }
@@ -130,7 +175,7 @@ void OwnVoice::feel(const Probe& probe) {
 }
 
 bool OwnVoice::repeat() {
-  if (channel() == Channel::none || !queue_.last()) return false;
+  if (!settings_.own_voice || !queue_.last()) return false;
   say(Speech(*queue_.last()), SaidBecause::asked);
   return true;
 }

@@ -19,6 +19,7 @@ struct VoiceWays {
   std::filesystem::path socket;  ///< Speech Dispatcher's; empty: nowhere.
   SpeakingProgram program = {};
   int answer_ms = SsipClient::kAnswerMs;  ///< Tests on a busy computer wait longer.
+  int retry_ms = 30'000;                  ///< After a failure it looks again this often.
 };
 
 /// Speaks through Speech Dispatcher, else by espeak-ng, else not at all, and says which. Everything
@@ -27,8 +28,6 @@ class OwnVoice : public QObject, public Voice {
   Q_OBJECT
  public:
   enum class Channel { none, dispatcher, program };
-  /// After a failure it looks again this often.
-  static constexpr int kRetryMs = 30'000;
 
   explicit OwnVoice(VoiceWays ways, QObject* parent = nullptr);
 
@@ -36,7 +35,8 @@ class OwnVoice : public QObject, public Voice {
   bool speak(const QString& text, SaidBecause why) override;
   void hush() override;
   void feel(const Probe& probe) override;
-  /// What was said last, once more, in the language of now. @return false: nothing was
+  /// What was said last, once more, in the language of now; without a channel it is unheard().
+  /// @return false: nothing was said
   bool repeat();
 
   /// From the next words on. Switching the own voice on makes it look for one again.
@@ -48,15 +48,23 @@ class OwnVoice : public QObject, public Voice {
  Q_SIGNALS:
   /// Neither way speaks (E402); once, until one has spoken again.
   void failed(const relievo::Message& why);
+  /// What speak() took and no channel has said: somebody else is to say it.
+  void unheard(const relievo::Speech& speech);
   void channelChanged();
 
  private:
+  bool take(Speech speech, SaidBecause why);
   void say(Speech speech, SaidBecause why);
   void sayWhatIsDue();
   void utter(const Speech& speech);
-  void connectToDispatcher();
-  void leaveDispatcher(const Message& why);
+  void switchOn();
+  void switchOff();
+  std::unique_ptr<SsipClient> newClient();
+  void lookAgain();
+  void leaveClient(const SsipClient* client, const Message& why);
   void leaveProgram(const Message& why);
+  void changeAfterFailure(Channel left, const Message& why);
+  void wasHeard();
   bool isSpeaking() const;
   QString textOf(const Speech& speech) const;
   SpeechStyle styleOf(const Speech& speech) const;
@@ -65,10 +73,12 @@ class OwnVoice : public QObject, public Voice {
   VoiceSettings settings_;
   SpeechQueue queue_;
   std::unique_ptr<SsipClient> dispatcher_;  // Null: not now.
-  EspeakChild program_;
+  std::unique_ptr<SsipClient> candidate_;   // Has not answered yet; nothing is said by it.
+  EspeakChild program_, probe_;             // The probe says nothing, to see whether it can.
   bool program_failed_ = false, told_ = false;
   double object_mm_per_hand_mm_ = 1;
-  std::optional<Speech> unheard_;  // Begun, and not known to be heard.
+  std::optional<Speech> unheard_;     // Begun, and not known to be heard.
+  Channel given_to_ = Channel::none;  // What is unheard.
   QTimer retry_, due_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/voice/speech_queue.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,22 +22,21 @@ void SpeechQueue::hush() {
 }
 
 void SpeechQueue::hand(const DeviceMm& position, double now_s) {
-  const double dt_s = now_s - felt_s_;
-  felt_s_ = now_s;
-  if (rests_at_ && dt_s > 0) {
-    const DeviceMm by = position - *rests_at_;
-    const double mm = std::hypot(by.x, by.y, by.z);
-    if (mm > kRestMmPerS * dt_s) rests_since_s_ = now_s;
-  }
-  if (!rests_at_) rests_since_s_ = now_s;
-  rests_at_ = position;
+  if (felt_.empty()) rests_since_s_ = now_s;
+  felt_.push_back({position, now_s});
+  while (felt_.size() > 2 && now_s - felt_[1].s >= kSpanS) felt_.pop_front();
+  const DeviceMm by = position - felt_.front().at;
+  const double mm = std::hypot(by.x, by.y, by.z);
+  const double span_s = std::max(now_s - felt_.front().s, kSpanS);
+  // Where it was found to move, it did so at some time within the span.
+  if (mm > kRestMmPerS * span_s) rests_since_s_ = now_s - kSpanS;
 }
 
 std::optional<Speech> SpeechQueue::take(double now_s, bool speaking) {
   std::optional<Speech>* next = nullptr;
   if (asked_) {
     next = &asked_;
-  } else if (noticed_ && !speaking && (!rests_at_ || now_s - rests_since_s_ >= kRestS)) {
+  } else if (noticed_ && !speaking && (felt_.empty() || now_s - rests_since_s_ >= kRestS)) {
     next = &noticed_;
   }
   if (next == nullptr) return std::nullopt;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <QString>
+#include <utility>
 #include <vector>
 
 #include "core/base/vec3.h"
@@ -25,6 +27,7 @@ class SpeechQueue {
  public:
   static constexpr double kRestS = 0.8;     ///< Stops while exploring last 0.07 to 0.33 s.
   static constexpr double kRestMmPerS = 5;  ///< Slower is at rest, mm of hand.
+  static constexpr double kSpanS = 0.2;     ///< Over this long: a hand that trembles rests.
 
   void say(Speech speech, SaidBecause why);
   /// Nothing that waits is said any more.
@@ -32,13 +35,20 @@ class SpeechQueue {
   void hand(const DeviceMm& position, double now_s);
   /// What is to be said now, if anything. @param speaking  something is being said
   std::optional<Speech> take(double now_s, bool speaking);
+  /// Another said it at once: it is what was said last.
+  void saidElsewhere(Speech speech) { last_ = std::move(speech); }
   /// What was said last; nothing: nothing was.
   const std::optional<Speech>& last() const { return last_; }
 
  private:
+  struct Felt {
+    DeviceMm at;
+    double s = 0;
+  };
+
   std::optional<Speech> asked_, noticed_, last_;
-  std::optional<DeviceMm> rests_at_;
-  double rests_since_s_ = 0, felt_s_ = 0;
+  std::deque<Felt> felt_;  // The first is as old as the span, once there are such.
+  double rests_since_s_ = 0;
 };
 
 }  // namespace relievo

@@ -89,7 +89,8 @@ std::string SsipProtocol::takeBytes() {
 }
 
 void SsipProtocol::receive(std::string_view bytes) {
-  constexpr std::size_t kMost = 65536;  // A line of a server that is none.
+  constexpr std::size_t kLongestLine = 65536, kMostUnanswered = 1U << 20U;
+  unanswered_bytes_ += bytes.size();
   in_ += bytes;
   for (std::size_t end = 0; (end = in_.find('\n')) != std::string::npos;) {
     std::string line = in_.substr(0, end);
@@ -97,7 +98,8 @@ void SsipProtocol::receive(std::string_view bytes) {
     if (line.ends_with('\r')) line.pop_back();
     takeLine(line);
   }
-  if (in_.size() > kMost) in_.clear();
+  if (in_.size() > kLongestLine || unanswered_bytes_ > kMostUnanswered) is_flooded_ = true;
+  if (is_flooded_) in_.clear();
 }
 
 void SsipProtocol::takeLine(std::string_view line) {
@@ -132,6 +134,7 @@ void SsipProtocol::takeReply(int code, std::string_view words) {
     return;
   }
   awaiting_ = false;
+  unanswered_bytes_ = 0;
   if (code == kQueued && speaks_) message_id_ = given_id_;
   if (code < kErrors || awaits_setting_) return;
   refusal_ = words;

@@ -42,6 +42,10 @@ class SsipProtocol {
   const std::string& refusal() const { return refusal_; }
   /// A command was sent and not answered yet.
   bool isAwaiting() const { return awaiting_; }
+  /// SPEAK was sent and its text was not: the server may take what comes next for the text.
+  bool isTextDue() const { return awaiting_ && !data_.empty(); }
+  /// So much came without an answer, or without an end of line, that this is no such server.
+  bool isFlooded() const { return is_flooded_; }
 
  private:
   struct Command {
@@ -58,6 +62,8 @@ class SsipProtocol {
   std::string in_, out_, refusal_;
   std::string data_;  ///< Of the SPEAK that was sent.
   SpeechStyle style_;
+  std::size_t unanswered_bytes_ = 0;
+  bool is_flooded_ = false;
   bool has_style_ = false, awaiting_ = false, awaits_setting_ = false, speaks_ = false;
   std::string event_id_;  ///< The first line of an event of several.
   std::string message_id_, given_id_;

@@ -79,35 +79,49 @@ void SsipClient::write() {
   const bool was_awaiting = protocol_.isAwaiting();
   out_ += protocol_.takeBytes();
   if (protocol_.isAwaiting() && !was_awaiting) answer_due_.start();
-  while (!out_.empty()) {
-    const ssize_t sent = send(socket_, out_.data(), out_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) break;
-    if (sent < 0) {
-      fail(said<MessageId::voice_ended>());
-      return;
-    }
-    out_.erase(0, static_cast<std::size_t>(sent));
+  if (!sendOut()) {
+    fail(said<MessageId::voice_ended>());
+    return;
   }
   writable_->setEnabled(!out_.empty());
 }
 
-void SsipClient::read() {
-  std::array<char, 4096> bytes{};
-  for (;;) {
-    const ssize_t got = recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) break;
-    if (got <= 0) {
-      fail(said<MessageId::voice_ended>());
-      return;
-    }
-    protocol_.receive({bytes.data(), static_cast<std::size_t>(got)});
-    if (!protocol_.isAwaiting()) answer_due_.stop();
-    write();
-    if (socket_ < 0) return;
+bool SsipClient::sendOut() {
+  while (!out_.empty()) {
+    const ssize_t sent = send(socket_, out_.data(), out_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) return errno == EAGAIN || errno == EWOULDBLOCK;
+    out_.erase(0, static_cast<std::size_t>(sent));
   }
+  return true;
+}
+
+void SsipClient::read() {
+  // Of a server that sends without end, the rest comes with the next activation.
+  constexpr int kMostBlocks = 16;
+  for (int i = 0; i < kMostBlocks && socket_ >= 0 && readBlock(); ++i) {
+  }
+}
+
+bool SsipClient::readBlock() {
+  std::array<char, 4096> bytes{};
+  const ssize_t got = recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT);
+  if (got < 0 && errno == EINTR) return true;
+  if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return false;
+  if (got <= 0) {
+    fail(said<MessageId::voice_ended>());
+    return false;
+  }
+  const bool was_awaiting = protocol_.isAwaiting();
+  protocol_.receive({bytes.data(), static_cast<std::size_t>(got)});
+  const bool is_answer = was_awaiting && !protocol_.isAwaiting();
+  if (is_answer) answer_due_.stop();
+  // Before anything else may fail: what was heard is not said by another again.
   takeEvents();
+  if (protocol_.isFlooded()) fail(said<MessageId::voice_no_answer>());
+  if (is_answer && !has_failed_) Q_EMIT answered();
+  write();
+  return true;
 }
 
 void SsipClient::takeEvents() {
@@ -140,7 +154,11 @@ void SsipClient::close() {
     (*notifier)->setEnabled(false);
     notifier->release()->deleteLater();
   }
-  if (socket_ >= 0) ::close(std::exchange(socket_, -1));
+  if (socket_ < 0) return;
+  // A server goes on with what it has when its client is gone.
+  out_ += std::string(protocol_.isTextDue() ? "\r\n.\r\n" : "") + "CANCEL SELF\r\nQUIT\r\n";
+  sendOut();
+  ::close(std::exchange(socket_, -1));
 }
 
 }  // namespace relievo

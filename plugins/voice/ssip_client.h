@@ -36,6 +36,8 @@ class SsipClient : public QObject {
   bool isSpeaking() const { return speaking_; }
 
  Q_SIGNALS:
+  /// It answered: something lives there.
+  void answered();
   void begun();
   void ended();
   /// Once; nothing is heard of this client any more.
@@ -43,9 +45,14 @@ class SsipClient : public QObject {
 
  private:
   void read();
+  /// @return false: there is no more for now
+  bool readBlock();
   void write();
+  /// As much as goes without waiting. @return false: it will never go
+  bool sendOut();
   void takeEvents();
   void fail(const Message& why);
+  /// Says good-bye as far as that needs no waiting.
   void close();
 
   std::filesystem::path path_;

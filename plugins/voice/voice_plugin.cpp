@@ -23,6 +23,8 @@ VoiceWays waysOf(const QObject& plugin) {
   }
   const int answer_ms = plugin.property("answerMs").toInt();
   if (answer_ms > 0) ways.answer_ms = answer_ms;
+  const int retry_ms = plugin.property("retryMs").toInt();
+  if (retry_ms > 0) ways.retry_ms = retry_ms;
   return ways;
 }
 
@@ -59,6 +61,7 @@ void VoicePlugin::attach(Host& host) {
   connect(voice_.get(), &OwnVoice::failed, this, [this](const Message& why) {
     host_->messages.showError(messageText(why), QString::fromStdString(codeOf(why)));
   });
+  connect(voice_.get(), &OwnVoice::unheard, this, &VoicePlugin::handBack);
   connect(&host.view, &ShownWindow::windowShown, voice_.get(),
           [this](const std::shared_ptr<const RegionWindow>& window) {
             if (window) voice_->setScale(handMapping(*window).objectMmPerHandMm());
@@ -73,6 +76,7 @@ void VoicePlugin::detach() noexcept {
   QCoreApplication::instance()->removeEventFilter(this);
   host_->messages.setVoice(nullptr);
   disconnect(&host_->view, nullptr, voice_.get(), nullptr);
+  voice_->hush();
   voice_.reset();
   host_ = nullptr;
 }
@@ -96,6 +100,14 @@ void VoicePlugin::applySettings() {
 
 void VoicePlugin::repeat() {
   if (!voice_->repeat()) host_->messages.say({said<MessageId::voice_nothing_to_repeat>()});
+}
+
+void VoicePlugin::handBack(const Speech& speech) {
+  if (speech.sentences.empty()) {
+    host_->messages.announce(speech.text);
+  } else {
+    host_->messages.say(speech.sentences);
+  }
 }
 
 bool VoicePlugin::eventFilter(QObject* watched, QEvent* event) {

@@ -13,8 +13,8 @@
 namespace relievo {
 
 /// Gives the program a voice of its own: the panel Voice, and a command that repeats. Tests set the
-/// properties "speakingProgram" (instead of espeak-ng, with arguments) and "answerMs" before
-/// attach.
+/// properties "speakingProgram" (instead of espeak-ng, with arguments), "answerMs" and "retryMs"
+/// before attach.
 class VoicePlugin : public QObject, public Plugin {
   Q_OBJECT
   Q_PLUGIN_METADATA(IID RELIEVO_PLUGIN_IID FILE "voice_plugin.json")
@@ -32,6 +32,8 @@ class VoicePlugin : public QObject, public Plugin {
  private:
   void applySettings();
   void repeat();
+  /// The screen reader says what the voice could not.
+  void handBack(const Speech& speech);
 
   Host* host_ = nullptr;
   VoiceSettings settings_;

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace relievo {
 namespace {
 
@@ -19,6 +22,14 @@ class SpeechQueueTest : public ::testing::Test {
       now_s_ += kFrameS;
       x_mm_ += mm_per_s * kFrameS;
       queue_.hand({x_mm_, 0, 0}, now_s_);
+    }
+  }
+  /// Holds the hand where it is for a time, as well as a hand that trembles can.
+  void tremble(double seconds, double hz, double mm) {
+    constexpr double kFrameS = 1.0 / 60;
+    for (const double end = now_s_ + seconds; now_s_ < end;) {
+      now_s_ += kFrameS;
+      queue_.hand({x_mm_ + mm * std::sin(2 * std::numbers::pi * hz * now_s_), 0, 0}, now_s_);
     }
   }
   QString taken(bool speaking = false) {
@@ -51,7 +62,35 @@ TEST_F(SpeechQueueTest, WhatWasNoticedWaitsForTheHandToRest) {
   EXPECT_EQ(taken(), "");
 }
 
-TEST_F(SpeechQueueTest, ATremblingHandRestsAndASlowWayDoesNot) {
+TEST_F(SpeechQueueTest, ATremblingHandRests) {
+  for (const double hz : {8.0, 10.0, 12.0}) {
+    move(1, 50);
+    say("One", noticed);
+    tremble(0.6, hz, 0.3);
+    EXPECT_EQ(taken(), "") << hz;
+    tremble(0.6, hz, 0.3);
+    EXPECT_EQ(taken(), "One") << hz;
+  }
+}
+
+TEST_F(SpeechQueueTest, AMoveWhileNothingWasFeltIsNoRest) {
+  move(1, 0);
+  say("One", noticed);
+  now_s_ += 3;
+  x_mm_ += 40;
+  move(0.1, 0);
+  EXPECT_EQ(taken(), "");
+  move(1, 0);
+  EXPECT_EQ(taken(), "One");
+}
+
+TEST_F(SpeechQueueTest, WhatAnotherSaidIsWhatIsRepeated) {
+  queue_.saidElsewhere({{}, "One"});
+  EXPECT_EQ(queue_.last()->text, "One");
+  EXPECT_EQ(taken(), "");
+}
+
+TEST_F(SpeechQueueTest, ASlowHandRestsAndASlowWayDoesNot) {
   move(1, 50);
   say("One", noticed);
   move(2, 8);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -9,9 +10,17 @@
 #include <QDir>
 #include <QFile>
 #include <QProcess>
+#include <QStandardPaths>
 #include <QString>
 #include <QStringList>
 #include <QTemporaryDir>
+
+/// A test of what a program does is no test where there is no such program.
+#define RELIEVO_NEEDS_PROGRAM(name)                                              \
+  if (QStandardPaths::findExecutable(QStringLiteral(name)).isEmpty()) {          \
+    GTEST_SKIP() << "The program " name " is not installed; it is needed here."; \
+  }                                                                              \
+  static_assert(true)
 
 namespace relievo::test {
 

@@ -144,6 +144,35 @@ TEST_F(Ssip, RatesAreWordsAMinuteOfEspeak) {
   EXPECT_EQ(ssipRate(9999), 100);
 }
 
+TEST_F(Ssip, KnowsWhetherTheServerMayTakeWhatComesForAText) {
+  speak("One.");
+  EXPECT_FALSE(protocol_.isTextDue());
+  protocol_.speak("Two.", {});
+  protocol_.takeBytes();
+  protocol_.receive("210 OK CANCELED\r\n");
+  EXPECT_FALSE(protocol_.isTextDue());
+  EXPECT_EQ(protocol_.takeBytes(), "SPEAK\r\n");
+  EXPECT_TRUE(protocol_.isTextDue());
+  protocol_.receive("230 OK RECEIVING DATA\r\n");
+  EXPECT_FALSE(protocol_.isTextDue());
+}
+
+TEST_F(Ssip, ALineWithoutEndAndAMebibyteWithoutAnAnswerAreAFlood) {
+  SsipProtocol other;
+  other.receive(std::string(65536, 'x'));
+  EXPECT_FALSE(other.isFlooded());
+  other.receive("x");
+  EXPECT_TRUE(other.isFlooded());
+  const std::string event = "700-1\r\n700-1\r\n700 INDEX MARK\r\n";
+  for (std::size_t i = 0; i < 2'000'000 / event.size(); ++i) {
+    if (i % 10'000 == 0) speak("One.");
+    protocol_.receive(event);
+  }
+  EXPECT_FALSE(protocol_.isFlooded()) << "it answers now and then";
+  for (std::size_t i = 0; i < 2'000'000 / event.size(); ++i) protocol_.receive(event);
+  EXPECT_TRUE(protocol_.isFlooded());
+}
+
 TEST_F(Ssip, AnyBytesAreSurvived) {
   std::mt19937 random(402);  // NOLINT(cert-msc32-c,cert-msc51-cpp): the same in every run.
   std::uniform_int_distribution<int> byte(0, 255), size(0, 40);

@@ -59,6 +59,7 @@ TEST_F(VoicePluginTest, LeavesSpeechToTheScreenReaderUnlessItIsAskedToSpeak) {
 }
 
 TEST_F(VoicePluginTest, SpeaksWhatTheHandMeetsInItsOwnLanguageAndRepeats) {
+  RELIEVO_NEEDS_PROGRAM("speech-dispatcher");
   test::SpeechDispatcher server;
   ASSERT_TRUE(eventually([&] { return server.isListening(); })) << server.log().toStdString();
   qputenv("SPEECHD_ADDRESS", "unix_socket:" + server.socket().toUtf8());
@@ -81,6 +82,7 @@ TEST_F(VoicePluginTest, SpeaksWhatTheHandMeetsInItsOwnLanguageAndRepeats) {
 }
 
 TEST_F(VoicePluginTest, AnyKeyCutsWhatIsBeingSaid) {
+  RELIEVO_NEEDS_PROGRAM("speech-dispatcher");
   test::SpeechDispatcher server;
   server.speakSlowly(true);
   ASSERT_TRUE(eventually([&] { return server.isListening(); })) << server.log().toStdString();
@@ -107,6 +109,16 @@ TEST_F(VoicePluginTest, WithoutAnyVoiceItSaysE402AndTheScreenReaderIsTold) {
   EXPECT_TRUE(host_.errors[0].endsWith(" E402"));
   EXPECT_EQ(inPanel<QLabel>("voiceChannel")->text(), "No voice can be heard.");
   EXPECT_FALSE(host_.voice->speak(QStringLiteral("Edge."), SaidBecause::asked));
+  EXPECT_EQ(host_.announcements, QStringList{"Edge."}) << "nobody had heard it";
+  host_.actions.at("repeatSpeech")->trigger();
+  EXPECT_EQ(host_.announcements, QStringList({"Edge.", "Edge."}));
+}
+
+TEST_F(VoicePluginTest, SentencesThatNobodyHeardAreHandedBack) {
+  load();
+  chooseOwnVoice();
+  host_.voice->speak({said<MessageId::ninth_top_left>()}, SaidBecause::asked);
+  EXPECT_TRUE(eventually([&] { return host_.announcements.contains("top left"); }));
 }
 
 TEST_F(VoicePluginTest, KeepsItsSettings) {
