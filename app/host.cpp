@@ -95,7 +95,7 @@ void WindowHost::say(const std::vector<Message>& sentences, SaidBecause why) {
   QStringList spoken;
   for (const Message& sentence : sentences) spoken << spokenMessage(sentence);
   const bool is_heard = voice_ != nullptr && voice_->speak(sentences, why);
-  window_.announce(messageText(sentences), is_heard ? QString() : spoken.join(QLatin1Char(' ')));
+  window_.announceAs(messageText(sentences), is_heard ? QString() : spoken.join(QLatin1Char(' ')));
 }
 
 void WindowHost::hush() {

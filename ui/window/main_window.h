@@ -125,7 +125,7 @@ class MainWindow : public QMainWindow {
   void showTouchMissing(const QString& reason);
   void announce(const QString& text);
   /// @param spoken  for the screen reader; empty: it was heard already
-  void announce(const QString& text, const QString& spoken);
+  void announceAs(const QString& text, const QString& spoken);
   /// Who is asked first to speak what is announced, and says whether it does.
   void setSpeaker(std::function<bool(const QString& text)> speaker);
   /// Runs a command by its object name. @return false: unknown or disabled

@@ -188,14 +188,14 @@ void MainWindow::showTouchMissing(const QString& reason) {
 }
 
 void MainWindow::announce(const QString& text) {
-  announce(text, speaker_ && speaker_(text) ? QString() : text);
+  announceAs(text, speaker_ && speaker_(text) ? QString() : text);
 }
 
 void MainWindow::setSpeaker(std::function<bool(const QString& text)> speaker) {
   speaker_ = std::move(speaker);
 }
 
-void MainWindow::announce(const QString& text, const QString& spoken) {
+void MainWindow::announceAs(const QString& text, const QString& spoken) {
   status_->set(StatusField::message, text);
   if (spoken.isEmpty() || !QAccessible::isActive()) return;
   status_->firstField()->setAccessibleDescription(spoken);
