@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes C++ arrays of what Qt Linguist's files say of the catalogue's sentences, at build time:
-//   relievo-make-sentences OUT.inc relievo_de.ts relievo_hi.ts
+// Makes C++ functions of what Qt Linguist's files say of the catalogue's sentences, at build time:
+//   relievo-make-sentences OUT.cpp relievo_de.ts relievo_hi.ts
 #include <array>
 #include <cctype>
 #include <fstream>
@@ -60,6 +60,8 @@ std::map<std::string, std::string> sentencesIn(const std::string& file) {
 int main(int argc, char** argv) {
   if (argc < 3) return 1;
   std::ofstream out(argv[1]);
+  out << "#include <array>\n#include \"ui/translations/translated_sentences.h\"\n"
+         "namespace relievo {\n";
   for (int i = 2; i < argc; ++i) {
     const std::string file = argv[i];
     const auto sentences = sentencesIn(file);
@@ -69,12 +71,13 @@ int main(int argc, char** argv) {
     }
     std::string tag = file.substr(file.rfind('_') + 1, 2);
     tag[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(tag[0])));
-    out << "constexpr std::array<TranslatedSentence, " << sentences.size() << "> kSentences" << tag
-        << "{{\n";
+    out << "std::span<const TranslatedSentence> sentences" << tag << "() {\n"
+        << "  static constexpr std::array<TranslatedSentence, " << sentences.size() << "> kAll{{\n";
     for (const auto& [english, translated] : sentences) {
       out << "    {R\"|(" << english << ")|\", R\"|(" << translated << ")|\"},\n";
     }
-    out << "}};\n";
+    out << "  }};\n  return kAll;\n}\n";
   }
+  out << "}  // namespace relievo\n";
   return out.flush() ? 0 : 1;
 }

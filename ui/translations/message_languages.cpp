@@ -3,27 +3,23 @@
 
 #include <array>
 
+#include "ui/translations/translated_sentences.h"
+
 namespace relievo {
-namespace {
-
-#include "translated_sentences.inc"
-
-constexpr std::array<MessageLanguage, 3> kLanguages{
-    {{},
-     {.tag = "de", .sentences = kSentencesDe, .point = ',', .thousands = '.'},
-     {.tag = "hi", .sentences = kSentencesHi, .thousands = ',', .zero_is_one = true}}};
-
-}  // namespace
 
 std::span<const MessageLanguage> messageLanguages() {
-  return kLanguages;
+  static const std::array<MessageLanguage, 3> languages{
+      {{},
+       {.tag = "de", .sentences = sentencesDe(), .point = ',', .thousands = '.'},
+       {.tag = "hi", .sentences = sentencesHi(), .thousands = ',', .zero_is_one = true}}};
+  return languages;
 }
 
 const MessageLanguage& messageLanguage(std::string_view tag) {
-  for (const MessageLanguage& language : kLanguages) {
+  for (const MessageLanguage& language : messageLanguages()) {
     if (tag.substr(0, tag.find_first_of("_-")) == language.tag) return language;
   }
-  return kLanguages.front();
+  return messageLanguages().front();
 }
 
 }  // namespace relievo
