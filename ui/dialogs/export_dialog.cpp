@@ -62,6 +62,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Surface> surface, const Region&
       surface_(std::move(surface)),
       region_(region),
       others_(std::move(others)),
+      model_(model),
       format_(choiceOf("export_format", tr("Format"), tr("What the other program reads"))),
       part_(choiceOf("export_part", tr("Part"), tr("How much of the map is written"))),
       coordinates_(choiceOf("export_coordinates", tr("Coordinates"),
@@ -74,6 +75,7 @@ ExportDialog::ExportDialog(std::shared_ptr<const Surface> surface, const Region&
   fillParts();
   fillCoordinates();
   file_->setText(freeName(model, ending()));
+  connect(file_, &QLineEdit::textEdited, this, [this] { is_proposed_ = false; });
   file_->setObjectName(QStringLiteral("export_file"));
   file_->setAccessibleName(tr("File"));
   file_->setToolTip(tr("Where it is written"));
@@ -149,7 +151,9 @@ void ExportDialog::browse() {
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Export"), file_->text(),
       QStringLiteral("%1 (*%2)").arg(format_->currentText(), ending()));
-  if (!file.isEmpty()) file_->setText(file);
+  if (file.isEmpty()) return;
+  is_proposed_ = false;
+  file_->setText(file);
 }
 
 QString ExportDialog::ending() const {
@@ -169,6 +173,7 @@ QString ExportDialog::chosenFile() const {
 }
 
 void ExportDialog::follow() {
+  if (is_proposed_) file_->setText(freeName(model_, ending()));
   const QFileInfo now(file_->text());
   QStringList known;
   for (const auto& [format, of_format] : kEndings) known << QString::fromLatin1(of_format);

@@ -56,6 +56,8 @@ class ExportDialog : public QDialog {
   std::shared_ptr<const Surface> surface_;
   Region region_;
   std::vector<OtherExport> others_;
+  QString model_;            ///< After which files are named.
+  bool is_proposed_ = true;  ///< Nobody chose the name.
   QComboBox *format_, *part_, *coordinates_;
   QLineEdit* file_;
   QLabel* size_;

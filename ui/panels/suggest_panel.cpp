@@ -2,6 +2,7 @@
 #include "ui/panels/suggest_panel.h"
 
 #include <cmath>
+#include <QApplication>
 #include <QCheckBox>
 #include <QLabel>
 #include <QListWidget>
@@ -103,6 +104,7 @@ void SuggestPanel::find() {
     return;
   }
   gain_ = document_.project().gain;
+  asked_from_ = QApplication::focusWidget();
   struct Work {
     std::vector<FeelableWindow> windows;
     QString problem;
@@ -156,7 +158,10 @@ void SuggestPanel::showFound(const std::vector<FeelableWindow>& windows) {
   if (!any) return;
   list_->setCurrentRow(0);
   // Once it has its place: then it is scrolled to, and Enter shows the best.
-  QTimer::singleShot(0, list_, [this] { list_->setFocus(Qt::OtherFocusReason); });
+  // Whoever went elsewhere meanwhile stays there.
+  QTimer::singleShot(0, list_, [this] {
+    if (QApplication::focusWidget() == asked_from_) list_->setFocus(Qt::OtherFocusReason);
+  });
 }
 
 void SuggestPanel::go() {

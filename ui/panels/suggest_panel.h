@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 #include <vector>
 
@@ -51,6 +52,7 @@ class SuggestPanel : public QWidget {
   QListWidget* list_;
   QCheckBox* overlay_;
   std::shared_ptr<const Surface> surface_;  ///< That `windows_` are of.
+  QPointer<QWidget> asked_from_;            ///< Had the focus then.
   double gain_ = 1;                         ///< And with which they were looked for.
   std::vector<FeelableWindow> windows_;
   LatestWorker worker_;  ///< Last: its job ends before anything else goes.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
@@ -19,15 +18,15 @@ class CoarsePictures : public QObject {
 
   bool on() const { return rest_.isActive(); }
   /// The picture of a step of a drag was made.
-  /// @param more  the pointer is elsewhere by now
-  void stepDrawn(bool more);
+  /// @param took_ms  from what the pointer asked for to its picture
+  /// @param more     the pointer is elsewhere by now
+  void stepDrawn(qint64 took_ms, bool more);
 
  Q_SIGNALS:
   void over();  ///< on() was true, and is so no more.
 
  private:
   QTimer rest_;
-  QElapsedTimer since_step_;
 };
 
 }  // namespace relievo

@@ -54,7 +54,11 @@ DetailView::DetailView(Document& document, QuietTurns& turns, QWidget* parent)
 
 void DetailView::showWindow() {
   const auto window = document_.window();
-  if (!window) {
+  if (!window) {  // Closed, perhaps in the middle of a drag or a press.
+    forgetNewest();
+    drag_ = Drag::none;
+    mouse_presses_ = false;
+    key_depth_mm_ = 0;
     setGrid(nullptr);
     return;
   }

@@ -104,6 +104,7 @@ ReferenceView::ReferenceView(Document& document, QuietTurns& turns, QWidget* par
 }
 
 void ReferenceView::showSurface() {
+  forgetNewest();
   drag_.reset();
   key_draw_.reset();
   if (!document_.isOpen()) {

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <QAccessible>
 #include <QAccessibleWidget>
+#include <QElapsedTimer>
 #include <QLocale>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -139,12 +140,14 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     show();
   }
 
-  /// With all pixels, whatever is being dragged.
-  void renderWhole() {
+  /// With all pixels, whatever is being dragged. What is grabbed is drawn, too.
+  QImage wholeShot() {
     whole_ = true;
     if (seen_coarse_) stale_ = true;
     renderIfStale();
+    const QImage shot = grabFramebuffer();
     whole_ = false;
+    return shot;
   }
   void renderWholeAgain() {
     if (seen_coarse_) requestRender();
@@ -443,11 +446,13 @@ void SurfaceView::follow(std::function<void()> work) {
     newest_ = std::move(work);
     return;
   }
+  QElapsedTimer since_asked;
+  since_asked.start();
   work();
   following_ = true;
-  turns_.ask(this, [this] {
+  turns_.ask(this, [this, since_asked] {
     following_ = false;
-    turns_.coarse().stepDrawn(newest_ != nullptr);
+    turns_.coarse().stepDrawn(since_asked.elapsed(), newest_ != nullptr);
     if (newest_) follow(std::exchange(newest_, nullptr));
   });
 }
@@ -492,8 +497,7 @@ double SurfaceView::mmPerPixel() const {
 
 QImage SurfaceView::shot() {
   appear();
-  canvas_->renderWhole();
-  return canvas_->grabFramebuffer();
+  return canvas_->wholeShot();
 }
 
 QSize SurfaceView::shotSize() const {

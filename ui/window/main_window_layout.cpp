@@ -161,6 +161,7 @@ void MainWindow::applyPreference(const QString& key) {
         ->setChecked(true);
   } else if (key == QLatin1String("pointer_mode")) {
     const bool touches = settings_.choice(key, QString()).toString() == QLatin1String("touch");
+    looks_after_forces_ = false;
     showPointerMode(touches ? PointerMode::touch : PointerMode::look);
   } else if (key.startsWith(QLatin1String("look_")) || key.startsWith(QLatin1String("touch_")) ||
              key == QLatin1String("wheel_forward")) {

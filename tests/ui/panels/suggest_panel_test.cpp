@@ -48,7 +48,7 @@ TEST_F(SuggestPanelTest, ChoosingOneShowsItAtItsDetailAndCanBeUndone) {
   QTest::keyClick(&list(), Qt::Key_Return);
   const Region wanted = panel().windows()[static_cast<std::size_t>(last)].region;
   EXPECT_EQ(document().project().region, wanted);
-  if (wanted == before) return;
+  ASSERT_FALSE(wanted == before) << "the last of the list is elsewhere";
   EXPECT_TRUE(document().history().undoText().startsWith("Suggested window"));
   action("undo")->trigger();
   EXPECT_EQ(document().project().region, before);
