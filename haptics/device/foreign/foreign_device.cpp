@@ -118,7 +118,10 @@ void ForeignDevice::watch(const std::stop_token& stop) {
     // Before its first round it asks for its priority, which may take a second.
     if (silent_ms <= (now_beat_ns == 0 ? 1000 * patience_.open_s : patience_.silence_ms)) continue;
     lost_.store(DeviceFault::timeout);
-    return host_.kill();
+    // One that was only held up sends zero when it sees this; killed at once it could not.
+    host_.letGo();
+    if (!host_.ended(patience_.close_ms)) host_.kill();
+    return;
   }
 }
 
@@ -151,7 +154,7 @@ DeviceReading ForeignDevice::read(std::int64_t now_ns) RELIEVO_REALTIME {
   reading.buttons &= kAllButtons;
   // It was measured before this tick, or between its begin and now.
   reading.time_ns = std::min(reading.time_ns, now_ns);
-  if (reading.fault == DeviceFault::none && now_ns - reading.time_ns > patience_.stale_place_ns) {
+  if (reading.fault == DeviceFault::none && reading.time_ns < now_ns - patience_.stale_place_ns) {
     reading.fault = DeviceFault::timeout;
   }
   const DeviceFault lost = lost_.load(std::memory_order_acquire);

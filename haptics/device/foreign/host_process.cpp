@@ -114,7 +114,11 @@ bool HostProcess::ended(int wait_ms) noexcept {
   if (pid_ < 0) return true;
   if (pidfd_.get() >= 0) {
     pollfd end{.fd = pidfd_.get(), .events = POLLIN, .revents = 0};
-    if (::poll(&end, 1, wait_ms) <= 0) return false;
+    int ready = 0;
+    do {
+      ready = ::poll(&end, 1, wait_ms);
+    } while (ready < 0 && errno == EINTR);
+    if (ready <= 0) return false;
   }
   int status = 0;
   pid_t reaped = 0;

@@ -7,8 +7,11 @@ namespace relievo {
 
 std::optional<DeviceN> ForceGate::shown(const ForceOrder& order, std::uint32_t cuts,
                                         std::uint32_t epoch, std::int64_t now_ns) RELIEVO_REALTIME {
+  // An order is made before it is seen; its clock is the same.
+  constexpr std::int64_t kAheadNs = 5'000'000;
   const bool fresh = order.cuts == cuts && order.epoch == epoch && order.time_ns != 0 &&
-                     now_ns - order.time_ns <= rules_.stale_order_ns;
+                     order.time_ns <= now_ns + kAheadNs &&
+                     order.time_ns >= now_ns - rules_.stale_order_ns;
   if (!fresh || !isFinite(order.force)) {
     shut(now_ns);
     return std::nullopt;

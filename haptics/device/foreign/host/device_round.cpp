@@ -84,7 +84,7 @@ bool DeviceRound::believed(const relievo_sample& sample,
     const double place = sample.position_mm[i];
     if (!std::isfinite(place) || std::abs(place) > 2 * limits_.half_extent_mm[i]) return false;
   }
-  return sample.time_ns <= now_ns && now_ns - sample.time_ns <= kMostAgeNs;
+  return sample.time_ns <= now_ns && sample.time_ns >= now_ns - kMostAgeNs;
 }
 
 }  // namespace relievo::foreign

@@ -93,6 +93,18 @@ void guard(Drive& drive) {
   }
 }
 
+/// The guard calls the plug-in, which may hang there, too: once relievo is gone, a thread that
+/// never calls it ends the process.
+void endAfterRelievo() {
+  std::thread([] {
+    pollfd life{.fd = kLifeFd, .events = POLLIN, .revents = 0};
+    while (::poll(&life, 1, -1) < 0) {
+    }
+    sleepUntil(monotonicNs() + kEndNs + 300 * kMs);
+    ::_exit(kOverdueExit);
+  }).detach();
+}
+
 /// [device thread]
 void runRounds(Drive& drive, DeviceRound& round, const ForeignLimits& limits) {
   requestRealtime(kDevicePriority, {});
@@ -162,6 +174,7 @@ int drive(const std::string& file, const std::string& id) {
   if (!drive.page.open(kPageFd)) return 2;
   drive.signals = endSignals();
   LoadedPlugin plugin;
+  endAfterRelievo();
   std::thread guarding(guard, std::ref(drive));
   runDevice(drive, plugin, file, id);
   // Only now: the guard may cut the force of a device that is being closed.

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <charconv>
+#include <csignal>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -70,6 +71,9 @@ void endWithRelievo() {
 int run(const std::vector<std::string>& words) {
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return kUsageExit;
   ::close_range(kLifeFd + 1, ~0U, 0);
+  // A line that the plug-in writes to a terminal or a pipe that is gone is no reason to end or stop
+  // with a force on.
+  for (const int signal : {SIGPIPE, SIGTTOU, SIGTTIN, SIGTSTP}) ::signal(signal, SIG_IGN);
   if (words.size() == 3 && words[0] == "drive") return drive(words[1], words[2]);
   endWithRelievo();
   if (words.size() == 2 && words[0] == "scan") return scan(words[1]);

@@ -9,7 +9,8 @@
 
 int main(int count, char** words) {
   if (count != 3) return 2;
-  relievo::foreign::ForeignDevice device(words[1], words[2], "plugin:client/it", "Stand-in");
+  relievo::foreign::ForeignDevice device(words[1], words[2], "plugin:client/it", "Stand-in",
+                                         {.silence_ms = 60'000});  // Of a busy computer.
   device.open();
   std::printf("%d\n", device.hostPid());
   std::fflush(stdout);
