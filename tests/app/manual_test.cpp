@@ -127,7 +127,7 @@ std::vector<std::string> offered(const std::vector<std::string>& words) {
 }
 
 TEST(Manual, BashCompletesVerbsOptionsWordsAndFiles) {
-  EXPECT_THAT(offered({"relievo", "de"}), UnorderedElementsAre("depthmap", "devices"));
+  EXPECT_THAT(offered({"relievo", "de"}), UnorderedElementsAre("depthmap", "describe", "devices"));
   EXPECT_THAT(offered({"relievo", "touch", "scan.ply", "--re"}),
               UnorderedElementsAre("--reader", "--region", "--report"));
   EXPECT_THAT(offered({"relievo", "depthmap", "scan.ply", "--reader", ""}),

@@ -556,7 +556,12 @@ TEST_F(HapticsPluginTest, InMoveModeTheGateIsFeltInPlaceOfTheSurface) {
   ASSERT_EQ(host_.regions.size(), 1U);
   EXPECT_EQ(host_.regions[0], host_.window->region);
   host_.actions.at("whereAmI")->trigger();
-  EXPECT_TRUE(host_.announcements.last().contains("millimetres"));
+  const QString place = host_.announcements.last();
+  EXPECT_TRUE(place.startsWith("In the air: ") || place.startsWith("Touching: "))
+      << place.toStdString();
+  host_.actions.at("whereAmILong")->trigger();
+  EXPECT_TRUE(host_.announcements.last().contains(" from the left edge."))
+      << host_.announcements.last().toStdString();
   host_.actions.at("sayDetail")->trigger();
   EXPECT_TRUE(host_.announcements.last().startsWith("Detail 1 of"));
   host_.actions.at("buttonHelp")->trigger();

@@ -13,6 +13,7 @@ using test::CommandResult;
 using test::reportOf;
 using test::runRelievo;
 using testing::HasSubstr;
+using testing::Not;
 
 class Describe : public test::CommandTest {
  protected:
@@ -57,10 +58,12 @@ TEST_F(Describe, SaysTheSameInThreeLanguages) {
   EXPECT_EQ(reportOf(runRelievo(reliefF({"--lang", "hi", "--report", "json"})))["facts"], facts);
 }
 
-TEST_F(Describe, APlaneIsFlat) {
+TEST_F(Describe, ASlopeHasNoRaisedAreaAndNoHighestPlace) {
   const CommandResult run = runRelievo({"describe", plane(), "--unit", "mm", "--view", "top"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("All heights are the same."));
+  EXPECT_THAT(run.out, HasSubstr("Heights from 0 mm to 10 mm: a span of 10 mm."));
+  EXPECT_THAT(run.out, Not(HasSubstr("raised")));
+  EXPECT_THAT(run.out, Not(HasSubstr("Highest")));
 }
 
 TEST_F(Describe, AnotherLanguageIsMisuse) {
