@@ -40,35 +40,33 @@ TEST(CoarsePictures, DoNotComeWhereTheHandIsSlow) {
 
 class CoarseViewTest : public GuiTest {
  protected:
-  vtkRenderWindow* drawnIn() {
-    return window().detailView().findChild<QVTKOpenGLNativeWidget*>()->renderWindow();
+  QVTKOpenGLNativeWidget* canvas() {
+    return window().detailView().findChild<QVTKOpenGLNativeWidget*>();
+  }
+  /// With so many of the pixels that the view has now, each way.
+  bool isDrawnIn(double part) {
+    const QSize wanted = part * canvas()->devicePixelRatioF() * canvas()->size();
+    const int* const size = canvas()->renderWindow()->GetSize();
+    return std::abs(size[0] - wanted.width()) <= 1 && std::abs(size[1] - wanted.height()) <= 1;
   }
 };
 
 TEST_F(CoarseViewTest, AViewDrawsItsWholePixelsAgainAndInPictures) {
   openRelief();
   CoarsePictures& coarse = window().detailView().coarsePictures();
-  const QSize whole = window().detailView().shot().size();
-  const auto isDrawnIn = [&](QSize size) {
-    return std::abs(drawnIn()->GetSize()[0] - size.width()) <= 1 &&
-           std::abs(drawnIn()->GetSize()[1] - size.height()) <= 1;
-  };
-  ASSERT_TRUE(isDrawnIn(whole));
+  ASSERT_TRUE(waitFor([&] { return isDrawnIn(1); }));
   // Somebody drags: the window moves while the pointer is ahead of slow pictures.
-  double way_mm = 0;
+  double left_mm = 40;
   ASSERT_TRUE(waitFor([&] {
     coarse.stepDrawn(kSlowMs, true);
-    const Region region = window().document().project().region;
-    way_mm = way_mm > 0 ? -1 : 1;
-    window().document().setRect({region.x_mm - 0.5 * region.side_mm + way_mm,
-                                 region.y_mm - 0.5 * region.side_mm, region.side_mm,
-                                 region.side_mm});
+    left_mm = 81 - left_mm;
+    window().document().setRect({left_mm, 40, 60, 60});
     QCoreApplication::processEvents();
-    return isDrawnIn(CoarsePictures::kPart * whole);
+    return isDrawnIn(CoarsePictures::kPart);
   }));
-  EXPECT_EQ(window().detailView().shot().size(), whole);
-  EXPECT_TRUE(isDrawnIn(whole)) << "a picture of the view is whole";
-  EXPECT_TRUE(waitFor([&] { return !coarse.on() && isDrawnIn(whole); }));
+  EXPECT_EQ(window().detailView().shot().size(), canvas()->devicePixelRatioF() * canvas()->size());
+  EXPECT_TRUE(isDrawnIn(1)) << "a picture of the view is whole";
+  EXPECT_TRUE(waitFor([&] { return !coarse.on() && isDrawnIn(1); }));
 }
 
 }  // namespace
