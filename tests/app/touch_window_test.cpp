@@ -121,6 +121,13 @@ class TouchWindowTest : public GuiTest {
     window().open(request);
     ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
   }
+  /// Until the force loop feels what the window shows; then a moment goes by, so that a recording
+  /// has many rows of it. A slow computer gives it fewer.
+  void feelAWhile() {
+    const auto& probe = window().detailView().sceneState().probe;
+    ASSERT_TRUE(waitFor([&] { return probe && probe->window_id == document().window()->id; }));
+    QTest::qWait(300);
+  }
   /// Ends the recording that runs. @return its file; empty: none came
   QString endRecording() {
     action("record")->trigger();
@@ -221,14 +228,14 @@ TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   touchMiddle();
   // It begins while the hand touches; then window, level and feel change.
   action("record")->trigger();
-  QTest::qWait(300);
+  feelAWhile();
   ASSERT_TRUE(window().runCommand("finer"));
-  QTest::qWait(600);
+  feelAWhile();
   child<QComboBox>("surfacePreset")->setCurrentIndex(1);  // Another shape, too.
   move(view, middle + QPointF(30, 10));
-  QTest::qWait(300);
+  feelAWhile();
   window().runCommand("coarser");
-  QTest::qWait(600);
+  feelAWhile();
   const QString recording = endRecording();  // Knows where its scan lies.
   release(view, middle);
   plugins->detachAll();
@@ -275,7 +282,7 @@ TEST_F(TouchWindowTest, ARecordingOfAScanOfAnyNameIsKeptAndReplayedToTheLastBit)
     ASSERT_TRUE(window().runCommand(kind)) << kind;
     touchMiddle();
     action("record")->trigger();
-    QTest::qWait(300);
+    feelAWhile();
     const QString recording = endRecording();
     release(window().detailView(), QRectF(window().detailView().rect()).center());
     QTest::keyClick(&window().detailView(), Qt::Key_F5);
@@ -300,14 +307,14 @@ TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit)
   touchMiddle();
   action("record_h5")->trigger();
   action("record")->trigger();
-  QTest::qWait(300);
+  feelAWhile();
   ASSERT_TRUE(window().runCommand("addNote"));
   auto* text = child<QLineEdit>("note_text");
   ASSERT_NE(text, nullptr);
   QTest::keyClicks(text, "the dome");
   QTest::keyClick(text, Qt::Key_Return);
   ASSERT_TRUE(window().runCommand("finer"));
-  QTest::qWait(600);
+  feelAWhile();
   const QString recording = endRecording();
   release(view, QRectF(view.rect()).center());
   ASSERT_TRUE(recording.endsWith(".h5")) << recording.toStdString();
@@ -334,19 +341,19 @@ TEST_F(TouchWindowTest, ARecordingAcrossOtherMapsOfTheScanIsReplayedToTheLastBit
   openHoledRelief();
   touchMiddle();
   action("record")->trigger();
-  QTest::qWait(300);
+  feelAWhile();
   const auto remade = [this](const std::function<void(SurfaceOptions&)>& change) {
     SurfaceOptions options = document().project().options;
     change(options);
     const auto before = document().surface();
     document().remake(options, "Change");
     ASSERT_TRUE(waitFor([&] { return document().surface() != before && !document().busy(); }));
-    QTest::qWait(400);
+    feelAWhile();
   };
   // Fill, rotation, and back to the scan's other side.
   remade([](SurfaceOptions& o) { o.holes = {HoleRule::membrane, 1e6}; });
   ASSERT_TRUE(window().runCommand("finer"));
-  QTest::qWait(400);
+  feelAWhile();
   remade([](SurfaceOptions& o) { o.view = ViewChoice{.name = "bottom", .rotation = {}}; });
   remade([](SurfaceOptions& o) { o.cells = 300; });
   const QString recording = endRecording();
@@ -397,14 +404,14 @@ TEST_F(TouchWindowTest, ARecordingWithARasterOfFirmGroundIsReplayedUnlessTheRast
   EXPECT_EQ(name->text(), "where it was measured");
   touchMiddle();
   action("record")->trigger();
-  QTest::qWait(300);
+  feelAWhile();
   const QString firm =
       writeGrid("firm ground.asc", "1 0 1 0 1 0.5 1 0 1 0 1 0 0.2 0 1 0 1 0 1 0\n");
   choose(firm);
   ASSERT_TRUE(waitFor([&] { return name->text() == "firm ground.asc"; }));
-  QTest::qWait(600);
+  feelAWhile();
   ASSERT_TRUE(window().runCommand("finer"));
-  QTest::qWait(600);
+  feelAWhile();
   const QString recording = endRecording();
   auto& view = window().detailView();
   release(view, QRectF(view.rect()).center());
