@@ -93,6 +93,7 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
           : QString(),
       [this] { return keptWork(); }, this);
   layOut();
+  messages_ = std::make_unique<WindowMessages>(*strip_, *status_);
   makeCommands();
   makeMenus();
   makeToolBar();
@@ -234,8 +235,9 @@ void MainWindow::connectParts() {
     settings_.addRecentFile(file);
     showRecent();
     const QString open_now = tr("%1 is open.").arg(shownName(file));
-    announce(command("forces") == nullptr ? open_now
-                                          : tr("%1 Press F5 to switch forces on.").arg(open_now));
+    announce(commands_.named(QStringLiteral("forces")) == nullptr
+                 ? open_now
+                 : tr("%1 Press F5 to switch forces on.").arg(open_now));
     askQuestions();
     showRestored();
     warnOfRivalry();
@@ -297,9 +299,9 @@ void MainWindow::connectParts() {
   connectForeignFiles();
   connectExports();
   connectQuestions();
-  strip_->setOfferKey(command("answer")->shortcut());
-  command("answer")->setEnabled(strip_->hasOffer());
-  connect(strip_, &MessageStrip::offerChanged, command("answer"), &QAction::setEnabled);
+  strip_->setOfferKey(commands_[Command::answer].shortcut());
+  commands_[Command::answer].setEnabled(strip_->hasOffer());
+  connect(strip_, &MessageStrip::offerChanged, &commands_[Command::answer], &QAction::setEnabled);
   connect(reference_, &ReferenceView::left, detail_, [this] { detail_->setFocus(); });
 }
 
@@ -341,7 +343,8 @@ void MainWindow::showSurface() {
   tools_->setVisible(is_open);
   enableCommands();
   // What was open may still lie in the force loop.
-  if (QAction* forces = command("forces")) forces->setEnabled(is_open && !replay_->showing());
+  if (QAction* forces = commands_.named(QStringLiteral("forces")))
+    forces->setEnabled(is_open && !replay_->showing());
   showBindings();
   if (!is_open) return;
   const Surface& surface = *document_.surface();

@@ -14,13 +14,14 @@
 #include "ui/panels/replay_control.h"
 #include "ui/panels/stereo_panel.h"
 #include "ui/style/field_manners.h"
-#include "ui/style/icons.h"
 #include "ui/style/palette.h"
 #include "ui/views/picture_file.h"
 #include "ui/views/pointer_bindings.h"
 #include "ui/views/quiet_turns.h"
 #include "ui/views/touch_readout.h"
+#include "ui/window/command_table.h"
 #include "ui/window/settings.h"
+#include "ui/window/window_messages.h"
 #include "ui/work/document.h"
 #include "ui/work/work_queue.h"
 
@@ -164,17 +165,6 @@ class MainWindow : public QMainWindow {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  struct Command {
-    const char* name;
-    QString text;
-    QList<QKeySequence> keys;
-    QString tip;
-    std::function<void()> run;
-    std::optional<Icon> icon;
-    bool checkable = false;
-  };
-  QAction* make(const Command& command);
-
   // main_window.cpp
   void layOut();
   QWidget* headed(QWidget* view, QLabel* title, QLabel* note);
@@ -215,9 +205,12 @@ class MainWindow : public QMainWindow {
   void makeCommands();
   void makeSurfaceCommands();
   void makeWindowCommands();
+  void stepDetail(bool finer);
+  void moveWindow(double dx, double dy, const QString& moved);
   void makeMenus();
   void makeToolBar();
-  void makeThemeMenu(QMenu* view);
+  void makeViewButton();
+  void makeDetailChoice();
   void showRecent();
   void showHistory();
   void enableCommands();
@@ -226,9 +219,6 @@ class MainWindow : public QMainWindow {
   void showKeys();
   void showSteps();
   void showAbout();
-  QAction* command(const char* name) const;
-  /// The menu with this English name; made with the title if there is none.
-  QMenu* menu(const QString& name, const QString& title);
 
   // main_window_image.cpp
   void chooseImage();
@@ -366,7 +356,6 @@ class MainWindow : public QMainWindow {
 
   // main_window_replay.cpp
   void makeReplayCommands();
-  void makeRecordingKinds();
   void connectReplay();
   void chooseRecording();
   void chooseRecordingFolder();
@@ -400,9 +389,11 @@ class MainWindow : public QMainWindow {
 
   Settings settings_;
   Document document_;
+  CommandTable commands_{*this};
   FieldManners field_manners_{this};
   QuietTurns quiet_turns_;  ///< Before the views, which are children and go first.
   MessageStrip* strip_ = nullptr;
+  std::unique_ptr<WindowMessages> messages_;
   QStackedWidget* pages_ = nullptr;
   FirstViewCard* first_view_ = nullptr;
   StartPage* start_ = nullptr;
@@ -448,7 +439,6 @@ class MainWindow : public QMainWindow {
   QString recovered_copy_;  ///< Of what a crash left, until it is open again.
   std::optional<Probe> probe_;
   TouchReadout touch_;
-  std::function<bool(const QString& text)> speaker_;
   bool touch_present_ = false;
   quint64 late_ticks_seen_ = 0;
   bool forces_were_on_ = false;

@@ -23,127 +23,35 @@ namespace {
 constexpr double kMoveStep = 0.25;  // Of the window's side.
 constexpr double kTurnStepDeg = 15;
 
-QString withKey(const QString& tip, const QList<QKeySequence>& keys) {
-  if (keys.isEmpty()) return tip;
-  return QStringLiteral("%1 (%2)").arg(tip, keys.front().toString(QKeySequence::NativeText));
-}
-
 }  // namespace
 
-QAction* MainWindow::make(const Command& c) {
-  auto* action = new QAction(c.text, this);
-  action->setObjectName(QString::fromLatin1(c.name));
-  action->setShortcuts(c.keys);
-  action->setToolTip(withKey(c.tip, c.keys));
-  action->setWhatsThis(c.tip);
-  action->setCheckable(c.checkable);
-  if (c.icon) action->setIcon(icon(*c.icon));
-  addAction(action);
-  if (c.run) connect(action, &QAction::triggered, this, [run = c.run] { run(); });
-  return action;
-}
-
-QAction* MainWindow::command(const char* name) const {
-  return findChild<QAction*>(QString::fromLatin1(name), Qt::FindDirectChildrenOnly);
-}
-
 void MainWindow::makeCommands() {
-  make({"open",
-        tr("&Open\u2026"),
-        {QKeySequence("Ctrl+O")},
-        tr("Open a scan or a height map"),
-        [this] { chooseFile(); },
-        Icon::open});
-  make({"save_project",
-        tr("&Save project"),
-        {QKeySequence("Ctrl+S")},
-        tr("Keep this state: file, depth map, window, measurements"),
-        [this] { saveProject(); },
-        {}});
-  make({"save_project_as",
-        tr("Save project &as\u2026"),
-        {QKeySequence("Ctrl+Shift+S")},
-        tr("Keep this state in another file"),
-        [this] { saveProjectAs(); },
-        {}});
-  make({"figure",
-        tr("&Figure\u2026"),
-        {QKeySequence("Ctrl+E")},
-        tr("A figure for print, with scale bar, legend and caption"),
-        [this] { chooseFigure(); },
-        Icon::camera});
-  make({"image",
-        tr("&Image\u2026"),
-        {QKeySequence("Ctrl+Shift+E")},
-        tr("Save a picture of a view or of the window"),
-        [this] { chooseImage(); },
-        {}});
-  make({"close",
-        tr("&Close"),
-        {QKeySequence("Ctrl+W")},
-        tr("Close the scan and go back to the start page"),
-        [this] { closeDocument(); },
-        {}});
-  make({"quit",
-        tr("&Quit"),
-        {QKeySequence("Ctrl+Q")},
-        tr("Close relievo"),
-        [this] { close(); },
-        {}});
-  make({"undo",
-        tr("&Undo"),
-        {QKeySequence("Ctrl+Z")},
-        tr("Undo"),
-        [this] {
-          const QString step = document_.history().undoText();
-          document_.history().undo();
-          announce(tr("Undone: %1").arg(step));  // What was said of the step holds no more.
-        },
-        {}});
-  make({"redo",
-        tr("&Redo"),
-        {QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z")},
-        tr("Redo"),
-        [this] {
-          const QString step = document_.history().redoText();
-          document_.history().redo();
-          announce(tr("Done again: %1").arg(step));
-        },
-        {}});
-  make({"answer",
-        tr("&Answer the message"),
-        {QKeySequence("Ctrl+Return"), QKeySequence("Ctrl+Enter")},
-        tr("Press the first button of the message above the views"),
-        [this] { strip_->takeOffer(); },
-        {}});
-  make({"keys",
-        tr("&Keys"),
-        {QKeySequence("F1")},
-        tr("All keys on one sheet"),
-        [this] { showKeys(); },
-        {}});
-  make({"history",
-        tr("&History\u2026"),
-        {},
-        tr("Every step so far; choose one to go back to it"),
-        [this] { showSteps(); },
-        {}});
-  make({"preferences",
-        tr("&Preferences\u2026"),
-        {QKeySequence("Ctrl+,")},
-        tr("Colours, text size, language, units, stereo, device"),
-        [this] { showPreferences(); },
-        {}});
-  make({"search_commands",
-        tr("&Search commands\u2026"),
-        {QKeySequence("Ctrl+K")},
-        tr("Find a command by its words and run it"),
-        [this] {
-          auto* search = new CommandSearch(findChildren<QAction*>(), this);
-          search->setAttribute(Qt::WA_DeleteOnClose);
-          search->show();
-        },
-        {}});
+  commands_.on(Command::open, this, [this] { chooseFile(); });
+  commands_.on(Command::save_project, this, [this] { saveProject(); });
+  commands_.on(Command::save_project_as, this, [this] { saveProjectAs(); });
+  commands_.on(Command::figure, this, [this] { chooseFigure(); });
+  commands_.on(Command::image, this, [this] { chooseImage(); });
+  commands_.on(Command::close, this, [this] { closeDocument(); });
+  commands_.on(Command::quit, this, [this] { close(); });
+  commands_.on(Command::undo, this, [this] {
+    const QString step = document_.history().undoText();
+    document_.history().undo();
+    announce(tr("Undone: %1").arg(step));  // What was said of the step holds no more.
+  });
+  commands_.on(Command::redo, this, [this] {
+    const QString step = document_.history().redoText();
+    document_.history().redo();
+    announce(tr("Done again: %1").arg(step));
+  });
+  commands_.on(Command::answer, this, [this] { strip_->takeOffer(); });
+  commands_.on(Command::keys, this, [this] { showKeys(); });
+  commands_.on(Command::history, this, [this] { showSteps(); });
+  commands_.on(Command::preferences, this, [this] { showPreferences(); });
+  commands_.on(Command::search_commands, this, [this] {
+    auto* search = new CommandSearch(findChildren<QAction*>(), this);
+    search->setAttribute(Qt::WA_DeleteOnClose);
+    search->show();
+  });
   // At the page about what the keyboard is in.
   const auto show_manual = [this](const QWidget* about) {
     const ManualOpening manual =
@@ -154,20 +62,18 @@ void MainWindow::makeCommands() {
       strip_->show(manual.sentence);
     }
   };
-  make({"manual",
-        tr("&Manual"),
-        {QKeySequence(ManualKey::kKey)},
-        tr("Help in the browser, at the page for what has the keyboard; guide, documentation"),
-        [this, show_manual] { show_manual(this->focusWidget()); },
-        {}});
+  commands_.on(Command::manual, this, [this, show_manual] { show_manual(this->focusWidget()); });
   new ManualKey(show_manual, this);
-  make({"introduction",
-        tr("&Introduction"),
-        {},
-        tr("Say what is open and how it is touched"),
-        [this] { strip_->show(introduction()); },  // Longer than a line of the status bar.
-        {}});
-  make({"about", tr("&About relievo"), {}, tr("Version and licence"), [this] { showAbout(); }, {}});
+  // Longer than a line of the status bar.
+  commands_.on(Command::introduction, this, [this] { strip_->show(introduction()); });
+  commands_.on(Command::about, this, [this] { showAbout(); });
+  constexpr std::size_t kThemes = 4;
+  const int chosen = settings_.choice(QStringLiteral("theme"), 0).toInt();
+  for (std::size_t i = 0; i < kThemes; ++i) {
+    const Command command = commandAfter(Command::theme_system, i);
+    commands_.on(command, this, [this, i] { setTheme(static_cast<Theme>(i)); });
+    commands_[command].setChecked(static_cast<int>(i) == chosen);
+  }
   makeSurfaceCommands();
   makeWindowCommands();
   makeReliefCommands();
@@ -185,225 +91,77 @@ void MainWindow::makeCommands() {
 }
 
 void MainWindow::makeSurfaceCommands() {
-  const auto step = [this](bool finer) {
-    const bool done = finer ? document_.finer(about()) : document_.coarser(about());
-    if (done) {
-      announce(tr("Detail %1 of %2").arg(document_.detail()).arg(document_.details()));
-    } else {
-      announce(finer ? tr("This is the finest detail") : tr("This is the whole object"));
-    }
-  };
-  make({"finer",
-        tr("&Finer"),
-        {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")},
-        tr("Finer detail: a smaller window"),
-        [step] { step(true); },
-        Icon::finer});
-  make({"coarser",
-        tr("&Coarser"),
-        {QKeySequence("Ctrl+-")},
-        tr("Coarser detail: a larger window"),
-        [step] { step(false); },
-        Icon::coarser});
-  make({"whole",
-        tr("&Whole object"),
-        {QKeySequence("Ctrl+0")},
-        tr("The whole object in the window"),
-        [this] {
-          if (document_.whole()) announce(tr("Whole object"));
-        },
-        Icon::whole});
-  struct Move {
-    const char* name;
-    QString text, keys, moved;
-    double dx, dy;
-  };
-  const std::array<Move, 4> moves{{
-      {"move_left", tr("Move &left"), "Ctrl+Left", tr("Left"), -kMoveStep, 0},
-      {"move_right", tr("Move &right"), "Ctrl+Right", tr("Right"), kMoveStep, 0},
-      {"move_up", tr("Move &up"), "Ctrl+Up", tr("Up"), 0, kMoveStep},
-      {"move_down", tr("Move &down"), "Ctrl+Down", tr("Down"), 0, -kMoveStep},
-  }};
-  for (const Move& m : moves) {
-    make({m.name,
-          m.text,
-          {QKeySequence(m.keys)},
-          tr("Move the window by a quarter of its side"),
-          [this, dx = m.dx, dy = m.dy, moved = m.moved] {
-            if (!document_.move(dx, dy)) {
-              announce(tr("Edge"));
-              return;
-            }
-            const Region& region = document_.project().region;
-            announce(tr("%1. Window at %2, %3 mm")
-                         .arg(moved)
-                         .arg(region.x_mm, 0, 'f', 1)
-                         .arg(region.y_mm, 0, 'f', 1));
-          },
-          {}});
+  commands_.on(Command::finer, this, [this] { stepDetail(true); });
+  commands_.on(Command::coarser, this, [this] { stepDetail(false); });
+  commands_.on(Command::whole, this, [this] {
+    if (document_.whole()) announce(tr("Whole object"));
+  });
+  commands_.on(Command::move_left, this, [this] { moveWindow(-kMoveStep, 0, tr("Left")); });
+  commands_.on(Command::move_right, this, [this] { moveWindow(kMoveStep, 0, tr("Right")); });
+  commands_.on(Command::move_up, this, [this] { moveWindow(0, kMoveStep, tr("Up")); });
+  commands_.on(Command::move_down, this, [this] { moveWindow(0, -kMoveStep, tr("Down")); });
+  commands_.on(Command::type_window, this, [this] {
+    commands_[Command::show_panels].setChecked(true);
+    auto* x = region_panel_->findChild<QDoubleSpinBox*>(QStringLiteral("region_x"));
+    x->setFocus();
+    x->selectAll();
+  });
+  commands_.on(Command::depth_map, this, [this] { chooseDepthMap(); });
+  commands_.on(Command::units, this, [this] { askUnit(); });
+  for (const Command side : {Command::front, Command::back, Command::left, Command::right,
+                             Command::top, Command::bottom, Command::automatic}) {
+    const std::string view = commands_[side].objectName().toStdString();
+    commands_.on(side, this, [this, view] { document_.setView({view, {}}); });
   }
-  make({"type_window",
-        tr("&Type window\u2026"),
-        {QKeySequence("Ctrl+G")},
-        tr("Type the window's place and size in millimetres"),
-        [this] {
-          command("show_panels")->setChecked(true);
-          auto* x = region_panel_->findChild<QDoubleSpinBox*>(QStringLiteral("region_x"));
-          x->setFocus();
-          x->selectAll();
-        },
-        {}});
-  make({"depth_map",
-        tr("Depth ma&p\u2026"),
-        {QKeySequence("Ctrl+D")},
-        tr("Everything between the scan and its depth map, with a preview"),
-        [this] { chooseDepthMap(); },
-        {}});
-  make({"units",
-        tr("U&nits\u2026"),
-        {},
-        tr("Say which length unit the file's coordinates have; kept for its folder"),
-        [this] { askUnit(); },
-        {}});
-  struct View {
-    const char* name;
-    QString text;
-  };
-  const std::array<View, 6> six{{{"front", tr("&Front")},
-                                 {"back", tr("&Back")},
-                                 {"left", tr("&Left")},
-                                 {"right", tr("&Right")},
-                                 {"top", tr("&Top")},
-                                 {"bottom", tr("Botto&m")}}};
-  for (std::size_t i = 0; i < six.size(); ++i) {
-    const QString view = QString::fromLatin1(six[i].name);
-    make({six[i].name,
-          six[i].text,
-          {QKeySequence(QStringLiteral("Alt+%1").arg(i + 1))},
-          tr("Look from this side and make the relief anew"),
-          [this, view] {
-            document_.setView({view.toStdString(), {}});
-          },
-          {}});
-  }
-  make({"auto",
-        tr("&Automatic"),
-        {},
-        tr("Look from the side that shows most"),
-        [this] {
-          document_.setView({"auto", {}});
-        },
-        {}});
-  struct Turn {
-    const char* name;
-    QString text, keys;
-    double azimuth_deg, elevation_deg;
-  };
   // Named after where the near side goes, as under a middle drag.
-  const std::array<Turn, 4> turns{{
-      {"turn_left", tr("Turn &left"), "Ctrl+Shift+Left", kTurnStepDeg, 0},
-      {"turn_right", tr("Turn &right"), "Ctrl+Shift+Right", -kTurnStepDeg, 0},
-      {"turn_up", tr("Turn &up"), "Ctrl+Shift+Up", 0, -kTurnStepDeg},
-      {"turn_down", tr("Turn &down"), "Ctrl+Shift+Down", 0, kTurnStepDeg},
-  }};
-  for (const Turn& t : turns) {
-    make({t.name,
-          t.text,
-          {QKeySequence(t.keys)},
-          tr("Turn the detail view by 15 degrees"),
-          [this, azimuth_deg = t.azimuth_deg, elevation_deg = t.elevation_deg] {
-            detail_->turnBy(azimuth_deg, elevation_deg);
-          },
-          {}});
+  commands_.on(Command::turn_left, this, [this] { detail_->turnBy(kTurnStepDeg, 0); });
+  commands_.on(Command::turn_right, this, [this] { detail_->turnBy(-kTurnStepDeg, 0); });
+  commands_.on(Command::turn_up, this, [this] { detail_->turnBy(0, -kTurnStepDeg); });
+  commands_.on(Command::turn_down, this, [this] { detail_->turnBy(0, kTurnStepDeg); });
+  commands_.on(Command::use_view, this, [this] { useThisView(); });
+  commands_.on(Command::engine_cpu, this, [this] { document_.setEngine(QStringLiteral("cpu")); });
+  commands_.on(Command::engine_depthbuffer, this,
+               [this] { document_.setEngine(QStringLiteral("depthbuffer")); });
+}
+
+void MainWindow::stepDetail(bool finer) {
+  const bool done = finer ? document_.finer(about()) : document_.coarser(about());
+  if (done) {
+    announce(tr("Detail %1 of %2").arg(document_.detail()).arg(document_.details()));
+  } else {
+    announce(finer ? tr("This is the finest detail") : tr("This is the whole object"));
   }
-  make({"use_view",
-        tr("&Use this view"),
-        {},
-        tr("Make the relief anew from where the turned detail view looks"),
-        [this] { useThisView(); },
-        {}});
-  make({"engine_cpu",
-        tr("&Processor"),
-        {},
-        tr("Make the depth map on the processor"),
-        [this] { document_.setEngine(QStringLiteral("cpu")); },
-        {},
-        true});
-  make({"engine_depthbuffer",
-        tr("&Depth buffer"),
-        {},
-        tr("Make the depth map by the graphics card's depth buffer"),
-        [this] { document_.setEngine(QStringLiteral("depthbuffer")); },
-        {},
-        true});
+}
+
+void MainWindow::moveWindow(double dx, double dy, const QString& moved) {
+  if (!document_.move(dx, dy)) {
+    announce(tr("Edge"));
+    return;
+  }
+  const Region& region = document_.project().region;
+  announce(tr("%1. Window at %2, %3 mm")
+               .arg(moved)
+               .arg(region.x_mm, 0, 'f', 1)
+               .arg(region.y_mm, 0, 'f', 1));
 }
 
 void MainWindow::makeWindowCommands() {
-  make({"fit",
-        tr("F&it"),
-        {},
-        tr("Look straight down on the relief, fitted to the view"),
-        [this] { detail_->straighten(); },
-        Icon::fit});
-  auto* stereo = make({"stereo",
-                       tr("&Stereo (red/cyan)"),
-                       {QKeySequence("Ctrl+3")},
-                       tr("Anaglyph for red and cyan glasses"),
-                       {},
-                       Icon::stereo,
-                       true});
-  connect(stereo, &QAction::toggled, this, [this](bool on) { stereo_panel_->setOn(on); });
-  auto* panels = make(
-      {"show_panels", tr("Side &panels"), {}, tr("Show or hide the side panels"), {}, {}, true});
-  panels->setChecked(true);
-  connect(panels, &QAction::toggled, panels_, &QWidget::setVisible);
-  auto* reference = make({"show_reference",
-                          tr("Refere&nce view"),
-                          {},
-                          tr("Show or hide the whole object"),
-                          {},
-                          {},
-                          true});
-  reference->setChecked(true);
-  connect(reference, &QAction::toggled, reference_box_, &QWidget::setVisible);
-  auto* plots = make({"show_plots",
-                      tr("Pl&ots"),
-                      {},
-                      tr("Show or hide the plots of height and force"),
-                      {},
-                      {},
-                      true});
-  connect(plots, &QAction::toggled, this, [this](bool) { showPlots(); });
-  make({"full_screen",
-        tr("Full s&creen detail"),
-        {QKeySequence("F11")},
-        tr("The detail view alone on the whole screen"),
-        [this] { setFullScreenDetail(!isFullScreen()); },
-        {},
-        true});
-  make({"swap_views",
-        tr("Other vie&w"),
-        {QKeySequence("Ctrl+L")},
-        tr("Move the focus between the reference view and the detail view"),
-        [this] {
-          QWidget* to = detail_->hasFocus() ? static_cast<QWidget*>(reference_) : detail_;
-          to->setFocus(Qt::ShortcutFocusReason);
-        },
-        {}});
-  auto* next = make({"next_part",
-                     tr("Ne&xt part"),
-                     {QKeySequence("F6")},
-                     tr("Move the focus to the next part of the window"),
-                     [this] { focusNextPart(1); },
-                     {}});
-  auto* previous = make({"previous_part",
-                         tr("Pre&vious part"),
-                         {QKeySequence("Shift+F6")},
-                         tr("Move the focus to the part before"),
-                         [this] { focusNextPart(-1); },
-                         {}});
-  next->setAutoRepeat(false);
-  previous->setAutoRepeat(false);
+  commands_.on(Command::fit, this, [this] { detail_->straighten(); });
+  commands_.onToggled(Command::stereo, this, [this](bool on) { stereo_panel_->setOn(on); });
+  commands_[Command::show_panels].setChecked(true);
+  commands_.onToggled(Command::show_panels, this, [this](bool on) { panels_->setVisible(on); });
+  commands_[Command::show_reference].setChecked(true);
+  commands_.onToggled(Command::show_reference, this,
+                      [this](bool on) { reference_box_->setVisible(on); });
+  commands_[Command::show_plots].setVisible(false);
+  commands_.onToggled(Command::show_plots, this, [this](bool) { showPlots(); });
+  commands_.on(Command::full_screen, this, [this] { setFullScreenDetail(!isFullScreen()); });
+  commands_.on(Command::swap_views, this, [this] {
+    QWidget* to = detail_->hasFocus() ? static_cast<QWidget*>(reference_) : detail_;
+    to->setFocus(Qt::ShortcutFocusReason);
+  });
+  commands_.on(Command::next_part, this, [this] { focusNextPart(1); });
+  commands_.on(Command::previous_part, this, [this] { focusNextPart(-1); });
 }
 
 }  // namespace relievo

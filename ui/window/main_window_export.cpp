@@ -29,12 +29,7 @@ std::filesystem::path pathOf(const QString& file) {
 }  // namespace
 
 void MainWindow::makeExportCommand() {
-  make({"export",
-        tr("E&xport\u2026"),
-        {},
-        tr("A map, mesh, picture, profile or section for other programs"),
-        [this] { chooseExport(); },
-        {}});
+  commands_.on(Command::export_map, this, [this] { chooseExport(); });
 }
 
 void MainWindow::connectExports() {

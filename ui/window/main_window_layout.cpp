@@ -31,6 +31,9 @@ namespace {
 /// Views of fewer lines of text, their headers among them, show little: with large text and a
 /// message above them the plots make room.
 constexpr int kLeastViewLines = 8;
+/// Shown or not as when the window was closed.
+constexpr std::array kKeptParts{Command::show_panels, Command::show_reference,
+                                Command::show_profile};
 }  // namespace
 
 void MainWindow::useThisView() {
@@ -59,13 +62,13 @@ void MainWindow::setFullScreenDetail(bool on) {
   }
   menuBar()->setVisible(!on);
   tools_->setVisible(!on && document_.isOpen());
-  reference_box_->setVisible(!on && command("show_reference")->isChecked());
-  panels_->setVisible(!on && command("show_panels")->isChecked());
+  reference_box_->setVisible(!on && commands_[Command::show_reference].isChecked());
+  panels_->setVisible(!on && commands_[Command::show_panels].isChecked());
   showPlots();
   inset_->setVisible(on);
   light_ball_->place();
   if (!on) restoreState(layout_before_full_screen_);
-  command("full_screen")->setChecked(on);
+  commands_[Command::full_screen].setChecked(on);
   detail_->setFocus();
 }
 
@@ -116,11 +119,11 @@ void MainWindow::setTheme(Theme theme) {
 }
 
 void MainWindow::showPlots() {
-  const QAction* plots = command("show_plots");
+  const QAction& plots = commands_[Command::show_plots];
   const bool wanted =
-      plots->isVisible() && plots->isChecked() && !isFullScreen() && !replay_->showing();
+      plots.isVisible() && plots.isChecked() && !isFullScreen() && !replay_->showing();
   // The curve was asked for; what is plotted by itself makes room for it first.
-  const bool curve_wanted = command("show_profile")->isChecked() && !profile_->isEmpty() &&
+  const bool curve_wanted = commands_[Command::show_profile].isChecked() && !profile_->isEmpty() &&
                             !isFullScreen() && !replay_->showing();
   const int least = kLeastViewLines * fontMetrics().height();
   int views = rows_->height() - profile_->minimumSizeHint().height() - rows_->handleWidth();
@@ -157,8 +160,8 @@ void MainWindow::applyPreference(const QString& key) {
     showSurface();
     showWindow();
   } else if (key == QLatin1String("recording_kind")) {
-    command(recordingEnding() == QLatin1String("h5") ? "record_h5" : "record_csv")
-        ->setChecked(true);
+    const bool is_h5 = recordingEnding() == QLatin1String("h5");
+    commands_[is_h5 ? Command::record_h5 : Command::record_csv].setChecked(true);
   } else if (key == QLatin1String("pointer_mode")) {
     const bool touches = settings_.choice(key, QString()).toString() == QLatin1String("touch");
     looks_after_forces_ = false;
@@ -195,9 +198,9 @@ void MainWindow::restoreLayout() {
   tools_->setVisible(document_.isOpen());  // The state may be of a window with a file.
   views_->restoreState(settings_.layout(QStringLiteral("views")).toByteArray());
   rows_->restoreState(settings_.layout(QStringLiteral("rows")).toByteArray());
-  for (const char* part : {"show_panels", "show_reference", "show_profile"}) {
-    const QVariant shown = settings_.layout(QString::fromLatin1(part));
-    if (shown.isValid()) command(part)->setChecked(shown.toBool());
+  for (const Command part : kKeptParts) {
+    const QVariant shown = settings_.layout(commands_[part].objectName());
+    if (shown.isValid()) commands_[part].setChecked(shown.toBool());
   }
 }
 
@@ -207,8 +210,8 @@ void MainWindow::saveLayout() {
   settings_.setLayout(QStringLiteral("state"), saveState());
   settings_.setLayout(QStringLiteral("views"), views_->saveState());
   settings_.setLayout(QStringLiteral("rows"), rows_->saveState());
-  for (const char* part : {"show_panels", "show_reference", "show_profile"}) {
-    settings_.setLayout(QString::fromLatin1(part), command(part)->isChecked());
+  for (const Command part : kKeptParts) {
+    settings_.setLayout(commands_[part].objectName(), commands_[part].isChecked());
   }
 }
 

@@ -19,40 +19,24 @@ constexpr double kRakingDeg = 10;
 
 void MainWindow::makeLightCommands() {
   struct Step {
-    const char* name;
-    QString text, keys, tip;
+    Command command;
     int clockwise, higher;
   };
-  const std::array<Step, 4> steps{
-      {{"light_counterclockwise", tr("Turn &counterclockwise"), "Alt+Shift+Left",
-        tr("Turn the light by 5 degrees, counterclockwise"), -1, 0},
-       {"light_clockwise", tr("Turn cloc&kwise"), "Alt+Shift+Right",
-        tr("Turn the light by 5 degrees, clockwise"), 1, 0},
-       {"light_higher", tr("&Higher"), "Alt+Shift+Up", tr("The light 5 degrees higher"), 0, 1},
-       {"light_lower", tr("Lo&wer"), "Alt+Shift+Down",
-        tr("The light 5 degrees lower: worn detail comes out"), 0, -1}}};
-  for (const Step& s : steps) {
-    make({s.name,
-          s.text,
-          {QKeySequence(s.keys)},
-          s.tip,
-          [this, clockwise = s.clockwise, higher = s.higher] { stepLight(clockwise, higher); },
-          {}});
+  for (const Step& step :
+       {Step{Command::light_counterclockwise, -1, 0}, Step{Command::light_clockwise, 1, 0},
+        Step{Command::light_higher, 0, 1}, Step{Command::light_lower, 0, -1}}) {
+    commands_.on(step.command, this, [this, step] { stepLight(step.clockwise, step.higher); });
   }
   struct Preset {
-    const char* name;
-    QString text, tip;
+    Command command;
     LightOptions light;
   };
-  const QString raking = tr("Light almost along the surface, 10 degrees above it");
-  const std::array<Preset, 5> presets{
-      {{"light_usual", tr("&Usual light"), tr("From the upper left, 45 degrees high"), {}},
-       {"light_rake_left", tr("Raking from the &left"), raking, {270, kRakingDeg}},
-       {"light_rake_right", tr("Raking from the &right"), raking, {90, kRakingDeg}},
-       {"light_rake_above", tr("Raking from &above"), raking, {0, kRakingDeg}},
-       {"light_rake_below", tr("Raking from &below"), raking, {180, kRakingDeg}}}};
-  for (const Preset& p : presets) {
-    make({p.name, p.text, {}, p.tip, [this, light = p.light] { chooseLight(light, -1); }, {}});
+  for (const Preset& preset :
+       {Preset{Command::light_usual, {}}, Preset{Command::light_rake_left, {270, kRakingDeg}},
+        Preset{Command::light_rake_right, {90, kRakingDeg}},
+        Preset{Command::light_rake_above, {0, kRakingDeg}},
+        Preset{Command::light_rake_below, {180, kRakingDeg}}}) {
+    commands_.on(preset.command, this, [this, light = preset.light] { chooseLight(light, -1); });
   }
 }
 

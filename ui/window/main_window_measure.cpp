@@ -23,115 +23,54 @@
 #include "ui/work/file_names.h"
 
 namespace relievo {
+namespace {
+
+constexpr std::array<std::pair<Command, MeasureKind>, 7> kMeasuring{
+    {{Command::measure_point, MeasureKind::point},
+     {Command::measure_distance, MeasureKind::distance},
+     {Command::measure_depth, MeasureKind::depth},
+     {Command::measure_angle, MeasureKind::angle},
+     {Command::measure_profile, MeasureKind::profile},
+     {Command::measure_area, MeasureKind::area},
+     {Command::measure_section, MeasureKind::section}}};
+
+}  // namespace
 
 void MainWindow::makeMeasureCommands() {
-  struct Entry {
-    MeasureKind kind;
-    const char* name;
-    QString text, tip;
-  };
-  const std::array<Entry, 7> entries{
-      {{MeasureKind::point, "measure_point", tr("&Point"), tr("Height of one place")},
-       {MeasureKind::distance, "measure_distance", tr("&Distance"), tr("Between two places")},
-       {MeasureKind::depth, "measure_depth", tr("Depth di&fference"),
-        tr("How much higher the second place lies")},
-       {MeasureKind::angle, "measure_angle", tr("&Angle"), tr("At the second of three places")},
-       {MeasureKind::profile, "measure_profile", tr("P&rofile"), tr("Heights along a line")},
-       {MeasureKind::area, "measure_area", tr("Area and &volume"),
-        tr("Of a piece of surface above its lowest corner, or another plane")},
-       {MeasureKind::section, "measure_section", tr("Se&ction"),
-        tr("Where a plane through one, two or three places cuts the surface")}}};
-  for (const Entry& e : entries) {
-    make({e.name, e.text, {}, e.tip, [this, kind = e.kind] { beginMeasuring(kind); }, {}});
+  for (const auto& [command, kind] : kMeasuring) {
+    commands_.on(command, this, [this, kind = kind] { beginMeasuring(kind); });
   }
-  make({"measure_touch",
-        tr("By &touch"),
-        {QKeySequence("Ctrl+Alt+M")},
-        tr("Taps of the hand that feels the surface give depth differences, strokes profiles"),
-        [this] {
-          measure_panel_->beginByTouch();
-          detail_->setFocus();
-        },
-        {}});
-  make({"measure_save_list",
-        tr("&Save\u2026"),
-        {},
-        tr("The list as CSV, or the selected profile or section as CSV or SVG"),
-        [this] { saveMeasurements(); },
-        {}});
+  commands_.on(Command::measure_touch, this, [this] {
+    measure_panel_->beginByTouch();
+    detail_->setFocus();
+  });
+  commands_.on(Command::measure_save_list, this, [this] { saveMeasurements(); });
 }
 
 void MainWindow::makeReliefCommands() {
-  struct Entry {
-    ReliefKind kind;
-    QString text, tip;
-  };
-  const std::array<Entry, kReliefKindNames.size()> entries{
-      {{ReliefKind::lit, tr("&Lit stone"), tr("Matt stone under lamps")},
-       {ReliefKind::height, tr("&Height in colour"), tr("Lit, with a colour for each height")},
-       {ReliefKind::hillshade, tr("H&illshade"), tr("Brightness under one light")},
-       {ReliefKind::multi_hillshade, tr("Hillshade, &four lights"),
-        tr("No direction stays in the dark")},
-       {ReliefKind::slope, tr("&Slope"), tr("Steepness in degrees")},
-       {ReliefKind::local_relief, tr("Local &relief"), tr("Worn detail without the broad shape")},
-       {ReliefKind::sky_view, tr("Sky &view"), tr("How much of the sky each place sees")},
-       {ReliefKind::openness, tr("&Openness"), tr("Hollows dark, ridges bright")},
-       {ReliefKind::multi_scale, tr("&Deviation, several scales"),
-        tr("What stands out from its neighbourhood, at the scale where it does so most")},
-       {ReliefKind::curvature, tr("&Curvature, several scales"),
-        tr("Ridges and incisions of several widths, however the ground is tilted")},
-       {ReliefKind::occlusion, tr("Stone with &ambient occlusion"),
-        tr("Lit, and darker in hollows and grooves")},
-       {ReliefKind::natural, tr("&Natural colours"), tr("The colours that the scan has")},
-       {ReliefKind::intensity, tr("In&tensity"),
-        tr("How strongly the scanner's light came back")}}};
-  auto* kinds = new QActionGroup(this);
-  for (const Entry& e : entries) {
-    const std::string name = "relief_" + std::string(relievo::name(e.kind));
-    QAction* action = make({name.c_str(),
-                            e.text,
-                            {},
-                            e.tip,
-                            [this, kind = e.kind] {
-                              chooseLook(tr("Relief image"), [kind](ReliefLook& look) {
-                                look.kind = kind;
-                                look.range.reset();  // They were values of another kind.
-                              });
-                            },
-                            {},
-                            true});
-    action->setChecked(e.kind == ReliefKind::lit);
-    kinds->addAction(action);
+  for (std::size_t i = 0; i < kReliefKindNames.size(); ++i) {
+    const auto kind = static_cast<ReliefKind>(i);
+    const Command command = commandAfter(Command::relief_lit, i);
+    commands_.on(command, this, [this, kind] {
+      chooseLook(tr("Relief image"), [kind](ReliefLook& look) {
+        look.kind = kind;
+        look.range.reset();  // They were values of another kind.
+      });
+    });
+    commands_[command].setChecked(kind == ReliefKind::lit);
   }
-  make({"show_unmeasured",
-        tr("Mar&k unmeasured cells"),
-        {},
-        tr("Cells that were interpolated in colour, with a legend; holes are always hatched"),
-        [this] {
-          chooseLook(tr("Unmeasured cells"), [this](ReliefLook& look) {
-            look.unmeasured = command("show_unmeasured")->isChecked();
-          });
-        },
-        {},
-        true});
-  const std::array<QString, kColourMapNames.size()> maps{tr("&Grey"), tr("&Viridis"),
-                                                         tr("&Cividis"), tr("&Batlow")};
-  auto* colours = new QActionGroup(this);
-  for (std::size_t i = 0; i < maps.size(); ++i) {
+  commands_.on(Command::show_unmeasured, this, [this] {
+    chooseLook(tr("Unmeasured cells"), [this](ReliefLook& look) {
+      look.unmeasured = commands_[Command::show_unmeasured].isChecked();
+    });
+  });
+  for (std::size_t i = 0; i < kColourMapNames.size(); ++i) {
     const auto map = static_cast<ColourMap>(i);
-    const std::string name = "colours_" + std::string(relievo::name(map));
-    QAction* action =
-        make({name.c_str(),
-              maps[i],
-              {},
-              tr("Colours that grow lighter in even steps"),
-              [this, map] {
-                chooseLook(tr("Relief image"), [map](ReliefLook& look) { look.colours = map; });
-              },
-              {},
-              true});
-    action->setChecked(map == ReliefLook{}.colours);
-    colours->addAction(action);
+    const Command command = commandAfter(Command::colours_grey, i);
+    commands_.on(command, this, [this, map] {
+      chooseLook(tr("Relief image"), [map](ReliefLook& look) { look.colours = map; });
+    });
+    commands_[command].setChecked(map == ReliefLook{}.colours);
   }
 }
 

@@ -50,12 +50,7 @@ void MainWindow::setCompanions(CompanionsOf companions) {
 }
 
 void MainWindow::makePackageCommand() {
-  make({"package",
-        tr("Pac&kage for citation\u2026"),
-        {},
-        tr("One zip with project, scan, recordings, figures and checksums"),
-        [this] { choosePackage(); },
-        {}});
+  commands_.on(Command::package, this, [this] { choosePackage(); });
 }
 
 void MainWindow::connectPackages() {

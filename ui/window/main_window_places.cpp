@@ -55,42 +55,12 @@ QString freeBeacon(const std::vector<NamedRegion>& places) {
 }  // namespace
 
 void MainWindow::makePlaceCommands() {
-  make({"name_place",
-        tr("Na&me this place\u2026"),
-        {QKeySequence("Ctrl+N")},
-        tr("Give the window's place a name, to come back to it"),
-        [this] { namePlace(); },
-        {}});
-  make({"next_place",
-        tr("Ne&xt place"),
-        {QKeySequence("Ctrl+PgDown")},
-        tr("Go to the next place that has a name"),
-        [this] { places_panel_->step(1); },
-        {}});
-  make({"previous_place",
-        tr("Pre&vious place"),
-        {QKeySequence("Ctrl+PgUp")},
-        tr("Go to the place with a name before this one"),
-        [this] { places_panel_->step(-1); },
-        {}});
-  make({"copy_view",
-        tr("&Copy view as text"),
-        {QKeySequence("Ctrl+Shift+C")},
-        tr("Place, level, gain, light, colours and turn, to be sent or pasted"),
-        [this] { copyView(); },
-        {}});
-  make({"paste_view",
-        tr("Paste &view"),
-        {QKeySequence("Ctrl+Shift+V")},
-        tr("Show the view that was copied as text"),
-        [this] { pasteView(); },
-        {}});
-  make({"beacon",
-        tr("&Beacon here"),
-        {QKeySequence("Ctrl+B")},
-        tr("Mark the place under the hand, or remove the beacon there"),
-        [this] { toggleBeacon(); },
-        {}});
+  commands_.on(Command::name_place, this, [this] { namePlace(); });
+  commands_.on(Command::next_place, this, [this] { places_panel_->step(1); });
+  commands_.on(Command::previous_place, this, [this] { places_panel_->step(-1); });
+  commands_.on(Command::copy_view, this, [this] { copyView(); });
+  commands_.on(Command::paste_view, this, [this] { pasteView(); });
+  commands_.on(Command::beacon, this, [this] { toggleBeacon(); });
 }
 
 void MainWindow::connectPlaces() {
@@ -126,7 +96,7 @@ void MainWindow::keepWork() {
 
 void MainWindow::namePlace() {
   if (!document_.isOpen()) return;
-  command("show_panels")->setChecked(true);
+  commands_[Command::show_panels].setChecked(true);
   panels_->reveal(places_panel_);
   NamedRegion place{.name = places_panel_->freeName().toStdString(),
                     .region = document_.project().region,

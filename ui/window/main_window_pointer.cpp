@@ -21,34 +21,13 @@ bool isCarriedByPointer(const QString& device) {
 }  // namespace
 
 void MainWindow::makePointerCommands() {
-  auto* modes = new QActionGroup(this);
-  QAction* look = make({"pointer_look",
-                        tr("Loo&k with the left button"),
-                        {},
-                        tr("Dragging with the left button turns the detail view"),
-                        [this] { choosePointerMode(PointerMode::look); },
-                        Icon::look,
-                        true});
-  QAction* touch = make({"pointer_touch",
-                         tr("&Touch with the left button"),
-                         {},
-                         tr("The left button presses the hand into the surface"),
-                         [this] { choosePointerMode(PointerMode::touch); },
-                         Icon::touch,
-                         true});
-  for (QAction* mode : {look, touch}) modes->addAction(mode);
-  look->setIconText(tr("Look"));
-  touch->setIconText(tr("Touch"));
-  make({"pointer_switch",
-        tr("&Switch between look and touch"),
-        {QKeySequence("F7")},
-        tr("What the left button does in the detail view: turn it, or press the hand in"),
-        [this] {
-          const bool looks = detail_->pointerMode() == PointerMode::look;
-          choosePointerMode(looks ? PointerMode::touch : PointerMode::look);
-          announce(bindingsText(detail_->pointerMode(), pointerBindings()));
-        },
-        {}});
+  commands_.on(Command::pointer_look, this, [this] { choosePointerMode(PointerMode::look); });
+  commands_.on(Command::pointer_touch, this, [this] { choosePointerMode(PointerMode::touch); });
+  commands_.on(Command::pointer_switch, this, [this] {
+    const bool looks = detail_->pointerMode() == PointerMode::look;
+    choosePointerMode(looks ? PointerMode::touch : PointerMode::look);
+    announce(bindingsText(detail_->pointerMode(), pointerBindings()));
+  });
 }
 
 PointerBindings MainWindow::pointerBindings() const {
@@ -76,7 +55,8 @@ void MainWindow::choosePointerMode(PointerMode mode) {
 
 void MainWindow::showPointerMode(PointerMode mode) {
   detail_->setPointerMode(mode);
-  command(mode == PointerMode::touch ? "pointer_touch" : "pointer_look")->setChecked(true);
+  const bool touches = mode == PointerMode::touch;
+  commands_[touches ? Command::pointer_touch : Command::pointer_look].setChecked(true);
   showBindings();
 }
 

@@ -46,18 +46,8 @@ QStringList scansAmong(const QStringList& files) {
 }  // namespace
 
 void MainWindow::makePrepareCommands() {
-  make({"open_folder",
-        tr("Open fol&der\u2026"),
-        {QKeySequence("Ctrl+Shift+O")},
-        tr("Open all scans of a folder: parts of one object"),
-        [this] { chooseFolder(); },
-        {}});
-  make({"prepare",
-        tr("Prep&are\u2026"),
-        {QKeySequence("Ctrl+Shift+D")},
-        tr("Crop, clean, thin and join scans before the depth map"),
-        [this] { choosePrepare(); },
-        {}});
+  commands_.on(Command::open_folder, this, [this] { chooseFolder(); });
+  commands_.on(Command::prepare, this, [this] { choosePrepare(); });
 }
 
 void MainWindow::chooseFolder() {

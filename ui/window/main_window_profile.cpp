@@ -14,28 +14,16 @@
 namespace relievo {
 
 void MainWindow::makeProfileCommands() {
-  QAction* shown = make({"show_profile",
-                         tr("Profile c&urve"),
-                         {},
-                         tr("Show or hide the curve of the selected profile under the views"),
-                         {},
-                         {},
-                         true});
-  shown->setChecked(true);
-  connect(shown, &QAction::toggled, this, [this](bool) { showPlots(); });
-  make({"profile_save",
-        tr("Save profil&e as shown\u2026"),
-        {},
-        tr("The curve under the views with its cursor as SVG, or its numbers as CSV"),
-        [this] { saveProfile(); },
-        {}});
+  commands_[Command::show_profile].setChecked(true);
+  commands_.onToggled(Command::show_profile, this, [this](bool) { showPlots(); });
+  commands_.on(Command::profile_save, this, [this] { saveProfile(); });
 }
 
 void MainWindow::connectProfile() {
   connect(profile_, &ProfileStrip::cursorMoved, this, &MainWindow::showProfileCursor);
   connect(profile_, &ProfileStrip::saveAsked, this, &MainWindow::saveProfile);
   connect(profile_, &ProfileStrip::closeAsked, this,
-          [this] { command("show_profile")->setChecked(false); });
+          [this] { commands_[Command::show_profile].setChecked(false); });
   connect(&document_, &Document::windowChanged, this, &MainWindow::showProfileMark);
   showProfile();
 }
@@ -47,7 +35,7 @@ void MainWindow::showProfile() {
                 measure_panel_->measurements()[static_cast<std::size_t>(*row)].name)
           : QString();
   profile_->show(name, row ? measure_panel_->profileRows(*row) : std::vector<ProfileRow>());
-  command("profile_save")->setEnabled(!profile_->isEmpty());
+  commands_[Command::profile_save].setEnabled(!profile_->isEmpty());
   showPlots();
 }
 

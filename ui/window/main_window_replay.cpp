@@ -27,83 +27,26 @@ namespace {
 
 constexpr QLatin1String kRecordingKind("recording_kind");
 constexpr QLatin1String kRecordingFolder("recording_folder");
+constexpr std::array kOfShownRecording{Command::replay_play, Command::replay_next_event,
+                                       Command::replay_previous_event, Command::replay_close};
 
 }  // namespace
 
 void MainWindow::makeReplayCommands() {
-  make({"recording_folder",
-        tr("F&older of recordings\u2026"),
-        {},
-        tr("Where recordings go that are made from now on"),
-        [this] { chooseRecordingFolder(); },
-        {}});
-  make({"replay",
-        tr("Re&play\u2026"),
-        {QKeySequence("Ctrl+Shift+R")},
-        tr("Show a recording of a touch again; no device is moved"),
-        [this] { chooseRecording(); },
-        {}});
-  make({"replay_play",
-        tr("P&lay or pause"),
-        {QKeySequence("Ctrl+Space")},
-        tr("Go on with the replay, or halt it"),
-        [this] { replay_->player().toggle(); },
-        {}});
-  make({"replay_next_event",
-        tr("Ne&xt event"),
-        {QKeySequence("Ctrl+Shift+PgDown")},
-        tr("Go to the next event or note of the recording"),
-        [this] { replay_->goToEvent(1); },
-        {}});
-  make({"replay_previous_event",
-        tr("Event &before"),
-        {QKeySequence("Ctrl+Shift+PgUp")},
-        tr("Go back to the event or note before"),
-        [this] { replay_->goToEvent(-1); },
-        {}});
-  make({"replay_close",
-        tr("&Close replay"),
-        {},
-        tr("Back to the window from before"),
-        [this] { replay_->close(); },
-        {}});
-  for (const char* name :
-       {"replay_play", "replay_next_event", "replay_previous_event", "replay_close"}) {
-    command(name)->setEnabled(false);
-  }
-}
-
-// What the next recording will be; the same choice as in the preferences.
-void MainWindow::makeRecordingKinds() {
-  QMenu* record = menu(QStringLiteral("record"), {});
-  auto* kinds = new QMenu(tr("Record &as"), record);
-  kinds->setObjectName(QStringLiteral("record_as"));
-  record->insertMenu(command("recording_folder"), kinds);
-  kinds->menuAction()->setToolTip(tr("Kind of file of the next recording"));
-  kinds->setToolTipsVisible(true);
-  auto* group = new QActionGroup(this);
-  struct Kind {
-    const char* name;
-    QString text, tip, ending;
-  };
-  const std::array<Kind, 2> all{
-      {{"record_csv", tr("&CSV"), tr("A table as text that every program opens"),
-        QStringLiteral("csv")},
-       {"record_h5", tr("&HDF5"), tr("Smaller, with units and surface; for Python and MATLAB"),
-        QStringLiteral("h5")}}};
-  for (const Kind& kind : all) {
-    QAction* action = make({kind.name,
-                            kind.text,
-                            {},
-                            kind.tip,
-                            [this, kind] {
-                              settings_.setChoice(kRecordingKind, kind.ending);
-                              announce(tr("The next recording is %1").arg(kind.ending.toUpper()));
-                            },
-                            {},
-                            true});
-    group->addAction(action);
-    kinds->addAction(action);
+  commands_.on(Command::recording_folder, this, [this] { chooseRecordingFolder(); });
+  commands_.on(Command::replay, this, [this] { chooseRecording(); });
+  commands_.on(Command::replay_play, this, [this] { replay_->player().toggle(); });
+  commands_.on(Command::replay_next_event, this, [this] { replay_->goToEvent(1); });
+  commands_.on(Command::replay_previous_event, this, [this] { replay_->goToEvent(-1); });
+  commands_.on(Command::replay_close, this, [this] { replay_->close(); });
+  for (const Command command : kOfShownRecording) commands_[command].setEnabled(false);
+  // What the next recording will be; the same choice as in the preferences.
+  for (const auto& [command, ending] : {std::pair{Command::record_csv, QStringLiteral("csv")},
+                                        std::pair{Command::record_h5, QStringLiteral("h5")}}) {
+    commands_.on(command, this, [this, ending = ending] {
+      settings_.setChoice(kRecordingKind, ending);
+      announce(tr("The next recording is %1").arg(ending.toUpper()));
+    });
   }
 }
 
@@ -182,11 +125,8 @@ void MainWindow::replay(const QString& file) {
 
 void MainWindow::showReplaying(bool on) {
   if (on) stopForces();  // What is shown is not where the hand is.
-  if (QAction* forces = command("forces")) forces->setEnabled(!on);
-  for (const char* name :
-       {"replay_play", "replay_next_event", "replay_previous_event", "replay_close"}) {
-    command(name)->setEnabled(on);
-  }
+  if (QAction* forces = commands_.named(QStringLiteral("forces"))) forces->setEnabled(!on);
+  for (const Command command : kOfShownRecording) commands_[command].setEnabled(on);
   replay_->panel()->setVisible(on);
   suggest_panel_->setEnabled(!on && document_.isOpen());
   showPlots();

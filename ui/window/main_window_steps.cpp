@@ -28,7 +28,7 @@ void MainWindow::showLook() {
   const ReliefLook& look = document_.project().look;
   view_panel_->showLight(look.light);
   view_panel_->showShading(look.shading, showsOwnColours(look.kind));
-  command("show_unmeasured")->setChecked(look.unmeasured);
+  commands_[Command::show_unmeasured].setChecked(look.unmeasured);
   for (SurfaceView* view :
        {static_cast<SurfaceView*>(reference_), static_cast<SurfaceView*>(detail_)}) {
     view->setLight(look.light);
@@ -38,12 +38,12 @@ void MainWindow::showLook() {
   shareRange();
   warnOfRivalry();
   for (std::size_t i = 0; i < kReliefKindNames.size(); ++i) {
-    const std::string name = "relief_" + std::string(kReliefKindNames[i]);
-    command(name.c_str())->setChecked(static_cast<std::size_t>(look.kind) == i);
+    const bool is_shown = static_cast<std::size_t>(look.kind) == i;
+    commands_[commandAfter(Command::relief_lit, i)].setChecked(is_shown);
   }
   for (std::size_t i = 0; i < kColourMapNames.size(); ++i) {
-    const std::string name = "colours_" + std::string(kColourMapNames[i]);
-    command(name.c_str())->setChecked(static_cast<std::size_t>(look.colours) == i);
+    const bool is_shown = static_cast<std::size_t>(look.colours) == i;
+    commands_[commandAfter(Command::colours_grey, i)].setChecked(is_shown);
   }
 }
 
@@ -75,7 +75,7 @@ void MainWindow::showStereo() {
                              stereo_panel_->chosenAngleDeg());
   reference_->setStereo(stereo_panel_->optionsFor(whole_shown_));
   detail_->setStereo(document_.project().stereo);
-  command("stereo")->setChecked(document_.project().stereo.mode != StereoMode::off);
+  commands_[Command::stereo].setChecked(document_.project().stereo.mode != StereoMode::off);
   warnOfRivalry();
 }
 

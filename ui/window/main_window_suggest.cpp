@@ -11,16 +11,11 @@
 namespace relievo {
 
 void MainWindow::makeSuggestCommand() {
-  make({"suggest_windows",
-        tr("&Suggest windows"),
-        {QKeySequence("Ctrl+Shift+F")},
-        tr("Rank windows by how much of their relief a hand feels"),
-        [this] {
-          command("show_panels")->setChecked(true);
-          panels_->reveal(suggest_panel_);
-          suggest_panel_->find();
-        },
-        {}});
+  commands_.on(Command::suggest_windows, this, [this] {
+    commands_[Command::show_panels].setChecked(true);
+    panels_->reveal(suggest_panel_);
+    suggest_panel_->find();
+  });
 }
 
 void MainWindow::connectSuggestions() {

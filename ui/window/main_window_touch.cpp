@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <QAccessible>
 #include <QAction>
 #include <QFile>
 #include <QFileInfo>
@@ -80,7 +79,7 @@ void MainWindow::addToMenu(const QString& title, QAction* action) {
       action->setToolTip(QStringLiteral("%1 (%2)").arg(action->toolTip(), key));
     }
   }
-  QMenu* to = menu(title, title);
+  QMenu* to = &commands_.menuOfBar(title, title);
   // A recording and its notes stand before what is made of them.
   const QStringList first{QStringLiteral("record"), QStringLiteral("addNote")};
   const int place = static_cast<int>(first.indexOf(action->objectName()));
@@ -93,9 +92,8 @@ void MainWindow::addToMenu(const QString& title, QAction* action) {
   }
   if (!forces && action->objectName() != QLatin1String("record")) return;
   if (action->icon().isNull()) action->setIcon(icon(forces ? Icon::forces : Icon::record));
-  QAction* before = command("image");
-  if (forces) tools_->insertAction(command("stereo"), action);
-  if (!forces) tools_->insertAction(before, action);
+  if (forces) tools_->insertAction(&commands_[Command::stereo], action);
+  if (!forces) tools_->insertAction(nullptr, action);
   if (auto* button = qobject_cast<QToolButton*>(tools_->widgetForAction(action))) {
     button->setFocusPolicy(Qt::StrongFocus);
     button->setAccessibleName(withoutMnemonic(action->text()));
@@ -163,11 +161,11 @@ void MainWindow::plot(std::span<const ForcePoint> points) {
 void MainWindow::showTouch(const TouchReadout& readout) {
   if (!touch_present_) {
     touch_present_ = true;
-    QAction* plots = command("show_plots");
-    plots->setVisible(true);
+    QAction& plots = commands_[Command::show_plots];
+    plots.setVisible(true);
     const QVariant shown = settings_.layout(QStringLiteral("show_plots"));
-    plots->setChecked(!shown.isValid() || shown.toBool());
-    connect(plots, &QAction::toggled, this, [this](bool on) {
+    plots.setChecked(!shown.isValid() || shown.toBool());
+    commands_.onToggled(Command::show_plots, this, [this](bool on) {
       if (!isFullScreen()) settings_.setLayout(QStringLiteral("show_plots"), on);
     });
   }
@@ -203,26 +201,19 @@ void MainWindow::showTouchMissing(const QString& reason) {
 }
 
 void MainWindow::announce(const QString& text) {
-  announceAs(text, speaker_ && speaker_(text) ? QString() : text);
+  messages_->announce(text);
 }
 
 void MainWindow::setSpeaker(std::function<bool(const QString& text)> speaker) {
-  speaker_ = std::move(speaker);
+  messages_->setSpeaker(std::move(speaker));
 }
 
 void MainWindow::announceAs(const QString& text, const QString& spoken) {
-  status_->set(StatusField::message, text);
-  if (spoken.isEmpty() || !QAccessible::isActive()) return;
-  status_->firstField()->setAccessibleDescription(spoken);
-  QAccessibleEvent event(status_->firstField(), QAccessible::Alert);
-  QAccessible::updateAccessibility(&event);
+  messages_->announceAs(text, spoken);
 }
 
 bool MainWindow::runCommand(const QString& name) {
-  auto* action = findChild<QAction*>(name, Qt::FindDirectChildrenOnly);
-  if (action == nullptr || !action->isEnabled()) return false;
-  action->trigger();
-  return true;
+  return commands_.run(name);
 }
 
 QString MainWindow::introduction() const {
@@ -236,7 +227,7 @@ QString MainWindow::introduction() const {
 
 bool MainWindow::stopForces() {
   if (!touch_.forces_on) return false;
-  QAction* forces = command("forcesOff");
+  QAction* forces = commands_.named(QStringLiteral("forcesOff"));
   if (forces == nullptr || !forces->isEnabled()) return false;
   forces->trigger();
   return true;

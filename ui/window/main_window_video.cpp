@@ -42,42 +42,15 @@ QString videoFolder() {
 }  // namespace
 
 void MainWindow::makeVideoCommands() {
-  make({"video",
-        tr("&Video\u2026"),
-        {QKeySequence("Ctrl+Alt+V")},
-        tr("A video of the replay, or of the camera path, frame by frame"),
-        [this] { chooseVideo(); },
-        {}});
-  auto* live = make({"video_live",
-                     tr("Video of the vie&w"),
-                     {QKeySequence("Ctrl+Alt+R")},
-                     tr("Start or stop a video of what the detail view and the plots show"),
-                     {},
-                     {},
-                     true});
-  connect(live, &QAction::toggled, this, &MainWindow::setLiveVideo);
-  make({"key_view",
-        tr("Add &key view"),
-        {QKeySequence("Ctrl+Alt+K")},
-        tr("Let the camera path pass this view, three seconds after the one before"),
-        [this] { addKeyView(); },
-        {}});
-  make({"path_play",
-        tr("Show camera pa&th"),
-        {QKeySequence("Ctrl+Alt+P")},
-        tr("Run along the key views once, or stop"),
-        [this] { previewPath(); },
-        {}});
-  make({"path_clear",
-        tr("&Forget key views"),
-        {},
-        tr("Begin a new camera path"),
-        [this] {
-          document_.amend([](Project& p) { p.paths.clear(); });
-          enableVideo();
-          announce(tr("The camera path is empty"));
-        },
-        {}});
+  commands_.on(Command::video, this, [this] { chooseVideo(); });
+  commands_.onToggled(Command::video_live, this, [this](bool on) { setLiveVideo(on); });
+  commands_.on(Command::key_view, this, [this] { addKeyView(); });
+  commands_.on(Command::path_play, this, [this] { previewPath(); });
+  commands_.on(Command::path_clear, this, [this] {
+    document_.amend([](Project& p) { p.paths.clear(); });
+    enableVideo();
+    announce(tr("The camera path is empty"));
+  });
 }
 
 void MainWindow::connectVideo() {
@@ -92,7 +65,7 @@ void MainWindow::connectVideo() {
     video_->cancel();
   });
   connect(video_, &VideoControl::liveEnded, this, [this] {
-    command("video_live")->setChecked(false);
+    commands_[Command::video_live].setChecked(false);
     enableVideo();
   });
   connect(replay_, &ReplayControl::shownChanged, this, [this](bool) { enableVideo(); });
@@ -110,11 +83,12 @@ bool MainWindow::hasPath() const {
 
 void MainWindow::enableVideo() {
   const bool is_open = document_.isOpen();
-  command("video")->setEnabled(is_open && !video_->writing() && (replay_->showing() || hasPath()));
-  command("video_live")->setEnabled(is_open);
-  command("key_view")->setEnabled(is_open);
-  command("path_play")->setEnabled(is_open && hasPath());
-  command("path_clear")->setEnabled(!document_.project().paths.empty());
+  commands_[Command::video].setEnabled(is_open && !video_->writing() &&
+                                       (replay_->showing() || hasPath()));
+  commands_[Command::video_live].setEnabled(is_open);
+  commands_[Command::key_view].setEnabled(is_open);
+  commands_[Command::path_play].setEnabled(is_open && hasPath());
+  commands_[Command::path_clear].setEnabled(!document_.project().paths.empty());
 }
 
 void MainWindow::chooseVideo() {
@@ -213,19 +187,19 @@ void MainWindow::setLiveVideo(bool on) {
     if (video_->startLive(file, profile, carriedState(file), liveSource())) {
       announce(tr("Video to %1").arg(shownPath(file)));
     } else {
-      command("video_live")->setChecked(false);
+      commands_[Command::video_live].setChecked(false);
     }
   };
   if (haveFfmpeg()) {
     start(stem + QLatin1String(".mp4"), VideoProfile::talk);
     return;
   }
-  command("video_live")->setChecked(false);
+  commands_[Command::video_live].setChecked(false);
   strip_->show(tr("The program ffmpeg, which packs videos, is not installed. Nothing was made. "
                   "Install the package ffmpeg, or keep a folder of pictures."),
                {{tr("&Keep pictures"), [this, start, stem] {
-                   const QSignalBlocker quiet(command("video_live"));
-                   command("video_live")->setChecked(true);
+                   const QSignalBlocker quiet(&commands_[Command::video_live]);
+                   commands_[Command::video_live].setChecked(true);
                    start(stem, VideoProfile::images);
                  }}});
 }
