@@ -2676,6 +2676,45 @@
     </message>
 </context>
 <context>
+    <name>relievo::ExportController</name>
+    <message>
+        <source>Cancelled. Nothing was exported.</source>
+        <translation>Abgebrochen. Nichts wurde exportiert.</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels; File &gt; Image asks for others</source>
+        <translation>%1 x %2 Pixel; Datei &gt; Bild fragt nach anderen</translation>
+    </message>
+    <message>
+        <source>Picture of the detail view (.png)</source>
+        <translation>Bild der Detailansicht (.png)</translation>
+    </message>
+    <message>
+        <source>Picture of the whole object (.png)</source>
+        <translation>Bild des ganzen Objekts (.png)</translation>
+    </message>
+    <message>
+        <source>Profile %1, drawing (.svg)</source>
+        <translation>Profil %1, Zeichnung (.svg)</translation>
+    </message>
+    <message>
+        <source>Profile %1, numbers (.csv)</source>
+        <translation>Profil %1, Zahlen (.csv)</translation>
+    </message>
+    <message>
+        <source>Section %1, drawing (.svg)</source>
+        <translation>Schnitt %1, Zeichnung (.svg)</translation>
+    </message>
+    <message>
+        <source>Section %1, numbers (.csv)</source>
+        <translation>Schnitt %1, Zahlen (.csv)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ExportDialog</name>
     <message>
         <source>Format</source>
@@ -3425,6 +3464,47 @@
     <message>
         <source>It can be touched then.</source>
         <translation>Dann kann es ertastet werden.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ForeignFiles</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>Abgebrochen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Files elsewhere</source>
+        <translation>Dateien anderswo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
+        <translation>
+            <numerusform>%1 nennt %n Datei außerhalb seines Ordners, die nach ihrer Prüfsumme nicht die ist, aus der es gemacht wurde:</numerusform>
+            <numerusform>%1 nennt %n Dateien außerhalb seines Ordners, die nach ihren Prüfsummen nicht die sind, aus denen es gemacht wurde:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The work that was kept</source>
+        <translation>Die aufbewahrte Arbeit</translation>
+    </message>
+    <message>
+        <source>Whoever made it chose these names. Shall they be read? What is not read stays named in it, and all else opens.</source>
+        <translation>Wer es gemacht hat, hat diese Namen gewählt. Sollen sie gelesen werden? Was nicht gelesen wird, bleibt darin genannt, und alles andere wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>&amp;Read them</source>
+        <translation>&amp;Lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Do not read them</source>
+        <translation>&amp;Nicht lesen</translation>
     </message>
 </context>
 <context>
@@ -4211,6 +4291,45 @@
     </message>
 </context>
 <context>
+    <name>relievo::LookController</name>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Shading of colours</source>
+        <translation>Schattierung der Farben</translation>
+    </message>
+    <message>
+        <source>Relief image</source>
+        <translation>Reliefbild</translation>
+    </message>
+    <message>
+        <source>Unmeasured cells</source>
+        <translation>Nicht gemessene Zellen</translation>
+    </message>
+    <message>
+        <source>This scan has no colours; it is shown as lit stone</source>
+        <translation>Dieser Scan hat keine Farben; er wird als beleuchteter Stein gezeigt</translation>
+    </message>
+    <message>
+        <source>This scan has no intensities; it is shown as lit stone</source>
+        <translation>Dieser Scan hat keine Intensitäten; er wird als beleuchteter Stein gezeigt</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>%1. This relief image has no lamp: the light shows in others.</source>
+        <translation>%1. Dieses Reliefbild hat keine Lampe: Das Licht zeigt sich in anderen.</translation>
+    </message>
+    <message>
+        <source>%1 % of this picture is a strong red or cyan, which one eye sees dark through the glasses. Grey stereo shows it to both</source>
+        <translation>%1 % dieses Bildes sind ein kräftiges Rot oder Cyan, das ein Auge durch die Brille dunkel sieht. Graues Stereo zeigt es beiden</translation>
+    </message>
+</context>
+<context>
     <name>relievo::LoopDetailsDialog</name>
     <message>
         <source>How the force loop runs</source>
@@ -4223,18 +4342,6 @@
 </context>
 <context>
     <name>relievo::MainWindow</name>
-    <message>
-        <source>Save measurements</source>
-        <translation>Messungen speichern</translation>
-    </message>
-    <message>
-        <source>List of measurements (*.csv)</source>
-        <translation>Liste der Messungen (*.csv)</translation>
-    </message>
-    <message>
-        <source>%1 is saved</source>
-        <translation>%1 ist gespeichert</translation>
-    </message>
     <message>
         <source>Open &amp;recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
@@ -4264,48 +4371,12 @@
         <translation>Welches Detail den Ausschnitt speist</translation>
     </message>
     <message>
-        <source>Stereo</source>
-        <translation>Stereo</translation>
-    </message>
-    <message>
         <source>&amp;Clear this list</source>
         <translation>&amp;Diese Liste leeren</translation>
     </message>
     <message>
         <source>Forget these files</source>
         <translation>Diese Dateien vergessen</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Scans, height maps, projects and figures (%1)</source>
-        <translation>Scans, Höhenkarten, Projekte und Abbildungen (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
-    </message>
-    <message>
-        <source>As opened</source>
-        <translation>Wie geöffnet</translation>
     </message>
     <message>
         <source>About relievo</source>
@@ -4316,91 +4387,8 @@
         <translation>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;Scans von Reliefs sehen und fühlen: eine Tiefenkarte, ihre Pyramide und ein Ausschnitt daraus, der in Stereo gezeigt und gefühlt wird.&lt;br&gt;&lt;br&gt;BSD-3-Clause-Lizenz.</translation>
     </message>
     <message>
-        <source>%1 needs %2, which has moved. Nothing was changed. Find it, or choose another file. (E501)</source>
-        <translation>%1 braucht %2; diese Datei ist nicht mehr dort. Nichts wurde geändert. Suchen Sie sie oder wählen Sie eine andere Datei. (E501)</translation>
-    </message>
-    <message>
-        <source>&amp;Find it…</source>
-        <translation>&amp;Suchen…</translation>
-    </message>
-    <message>
-        <source>Find %1</source>
-        <translation>%1 suchen</translation>
-    </message>
-    <message>
-        <source>%1 has changed since this was saved (its checksum differs). It is shown as it is now; results may differ. (E501)</source>
-        <translation>%1 hat sich seit dem Speichern geändert (die Prüfsumme ist eine andere). Es wird gezeigt, wie es jetzt ist; Ergebnisse können abweichen. (E501)</translation>
-    </message>
-    <message>
-        <source>Save project</source>
-        <translation>Projekt speichern</translation>
-    </message>
-    <message>
-        <source>Projects (*.relievo.json)</source>
-        <translation>Projekte (*.relievo.json)</translation>
-    </message>
-    <message>
-        <source>%1 lies on a finer detail than this map has. The window was not moved.</source>
-        <translation>%1 liegt auf einem feineren Detail, als diese Karte hat. Der Ausschnitt wurde nicht verschoben.</translation>
-    </message>
-    <message>
-        <source>Go to %1</source>
-        <translation>Gehe zu %1</translation>
-    </message>
-    <message>
-        <source>%1. Detail %2 of %3</source>
-        <translation>%1. Detail %2 von %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
-        <translation>
-            <numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritt).</numerusform>
-            <numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritte).</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>&amp;Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Verwerfen</translation>
-    </message>
-    <message>
         <source>Detail %1 of %2</source>
         <translation>Detail %1 von %2</translation>
-    </message>
-    <message>
-        <source>This is the finest detail</source>
-        <translation>Das ist das feinste Detail</translation>
-    </message>
-    <message>
-        <source>This is the whole object</source>
-        <translation>Das ist das ganze Objekt</translation>
-    </message>
-    <message>
-        <source>Whole object</source>
-        <translation>Ganzes Objekt</translation>
-    </message>
-    <message>
-        <source>Edge</source>
-        <translation>Rand</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Oberfläche</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>Ausschnitt</translation>
-    </message>
-    <message>
-        <source>Measure</source>
-        <translation>Messen</translation>
-    </message>
-    <message>
-        <source>Places</source>
-        <translation>Stellen</translation>
     </message>
     <message>
         <source>Cancelled. Nothing was changed.</source>
@@ -4419,540 +4407,16 @@
         <translation>%1 F5 schaltet die Kräfte ein.</translation>
     </message>
     <message>
-        <source>Press depth %1 mm of hand</source>
-        <translation>Eindrücktiefe %1 mm der Hand</translation>
-    </message>
-    <message>
-        <source>REFERENCE</source>
-        <translation>ÜBERSICHT</translation>
-    </message>
-    <message>
-        <source>DETAIL %1 of %2</source>
-        <translation>DETAIL %1 von %2</translation>
-    </message>
-    <message>
-        <source>1 mm of hand = %1 mm</source>
-        <translation>1 mm der Hand = %1 mm</translation>
-    </message>
-    <message>
-        <source>heights × %1   |   </source>
-        <translation>Höhen × %1   |   </translation>
-    </message>
-    <message>
         <source>Detail %1/%2</source>
         <translation>Detail %1/%2</translation>
-    </message>
-    <message>
-        <source>&amp;Load what is there</source>
-        <translation>&amp;Laden, was da ist</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>Wä&amp;hlen…</translation>
-    </message>
-    <message>
-        <source>in %1 %2</source>
-        <translation>als %1 %2</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3</source>
-        <translation>%1 × %2 × %3</translation>
-    </message>
-    <message>
-        <source>%1: %2. Which unit?</source>
-        <translation>%1: %2. Welche Einheit?</translation>
-    </message>
-    <message>
-        <source>The points carry no unit. %1 – %2. Most likely %3. Shown as millimetres until you say. (E103)</source>
-        <translation>Die Punkte tragen keine Einheit. %1 – %2. Am wahrscheinlichsten %3. Als Millimeter gezeigt, bis Sie es sagen. (E103)</translation>
     </message>
     <message>
         <source>Only files on this computer can be opened. Nothing was opened.</source>
         <translation>Nur Dateien auf diesem Rechner lassen sich öffnen. Nichts wurde geöffnet.</translation>
     </message>
     <message>
-        <source>measured</source>
-        <translation>gemessen</translation>
-    </message>
-    <message>
-        <source>interpolated</source>
-        <translation>interpoliert</translation>
-    </message>
-    <message>
-        <source>hole, on base plane</source>
-        <translation>Loch, auf Grundebene</translation>
-    </message>
-    <message>
-        <source>steep</source>
-        <translation>steil</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>außerhalb</translation>
-    </message>
-    <message>
-        <source>x %1  y %2  z %3 mm</source>
-        <translation>x %1  y %2  z %3 mm</translation>
-    </message>
-    <message>
-        <source>%1, %2. Detail %3 of %4</source>
-        <translation>%1, %2. Detail %3 von %4</translation>
-    </message>
-    <message>
-        <source>%1/%2 N</source>
-        <translation>%1/%2 N</translation>
-    </message>
-    <message>
-        <source>forces off</source>
-        <translation>Kräfte aus</translation>
-    </message>
-    <message>
-        <source>Force on the hand and its limit</source>
-        <translation>Kraft auf die Hand und ihre Grenze</translation>
-    </message>
-    <message>
-        <source>Press F5 to switch forces on</source>
-        <translation>F5 schaltet die Kräfte ein</translation>
-    </message>
-    <message>
-        <source>Device: %1</source>
-        <translation>Gerät: %1</translation>
-    </message>
-    <message>
-        <source>Worst period: %1 ms</source>
-        <translation>Längste Periode: %1 ms</translation>
-    </message>
-    <message>
-        <source>Real-time priority</source>
-        <translation>Echtzeitpriorität</translation>
-    </message>
-    <message>
-        <source>No real-time priority: %1</source>
-        <translation>Keine Echtzeitpriorität: %1</translation>
-    </message>
-    <message>
-        <source>%1/s, late %2</source>
-        <translation>%1/s, verspätet %2</translation>
-    </message>
-    <message>
-        <source>recording %1</source>
-        <translation>Aufzeichnung %1</translation>
-    </message>
-    <message>
-        <source>Touch is not available: %1 Viewing works.</source>
-        <translation>Fühlen ist nicht möglich: %1 Sehen geht.</translation>
-    </message>
-    <message>
         <source>the haptics plugin was not found.</source>
         <translation>das Haptik-Plugin wurde nicht gefunden.</translation>
-    </message>
-    <message>
-        <source>Replay</source>
-        <translation>Wiedergabe</translation>
-    </message>
-    <message>
-        <source>Recordings (*.csv *.h5 *.hdf5)</source>
-        <translation>Aufzeichnungen (*.csv *.h5 *.hdf5)</translation>
-    </message>
-    <message>
-        <source>A recording is running. Nothing was opened. Stop it first (Ctrl+R).</source>
-        <translation>Eine Aufzeichnung läuft. Nichts wurde geöffnet. Halten Sie sie zuerst an (Strg+R).</translation>
-    </message>
-    <message>
-        <source>%1 Nothing was changed.</source>
-        <translation>%1 Nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>&amp;Open its input</source>
-        <translation>&amp;Ihre Quelle öffnen</translation>
-    </message>
-    <message>
-        <source>%1 N</source>
-        <translation>%1 N</translation>
-    </message>
-    <message>
-        <source>Force when it was recorded</source>
-        <translation>Kraft bei der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>replay %1</source>
-        <translation>Wiedergabe %1</translation>
-    </message>
-    <message>
-        <source>Forces are on: the replay was closed.</source>
-        <translation>Die Kräfte sind an: die Wiedergabe wurde geschlossen.</translation>
-    </message>
-    <message>
-        <source>The camera path is empty</source>
-        <translation>Der Kameraweg ist leer</translation>
-    </message>
-    <message>
-        <source>End of the camera path</source>
-        <translation>Ende des Kamerawegs</translation>
-    </message>
-    <message>
-        <source>Video</source>
-        <translation>Video</translation>
-    </message>
-    <message>
-        <source>The program ffmpeg is not installed: a folder of pictures can be made.</source>
-        <translation>Das Programm ffmpeg ist nicht installiert: ein Ordner mit Bildern ist möglich.</translation>
-    </message>
-    <message>
-        <source>Video to %1</source>
-        <translation>Video in %1</translation>
-    </message>
-    <message>
-        <source>The program ffmpeg, which packs videos, is not installed. Nothing was made. Install the package ffmpeg, or keep a folder of pictures.</source>
-        <translation>Das Programm ffmpeg, das Videos packt, ist nicht installiert. Nichts wurde gemacht. Installieren Sie das Paket ffmpeg, oder behalten Sie einen Ordner mit Bildern.</translation>
-    </message>
-    <message>
-        <source>&amp;Keep pictures</source>
-        <translation>&amp;Bilder behalten</translation>
-    </message>
-    <message>
-        <source>Camera path</source>
-        <translation>Kameraweg</translation>
-    </message>
-    <message>
-        <source>Key view %1 at %2 s</source>
-        <translation>Kamerapunkt %1 bei %2 s</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>Unten</translation>
-    </message>
-    <message>
-        <source>%1. Window at %2, %3 mm</source>
-        <translation>%1. Ausschnitt bei %2, %3 mm</translation>
-    </message>
-    <message>
-        <source>Nothing is open. Open a scan with Ctrl+O.</source>
-        <translation>Nichts ist geöffnet. Öffnen Sie einen Scan mit Strg+O.</translation>
-    </message>
-    <message>
-        <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
-        <translation>%1, %2 mal %3 mm, in %4 Details. Zum Fühlen die Hand eindrücken; F5 schaltet die Kräfte ein. Plus: feiner; Minus: gröber; beide zwei Sekunden lang: Hilfe.</translation>
-    </message>
-    <message>
-        <source>Beacon %1</source>
-        <translation>Leuchtfeuer %1</translation>
-    </message>
-    <message>
-        <source>%1 removed.</source>
-        <translation>%1 entfernt.</translation>
-    </message>
-    <message>
-        <source>There are %1 beacons already. Remove one first.</source>
-        <translation>Es gibt schon %1 Leuchtfeuer. Entfernen Sie zuerst eines.</translation>
-    </message>
-    <message>
-        <source>%1 set.</source>
-        <translation>%1 gesetzt.</translation>
-    </message>
-    <message>
-        <source>Unsaved work</source>
-        <translation>Nicht gespeicherte Arbeit</translation>
-    </message>
-    <message>
-        <source>Work on %1 is in no file yet: places, measurements, camera paths or settings.</source>
-        <translation>Arbeit an %1 steht noch in keiner Datei: Orte, Messungen, Kamerawege oder Einstellungen.</translation>
-    </message>
-    <message>
-        <source>Save it as a project?</source>
-        <translation>Als Projekt speichern?</translation>
-    </message>
-    <message>
-        <source>relievo could not be started again. Nothing was changed. Close it and start it yourself.</source>
-        <translation>relievo konnte nicht neu gestartet werden. Nichts wurde geändert. Beenden Sie es und starten Sie es selbst.</translation>
-    </message>
-    <message>
-        <source>A folder of pictures (*)</source>
-        <translation>Ein Ordner mit Bildern (*)</translation>
-    </message>
-    <message>
-        <source>Videos (*.mp4)</source>
-        <translation>Videos (*.mp4)</translation>
-    </message>
-    <message>
-        <source>Cancelled. No picture was saved.</source>
-        <translation>Abgebrochen. Kein Bild wurde gespeichert.</translation>
-    </message>
-    <message>
-        <source>relievo closes when the picture is saved</source>
-        <translation>relievo schließt, sobald das Bild gespeichert ist</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <comment>undo, step</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>The view is copied as text</source>
-        <translation>Die Ansicht ist als Text kopiert</translation>
-    </message>
-    <message>
-        <source>The copied view does not lie on this map. The window was not moved. Open the scan that it was copied from.</source>
-        <translation>Die kopierte Ansicht liegt nicht auf dieser Karte. Der Ausschnitt wurde nicht verschoben. Öffnen Sie den Scan, von dem sie kopiert wurde.</translation>
-    </message>
-    <message>
-        <source>Paste view</source>
-        <translation>Ansicht einfügen</translation>
-    </message>
-    <message>
-        <source>The copied view is shown. Detail %1 of %2</source>
-        <translation>Die kopierte Ansicht wird gezeigt. Detail %1 von %2</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was packed.</source>
-        <translation>Abgebrochen. Nichts wurde gepackt.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 is packed: %n file(s), each with its checksum</source>
-        <translation>
-            <numerusform>%1 ist gepackt: %n Datei mit ihrer Prüfsumme</numerusform>
-            <numerusform>%1 ist gepackt: %n Dateien, jede mit ihrer Prüfsumme</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Relief image</source>
-        <translation>Reliefbild</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Licht</translation>
-    </message>
-    <message>
-        <source>Selected profile or section (*.csv *.svg)</source>
-        <translation>Gewähltes Profil oder Schnitt (*.csv *.svg)</translation>
-    </message>
-    <message>
-        <source>%1 is saved in %2</source>
-        <translation>%1 ist in %2 gespeichert</translation>
-    </message>
-    <message>
-        <source>%1[*] – relievo</source>
-        <translation>%1[*] – relievo</translation>
-    </message>
-    <message>
-        <source>&amp;Choose another…</source>
-        <translation>Andere &amp;wählen…</translation>
-    </message>
-    <message>
-        <source>&amp;Work that was kept…</source>
-        <translation>Auf&amp;gehobene Arbeit…</translation>
-    </message>
-    <message>
-        <source>The next recording is %1</source>
-        <translation>Die nächste Aufzeichnung ist %1</translation>
-    </message>
-    <message>
-        <source>Folder of recordings</source>
-        <translation>Ordner der Aufnahmen</translation>
-    </message>
-    <message>
-        <source>Recordings go to %1</source>
-        <translation>Aufnahmen kommen nach %1</translation>
-    </message>
-    <message>
-        <source>Recordings are kept in %1.</source>
-        <translation>Aufnahmen liegen in %1.</translation>
-    </message>
-    <message>
-        <source>Another &amp;folder…</source>
-        <translation>Anderer &amp;Ordner …</translation>
-    </message>
-    <message>
-        <source>%1 % of this picture is a strong red or cyan, which one eye sees dark through the glasses. Grey stereo shows it to both</source>
-        <translation>%1 % dieses Bildes sind ein kräftiges Rot oder Cyan, das ein Auge durch die Brille dunkel sieht. Graues Stereo zeigt es beiden</translation>
-    </message>
-    <message>
-        <source>This scan has no colours; it is shown as lit stone</source>
-        <translation>Dieser Scan hat keine Farben; er wird als beleuchteter Stein gezeigt</translation>
-    </message>
-    <message>
-        <source>This scan has no intensities; it is shown as lit stone</source>
-        <translation>Dieser Scan hat keine Intensitäten; er wird als beleuchteter Stein gezeigt</translation>
-    </message>
-    <message>
-        <source>&amp;Keep them</source>
-        <translation>&amp;Behalten</translation>
-    </message>
-    <message>
-        <source>&amp;Leave them out</source>
-        <translation>&amp;Weglassen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 heights are %3, which often stands for a missing one. They are shown as heights.</source>
-        <translation>%1 von %2 Höhen sind %3, was oft für eine fehlende steht. Sie werden als Höhen gezeigt.</translation>
-    </message>
-    <message>
-        <source>&amp;Take as missing</source>
-        <translation>Als &amp;fehlend nehmen</translation>
-    </message>
-    <message>
-        <source>&amp;Keep as heights</source>
-        <translation>Als Höhen &amp;behalten</translation>
-    </message>
-    <message>
-        <source>How this object stands is not certain. From where shall it be seen?</source>
-        <translation>Wie dieses Objekt steht, ist nicht sicher. Von wo soll es gesehen werden?</translation>
-    </message>
-    <message>
-        <source>The points carry no unit. %1 – %2. The coordinates are those of a map projection; shown as %3 until you say. (E103)</source>
-        <translation>Die Punkte tragen keine Einheit. %1 – %2. Die Koordinaten sind die einer Kartenprojektion; gezeigt als %3, bis Sie es sagen. (E103)</translation>
-    </message>
-    <message>
-        <source>One of %1 points lies %2 % of the box away from all others.</source>
-        <translation>Einer von %1 Punkten liegt %2 % des Kastens von allen anderen entfernt.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points lie %3 % of the box away from all others.</source>
-        <translation>%1 von %2 Punkten liegen %3 % des Kastens von allen anderen entfernt.</translation>
-    </message>
-    <message>
-        <source>Kept, and so most of the map is empty.</source>
-        <translation>Sie bleiben, und so ist der größte Teil der Karte leer.</translation>
-    </message>
-    <message>
-        <source>Left out.</source>
-        <translation>Weggelassen.</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was exported.</source>
-        <translation>Abgebrochen. Nichts wurde exportiert.</translation>
-    </message>
-    <message>
-        <source>Shading of colours</source>
-        <translation>Schattierung der Farben</translation>
-    </message>
-    <message>
-        <source>Open folder</source>
-        <translation>Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>There is no scan in %1. Nothing was opened.</source>
-        <translation>In %1 ist kein Scan. Nichts wurde geöffnet.</translation>
-    </message>
-    <message>
-        <source>%1 files are more than the %2 scans that can be joined. Nothing was opened.</source>
-        <translation>%1 Dateien sind mehr als die %2 Scans, die verbunden werden können. Nichts wurde geöffnet.</translation>
-    </message>
-    <message>
-        <source>Prepare</source>
-        <translation>Aufbereiten</translation>
-    </message>
-    <message>
-        <source>Unmeasured cells</source>
-        <translation>Nicht gemessene Zellen</translation>
-    </message>
-    <message>
-        <source>Undone: %1</source>
-        <translation>Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>Done again: %1</source>
-        <translation>Wiederholt: %1</translation>
-    </message>
-    <message>
-        <source>relievo closes when the package is written</source>
-        <translation>relievo schließt, wenn das Paket geschrieben ist</translation>
-    </message>
-    <message>
-        <source>relievo closes when the video is saved; Escape stops both</source>
-        <translation>relievo schließt, wenn das Video gespeichert ist; Escape bricht beides ab</translation>
-    </message>
-    <message>
-        <source>relievo closes when the map is written</source>
-        <translation>relievo schließt, wenn die Karte geschrieben ist</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points lie together, %3 % of the box away from all others.</source>
-        <translation>%1 von %2 Punkten liegen beisammen, %3 % des Kastens von allen anderen entfernt.</translation>
-    </message>
-    <message>
-        <source>Kept, as they may belong to the object.</source>
-        <translation>Sie bleiben, da sie zum Objekt gehören können.</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>und %n weitere</numerusform>
-            <numerusform>und %n weitere</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Files elsewhere</source>
-        <translation>Dateien anderswo</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
-        <translation>
-            <numerusform>%1 nennt %n Datei außerhalb seines Ordners, die nach ihrer Prüfsumme nicht die ist, aus der es gemacht wurde:</numerusform>
-            <numerusform>%1 nennt %n Dateien außerhalb seines Ordners, die nach ihren Prüfsummen nicht die sind, aus denen es gemacht wurde:</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The work that was kept</source>
-        <translation>Die aufbewahrte Arbeit</translation>
-    </message>
-    <message>
-        <source>Whoever made it chose these names. Shall they be read? What is not read stays named in it, and all else opens.</source>
-        <translation>Wer es gemacht hat, hat diese Namen gewählt. Sollen sie gelesen werden? Was nicht gelesen wird, bleibt darin genannt, und alles andere wird geöffnet.</translation>
-    </message>
-    <message>
-        <source>&amp;Read them</source>
-        <translation>&amp;Lesen</translation>
-    </message>
-    <message>
-        <source>&amp;Do not read them</source>
-        <translation>&amp;Nicht lesen</translation>
-    </message>
-    <message>
-        <source>%1 was not opened: it needs %2, which is outside of its folder and was not read. Nothing was changed. Find it, or choose another file.</source>
-        <translation>%1 wurde nicht geöffnet: Es braucht %2, das außerhalb seines Ordners liegt und nicht gelesen wurde. Nichts wurde geändert. Suchen Sie es, oder wählen Sie eine andere Datei.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s) that this project names were not read. They stay named in it, and are offered for no package and no figure.</source>
-        <translation>
-            <numerusform>%n Datei, die dieses Projekt nennt, wurde nicht gelesen. Sie bleibt darin genannt und wird für kein Paket und keine Abbildung angeboten.</numerusform>
-            <numerusform>%n Dateien, die dieses Projekt nennt, wurden nicht gelesen. Sie bleiben darin genannt und werden für kein Paket und keine Abbildung angeboten.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was opened.</source>
-        <translation>Abgebrochen. Nichts wurde geöffnet.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n part(s) of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</source>
-        <translation>
-            <numerusform>%n Teil von %1 ist nicht, wie er gepackt wurde. Nichts wurde geöffnet. „relievo project verify“ nennt ihn.</numerusform>
-            <numerusform>%n Teile von %1 sind nicht, wie sie gepackt wurden. Nichts wurde geöffnet. „relievo project verify“ nennt sie.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Unpack elsewhere…</source>
-        <translation>&amp;Anderswo entpacken…</translation>
-    </message>
-    <message>
-        <source>%1 was unpacked into %2</source>
-        <translation>%1 wurde nach %2 entpackt</translation>
-    </message>
-    <message>
-        <source>Unpack %1 into</source>
-        <translation>%1 entpacken nach</translation>
     </message>
     <message>
         <source>Level 0 of the pyramid: not smoothed</source>
@@ -4963,64 +4427,8 @@
         <translation>Ebene %1 der Pyramide, geglättet durch eine Gauß-Funktion mit σ = %2</translation>
     </message>
     <message>
-        <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
-        <translation>Was die Maus in der Detailansicht tut; F7 wechselt zwischen Betrachten und Fühlen, die Einstellungen belegen die Tasten</translation>
-    </message>
-    <message>
-        <source>%1. This relief image has no lamp: the light shows in others.</source>
-        <translation>%1. Dieses Reliefbild hat keine Lampe: Das Licht zeigt sich in anderen.</translation>
-    </message>
-    <message>
-        <source>%1 x %2 pixels; File &gt; Image asks for others</source>
-        <translation>%1 x %2 Pixel; Datei &gt; Bild fragt nach anderen</translation>
-    </message>
-    <message>
-        <source>Picture of the detail view (.png)</source>
-        <translation>Bild der Detailansicht (.png)</translation>
-    </message>
-    <message>
-        <source>Picture of the whole object (.png)</source>
-        <translation>Bild des ganzen Objekts (.png)</translation>
-    </message>
-    <message>
-        <source>Profile %1, drawing (.svg)</source>
-        <translation>Profil %1, Zeichnung (.svg)</translation>
-    </message>
-    <message>
-        <source>Profile %1, numbers (.csv)</source>
-        <translation>Profil %1, Zahlen (.csv)</translation>
-    </message>
-    <message>
-        <source>Section %1, drawing (.svg)</source>
-        <translation>Schnitt %1, Zeichnung (.svg)</translation>
-    </message>
-    <message>
-        <source>Section %1, numbers (.csv)</source>
-        <translation>Schnitt %1, Zahlen (.csv)</translation>
-    </message>
-    <message>
-        <source>Save profile</source>
-        <translation>Profil speichern</translation>
-    </message>
-    <message>
-        <source>As it is shown (*.svg)</source>
-        <translation>Wie gezeigt (*.svg)</translation>
-    </message>
-    <message>
-        <source>Its numbers (*.csv)</source>
-        <translation>Seine Zahlen (*.csv)</translation>
-    </message>
-    <message>
         <source>%1 is closed</source>
         <translation>%1 ist geschlossen</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was suggested.</source>
-        <translation>Abgebrochen. Nichts wurde vorgeschlagen.</translation>
-    </message>
-    <message>
-        <source>Suggestions</source>
-        <translation>Vorschläge</translation>
     </message>
 </context>
 <context>
@@ -5036,6 +4444,37 @@
     <message>
         <source>The manual opens in the browser: %1</source>
         <translation>Das Handbuch öffnet sich im Browser: %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::MeasureController</name>
+    <message>
+        <source>Save measurements</source>
+        <translation>Messungen speichern</translation>
+    </message>
+    <message>
+        <source>List of measurements (*.csv)</source>
+        <translation>Liste der Messungen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Selected profile or section (*.csv *.svg)</source>
+        <translation>Gewähltes Profil oder Schnitt (*.csv *.svg)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
+    </message>
+    <message>
+        <source>Save profile</source>
+        <translation>Profil speichern</translation>
+    </message>
+    <message>
+        <source>As it is shown (*.svg)</source>
+        <translation>Wie gezeigt (*.svg)</translation>
+    </message>
+    <message>
+        <source>Its numbers (*.csv)</source>
+        <translation>Seine Zahlen (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -8206,10 +7645,129 @@
     </message>
 </context>
 <context>
+    <name>relievo::OpenController</name>
+    <message>
+        <source>%1 needs %2, which has moved. Nothing was changed. Find it, or choose another file. (E501)</source>
+        <translation>%1 braucht %2; diese Datei ist nicht mehr dort. Nichts wurde geändert. Suchen Sie sie oder wählen Sie eine andere Datei. (E501)</translation>
+    </message>
+    <message>
+        <source>&amp;Find it…</source>
+        <translation>&amp;Suchen…</translation>
+    </message>
+    <message>
+        <source>&amp;Choose another…</source>
+        <translation>Andere &amp;wählen…</translation>
+    </message>
+    <message>
+        <source>Find %1</source>
+        <translation>%1 suchen</translation>
+    </message>
+    <message>
+        <source>%1 has changed since this was saved (its checksum differs). It is shown as it is now; results may differ. (E501)</source>
+        <translation>%1 hat sich seit dem Speichern geändert (die Prüfsumme ist eine andere). Es wird gezeigt, wie es jetzt ist; Ergebnisse können abweichen. (E501)</translation>
+    </message>
+    <message>
+        <source>&amp;Work that was kept…</source>
+        <translation>Auf&amp;gehobene Arbeit…</translation>
+    </message>
+    <message>
+        <source>&amp;Load what is there</source>
+        <translation>&amp;Laden, was da ist</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>Wä&amp;hlen…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Scans, height maps, projects and figures (%1)</source>
+        <translation>Scans, Höhenkarten, Projekte und Abbildungen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: it needs %2, which is outside of its folder and was not read. Nothing was changed. Find it, or choose another file.</source>
+        <translation>%1 wurde nicht geöffnet: Es braucht %2, das außerhalb seines Ordners liegt und nicht gelesen wurde. Nichts wurde geändert. Suchen Sie es, oder wählen Sie eine andere Datei.</translation>
+    </message>
+    <message numerus="yes">
+        <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
+        <translation>
+            <numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritt).</numerusform>
+            <numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritte).</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>There is no scan in %1. Nothing was opened.</source>
+        <translation>In %1 ist kein Scan. Nichts wurde geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1 files are more than the %2 scans that can be joined. Nothing was opened.</source>
+        <translation>%1 Dateien sind mehr als die %2 Scans, die verbunden werden können. Nichts wurde geöffnet.</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Aufbereiten</translation>
+    </message>
+</context>
+<context>
     <name>relievo::OverviewInset</name>
     <message>
         <source>Place of the window on the object</source>
         <translation>Ort des Ausschnitts auf dem Objekt</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PackageController</name>
+    <message>
+        <source>Cancelled. Nothing was packed.</source>
+        <translation>Abgebrochen. Nichts wurde gepackt.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was opened.</source>
+        <translation>Abgebrochen. Nichts wurde geöffnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is packed: %n file(s), each with its checksum</source>
+        <translation>
+            <numerusform>%1 ist gepackt: %n Datei mit ihrer Prüfsumme</numerusform>
+            <numerusform>%1 ist gepackt: %n Dateien, jede mit ihrer Prüfsumme</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s) of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</source>
+        <translation>
+            <numerusform>%n Teil von %1 ist nicht, wie er gepackt wurde. Nichts wurde geöffnet. „relievo project verify“ nennt ihn.</numerusform>
+            <numerusform>%n Teile von %1 sind nicht, wie sie gepackt wurden. Nichts wurde geöffnet. „relievo project verify“ nennt sie.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Unpack elsewhere…</source>
+        <translation>&amp;Anderswo entpacken…</translation>
+    </message>
+    <message>
+        <source>%1 was unpacked into %2</source>
+        <translation>%1 wurde nach %2 entpackt</translation>
+    </message>
+    <message>
+        <source>Unpack %1 into</source>
+        <translation>%1 entpacken nach</translation>
     </message>
 </context>
 <context>
@@ -8293,6 +7851,72 @@
     <message>
         <source>Packages (*.zip)</source>
         <translation>Pakete (*.zip)</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PictureController</name>
+    <message>
+        <source>Cancelled. No picture was saved.</source>
+        <translation>Abgebrochen. Kein Bild wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 is saved in %2</source>
+        <translation>%1 ist in %2 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PlaceController</name>
+    <message>
+        <source>Beacon %1</source>
+        <translation>Leuchtfeuer %1</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was suggested.</source>
+        <translation>Abgebrochen. Nichts wurde vorgeschlagen.</translation>
+    </message>
+    <message>
+        <source>%1 removed.</source>
+        <translation>%1 entfernt.</translation>
+    </message>
+    <message>
+        <source>There are %1 beacons already. Remove one first.</source>
+        <translation>Es gibt schon %1 Leuchtfeuer. Entfernen Sie zuerst eines.</translation>
+    </message>
+    <message>
+        <source>%1 set.</source>
+        <translation>%1 gesetzt.</translation>
+    </message>
+    <message>
+        <source>%1 lies on a finer detail than this map has. The window was not moved.</source>
+        <translation>%1 liegt auf einem feineren Detail, als diese Karte hat. Der Ausschnitt wurde nicht verschoben.</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Gehe zu %1</translation>
+    </message>
+    <message>
+        <source>%1. Detail %2 of %3</source>
+        <translation>%1. Detail %2 von %3</translation>
+    </message>
+    <message>
+        <source>The view is copied as text</source>
+        <translation>Die Ansicht ist als Text kopiert</translation>
+    </message>
+    <message>
+        <source>The copied view does not lie on this map. The window was not moved. Open the scan that it was copied from.</source>
+        <translation>Die kopierte Ansicht liegt nicht auf dieser Karte. Der Ausschnitt wurde nicht verschoben. Öffnen Sie den Scan, von dem sie kopiert wurde.</translation>
+    </message>
+    <message>
+        <source>Paste view</source>
+        <translation>Ansicht einfügen</translation>
+    </message>
+    <message>
+        <source>The copied view is shown. Detail %1 of %2</source>
+        <translation>Die kopierte Ansicht wird gezeigt. Detail %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -8419,6 +8043,13 @@
     <message>
         <source>Touch</source>
         <translation>Fühlen</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PointerController</name>
+    <message>
+        <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
+        <translation>Was die Maus in der Detailansicht tut; F7 wechselt zwischen Betrachten und Fühlen, die Einstellungen belegen die Tasten</translation>
     </message>
 </context>
 <context>
@@ -9292,6 +8923,84 @@
     </message>
 </context>
 <context>
+    <name>relievo::QuestionController</name>
+    <message>
+        <source>&amp;Keep them</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Leave them out</source>
+        <translation>&amp;Weglassen</translation>
+    </message>
+    <message>
+        <source>One of %1 points lies %2 % of the box away from all others.</source>
+        <translation>Einer von %1 Punkten liegt %2 % des Kastens von allen anderen entfernt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie %3 % of the box away from all others.</source>
+        <translation>%1 von %2 Punkten liegen %3 % des Kastens von allen anderen entfernt.</translation>
+    </message>
+    <message>
+        <source>Kept, and so most of the map is empty.</source>
+        <translation>Sie bleiben, und so ist der größte Teil der Karte leer.</translation>
+    </message>
+    <message>
+        <source>Left out.</source>
+        <translation>Weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie together, %3 % of the box away from all others.</source>
+        <translation>%1 von %2 Punkten liegen beisammen, %3 % des Kastens von allen anderen entfernt.</translation>
+    </message>
+    <message>
+        <source>Kept, as they may belong to the object.</source>
+        <translation>Sie bleiben, da sie zum Objekt gehören können.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are %3, which often stands for a missing one. They are shown as heights.</source>
+        <translation>%1 von %2 Höhen sind %3, was oft für eine fehlende steht. Sie werden als Höhen gezeigt.</translation>
+    </message>
+    <message>
+        <source>&amp;Take as missing</source>
+        <translation>Als &amp;fehlend nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as heights</source>
+        <translation>Als Höhen &amp;behalten</translation>
+    </message>
+    <message>
+        <source>How this object stands is not certain. From where shall it be seen?</source>
+        <translation>Wie dieses Objekt steht, ist nicht sicher. Von wo soll es gesehen werden?</translation>
+    </message>
+    <message>
+        <source>in %1 %2</source>
+        <translation>als %1 %2</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3</source>
+        <translation>%1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>%1: %2. Which unit?</source>
+        <translation>%1: %2. Welche Einheit?</translation>
+    </message>
+    <message>
+        <source>The points carry no unit. %1 – %2. The coordinates are those of a map projection; shown as %3 until you say. (E103)</source>
+        <translation>Die Punkte tragen keine Einheit. %1 – %2. Die Koordinaten sind die einer Kartenprojektion; gezeigt als %3, bis Sie es sagen. (E103)</translation>
+    </message>
+    <message>
+        <source>The points carry no unit. %1 – %2. Most likely %3. Shown as millimetres until you say. (E103)</source>
+        <translation>Die Punkte tragen keine Einheit. %1 – %2. Am wahrscheinlichsten %3. Als Millimeter gezeigt, bis Sie es sagen. (E103)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) that this project names were not read. They stay named in it, and are offered for no package and no figure.</source>
+        <translation>
+            <numerusform>%n Datei, die dieses Projekt nennt, wurde nicht gelesen. Sie bleibt darin genannt und wird für kein Paket und keine Abbildung angeboten.</numerusform>
+            <numerusform>%n Dateien, die dieses Projekt nennt, wurden nicht gelesen. Sie bleiben darin genannt und werden für kein Paket und keine Abbildung angeboten.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>relievo::ReferenceView</name>
     <message>
         <source>Draw window</source>
@@ -9452,6 +9161,53 @@
     </message>
 </context>
 <context>
+    <name>relievo::ReplayController</name>
+    <message>
+        <source>The next recording is %1</source>
+        <translation>Die nächste Aufzeichnung ist %1</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Ordner der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Recordings go to %1</source>
+        <translation>Aufnahmen kommen nach %1</translation>
+    </message>
+    <message>
+        <source>Recordings are kept in %1.</source>
+        <translation>Aufnahmen liegen in %1.</translation>
+    </message>
+    <message>
+        <source>Another &amp;folder…</source>
+        <translation>Anderer &amp;Ordner …</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>Aufzeichnungen (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>A recording is running. Nothing was opened. Stop it first (Ctrl+R).</source>
+        <translation>Eine Aufzeichnung läuft. Nichts wurde geöffnet. Halten Sie sie zuerst an (Strg+R).</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was changed.</source>
+        <translation>%1 Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>&amp;Open its input</source>
+        <translation>&amp;Ihre Quelle öffnen</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ReplayPanel</name>
     <message>
         <source>Play</source>
@@ -9588,6 +9344,57 @@
     <message>
         <source>   |   since %1 s: %2</source>
         <translation>   |   seit %1 s: %2</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SaveController</name>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Nicht gespeicherte Arbeit</translation>
+    </message>
+    <message>
+        <source>Work on %1 is in no file yet: places, measurements, camera paths or settings.</source>
+        <translation>Arbeit an %1 steht noch in keiner Datei: Orte, Messungen, Kamerawege oder Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Save it as a project?</source>
+        <translation>Als Projekt speichern?</translation>
+    </message>
+    <message>
+        <source>relievo could not be started again. Nothing was changed. Close it and start it yourself.</source>
+        <translation>relievo konnte nicht neu gestartet werden. Nichts wurde geändert. Beenden Sie es und starten Sie es selbst.</translation>
+    </message>
+    <message>
+        <source>relievo closes when the package is written</source>
+        <translation>relievo schließt, wenn das Paket geschrieben ist</translation>
+    </message>
+    <message>
+        <source>relievo closes when the map is written</source>
+        <translation>relievo schließt, wenn die Karte geschrieben ist</translation>
+    </message>
+    <message>
+        <source>relievo closes when the video is saved; Escape stops both</source>
+        <translation>relievo schließt, wenn das Video gespeichert ist; Escape bricht beides ab</translation>
+    </message>
+    <message>
+        <source>relievo closes when the picture is saved</source>
+        <translation>relievo schließt, sobald das Bild gespeichert ist</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Projects (*.relievo.json)</source>
+        <translation>Projekte (*.relievo.json)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
+    </message>
+    <message>
+        <source>%1[*] – relievo</source>
+        <translation>%1[*] – relievo</translation>
     </message>
 </context>
 <context>
@@ -10251,6 +10058,82 @@
     </message>
 </context>
 <context>
+    <name>relievo::SurfaceController</name>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>Wiederholt: %1</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>Ganzes Objekt</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2</source>
+        <translation>Detail %1 von %2</translation>
+    </message>
+    <message>
+        <source>This is the finest detail</source>
+        <translation>Das ist das feinste Detail</translation>
+    </message>
+    <message>
+        <source>This is the whole object</source>
+        <translation>Das ist das ganze Objekt</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>%1. Window at %2, %3 mm</source>
+        <translation>%1. Ausschnitt bei %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>undo, step</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+</context>
+<context>
     <name>relievo::SurfacePanel</name>
     <message>
         <source>File</source>
@@ -10524,6 +10407,109 @@
     </message>
 </context>
 <context>
+    <name>relievo::TouchController</name>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpoliert</translation>
+    </message>
+    <message>
+        <source>hole, on base plane</source>
+        <translation>Loch, auf Grundebene</translation>
+    </message>
+    <message>
+        <source>steep</source>
+        <translation>steil</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>Press depth %1 mm of hand</source>
+        <translation>Eindrücktiefe %1 mm der Hand</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  z %3 mm</source>
+        <translation>x %1  y %2  z %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2. Detail %3 of %4</source>
+        <translation>%1, %2. Detail %3 von %4</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Force when it was recorded</source>
+        <translation>Kraft bei der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>replay %1</source>
+        <translation>Wiedergabe %1</translation>
+    </message>
+    <message>
+        <source>%1/%2 N</source>
+        <translation>%1/%2 N</translation>
+    </message>
+    <message>
+        <source>forces off</source>
+        <translation>Kräfte aus</translation>
+    </message>
+    <message>
+        <source>Force on the hand and its limit</source>
+        <translation>Kraft auf die Hand und ihre Grenze</translation>
+    </message>
+    <message>
+        <source>Press F5 to switch forces on</source>
+        <translation>F5 schaltet die Kräfte ein</translation>
+    </message>
+    <message>
+        <source>Forces are on: the replay was closed.</source>
+        <translation>Die Kräfte sind an: die Wiedergabe wurde geschlossen.</translation>
+    </message>
+    <message>
+        <source>Device: %1</source>
+        <translation>Gerät: %1</translation>
+    </message>
+    <message>
+        <source>Worst period: %1 ms</source>
+        <translation>Längste Periode: %1 ms</translation>
+    </message>
+    <message>
+        <source>Real-time priority</source>
+        <translation>Echtzeitpriorität</translation>
+    </message>
+    <message>
+        <source>No real-time priority: %1</source>
+        <translation>Keine Echtzeitpriorität: %1</translation>
+    </message>
+    <message>
+        <source>%1/s, late %2</source>
+        <translation>%1/s, verspätet %2</translation>
+    </message>
+    <message>
+        <source>recording %1</source>
+        <translation>Aufzeichnung %1</translation>
+    </message>
+    <message>
+        <source>Touch is not available: %1 Viewing works.</source>
+        <translation>Fühlen ist nicht möglich: %1 Sehen geht.</translation>
+    </message>
+    <message>
+        <source>Nothing is open. Open a scan with Ctrl+O.</source>
+        <translation>Nichts ist geöffnet. Öffnen Sie einen Scan mit Strg+O.</translation>
+    </message>
+    <message>
+        <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
+        <translation>%1, %2 mal %3 mm, in %4 Details. Zum Fühlen die Hand eindrücken; F5 schaltet die Kräfte ein. Plus: feiner; Minus: gröber; beide zwei Sekunden lang: Hilfe.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::VideoControl</name>
     <message>
         <source>Video saved: %1 s, %2 frames in %3</source>
@@ -10540,6 +10526,53 @@
     <message>
         <source>The video has ended early</source>
         <translation>Das Video endete vorzeitig</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::VideoController</name>
+    <message>
+        <source>End of the camera path</source>
+        <translation>Ende des Kamerawegs</translation>
+    </message>
+    <message>
+        <source>The camera path is empty</source>
+        <translation>Der Kameraweg ist leer</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg is not installed: a folder of pictures can be made.</source>
+        <translation>Das Programm ffmpeg ist nicht installiert: ein Ordner mit Bildern ist möglich.</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>Video</translation>
+    </message>
+    <message>
+        <source>A folder of pictures (*)</source>
+        <translation>Ein Ordner mit Bildern (*)</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4)</source>
+        <translation>Videos (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Video to %1</source>
+        <translation>Video in %1</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg, which packs videos, is not installed. Nothing was made. Install the package ffmpeg, or keep a folder of pictures.</source>
+        <translation>Das Programm ffmpeg, das Videos packt, ist nicht installiert. Nichts wurde gemacht. Installieren Sie das Paket ffmpeg, oder behalten Sie einen Ordner mit Bildern.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep pictures</source>
+        <translation>&amp;Bilder behalten</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>Kameraweg</translation>
+    </message>
+    <message>
+        <source>Key view %1 at %2 s</source>
+        <translation>Kamerapunkt %1 bei %2 s</translation>
     </message>
 </context>
 <context>
@@ -10883,6 +10916,60 @@
     <message>
         <source>%1 is too large for the memory and was not used. Make it coarser; it is laid over the whole map.</source>
         <translation>%1 ist zu groß für den Speicher und wurde nicht verwendet. Machen Sie es gröber; es wird über die ganze Karte gelegt.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::WindowMessages</name>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::WorkArea</name>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Vorschläge</translation>
+    </message>
+    <message>
+        <source>REFERENCE</source>
+        <translation>ÜBERSICHT</translation>
+    </message>
+    <message>
+        <source>DETAIL %1 of %2</source>
+        <translation>DETAIL %1 von %2</translation>
+    </message>
+    <message>
+        <source>1 mm of hand = %1 mm</source>
+        <translation>1 mm der Hand = %1 mm</translation>
+    </message>
+    <message>
+        <source>heights × %1   |   </source>
+        <translation>Höhen × %1   |   </translation>
     </message>
 </context>
 </TS>

@@ -2676,6 +2676,45 @@
     </message>
 </context>
 <context>
+    <name>relievo::ExportController</name>
+    <message>
+        <source>Cancelled. Nothing was exported.</source>
+        <translation>रद्द किया गया। कुछ निर्यात नहीं किया गया।</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels; File &gt; Image asks for others</source>
+        <translation>%1 x %2 पिक्सेल; फ़ाइल &gt; चित्र दूसरे पूछता है</translation>
+    </message>
+    <message>
+        <source>Picture of the detail view (.png)</source>
+        <translation>विवरण दृश्य का चित्र (.png)</translation>
+    </message>
+    <message>
+        <source>Picture of the whole object (.png)</source>
+        <translation>पूरी वस्तु का चित्र (.png)</translation>
+    </message>
+    <message>
+        <source>Profile %1, drawing (.svg)</source>
+        <translation>प्रोफ़ाइल %1, रेखाचित्र (.svg)</translation>
+    </message>
+    <message>
+        <source>Profile %1, numbers (.csv)</source>
+        <translation>प्रोफ़ाइल %1, संख्याएँ (.csv)</translation>
+    </message>
+    <message>
+        <source>Section %1, drawing (.svg)</source>
+        <translation>काट %1, रेखाचित्र (.svg)</translation>
+    </message>
+    <message>
+        <source>Section %1, numbers (.csv)</source>
+        <translation>काट %1, संख्याएँ (.csv)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजी गई</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ExportDialog</name>
     <message>
         <source>Format</source>
@@ -3425,6 +3464,47 @@
     <message>
         <source>It can be touched then.</source>
         <translation>तब इसे छुआ जा सकेगा।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ForeignFiles</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>और %n अन्य</numerusform>
+            <numerusform>और %n अन्य</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>रद्द किया गया। कुछ नहीं बदला।</translation>
+    </message>
+    <message>
+        <source>Files elsewhere</source>
+        <translation>अन्यत्र की फ़ाइलें</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
+        <translation>
+            <numerusform>%1 अपने फ़ोल्डर से बाहर की %n फ़ाइल का नाम लेता है, जो अपने चेकसम के अनुसार वह नहीं है जिससे यह बना था:</numerusform>
+            <numerusform>%1 अपने फ़ोल्डर से बाहर की %n फ़ाइलों के नाम लेता है, जो अपने चेकसम के अनुसार वे नहीं हैं जिनसे यह बना था:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The work that was kept</source>
+        <translation>रखा गया काम</translation>
+    </message>
+    <message>
+        <source>Whoever made it chose these names. Shall they be read? What is not read stays named in it, and all else opens.</source>
+        <translation>जिसने इसे बनाया, उसी ने ये नाम चुने। क्या इन्हें पढ़ा जाए? जो नहीं पढ़ा जाता, उसका नाम इसमें बना रहता है, और बाकी सब खुलता है।</translation>
+    </message>
+    <message>
+        <source>&amp;Read them</source>
+        <translation>&amp;पढ़ें</translation>
+    </message>
+    <message>
+        <source>&amp;Do not read them</source>
+        <translation>&amp;न पढ़ें</translation>
     </message>
 </context>
 <context>
@@ -4211,6 +4291,45 @@
     </message>
 </context>
 <context>
+    <name>relievo::LookController</name>
+    <message>
+        <source>Light</source>
+        <translation>प्रकाश</translation>
+    </message>
+    <message>
+        <source>Shading of colours</source>
+        <translation>रंगों का छायांकन</translation>
+    </message>
+    <message>
+        <source>Relief image</source>
+        <translation>उभार चित्र</translation>
+    </message>
+    <message>
+        <source>Unmeasured cells</source>
+        <translation>बिना मापी कोशिकाएँ</translation>
+    </message>
+    <message>
+        <source>This scan has no colours; it is shown as lit stone</source>
+        <translation>इस स्कैन में रंग नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
+    </message>
+    <message>
+        <source>This scan has no intensities; it is shown as lit stone</source>
+        <translation>इस स्कैन में तीव्रताएँ नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>स्टीरियो</translation>
+    </message>
+    <message>
+        <source>%1. This relief image has no lamp: the light shows in others.</source>
+        <translation>%1। इस उभार चित्र में कोई दीपक नहीं: प्रकाश दूसरों में दिखता है।</translation>
+    </message>
+    <message>
+        <source>%1 % of this picture is a strong red or cyan, which one eye sees dark through the glasses. Grey stereo shows it to both</source>
+        <translation>इस चित्र का %1 % गहरा लाल या सियान है, जो चश्मे से एक आँख को काला दिखता है। धूसर स्टीरियो दोनों को दिखाता है</translation>
+    </message>
+</context>
+<context>
     <name>relievo::LoopDetailsDialog</name>
     <message>
         <source>How the force loop runs</source>
@@ -4223,18 +4342,6 @@
 </context>
 <context>
     <name>relievo::MainWindow</name>
-    <message>
-        <source>Save measurements</source>
-        <translation>माप सहेजें</translation>
-    </message>
-    <message>
-        <source>List of measurements (*.csv)</source>
-        <translation>मापों की सूची (*.csv)</translation>
-    </message>
-    <message>
-        <source>%1 is saved</source>
-        <translation>%1 सहेजी गई</translation>
-    </message>
     <message>
         <source>Open &amp;recent</source>
         <translation>हाल की फ़ाइलें (&amp;R)</translation>
@@ -4264,48 +4371,12 @@
         <translation>विंडो में कौन-सा विवरण है</translation>
     </message>
     <message>
-        <source>Stereo</source>
-        <translation>स्टीरियो</translation>
-    </message>
-    <message>
         <source>&amp;Clear this list</source>
         <translation>यह सूची खाली करें (&amp;C)</translation>
     </message>
     <message>
         <source>Forget these files</source>
         <translation>ये फ़ाइलें भूल जाएँ</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>पूर्ववत (&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>फिर करें (&amp;R)</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>खोलें</translation>
-    </message>
-    <message>
-        <source>Scans, height maps, projects and figures (%1)</source>
-        <translation>स्कैन, ऊँचाई मानचित्र, परियोजनाएँ और चित्र (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>सभी फ़ाइलें (*)</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>इतिहास</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>चरण</translation>
-    </message>
-    <message>
-        <source>As opened</source>
-        <translation>जैसा खोला गया</translation>
     </message>
     <message>
         <source>About relievo</source>
@@ -4316,91 +4387,8 @@
         <translation>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;उभारों के स्कैन देखें और छुएँ: गहराई मानचित्र, उसका पिरामिड, और उस पर एक विंडो जो स्टीरियो में दिखती और महसूस होती है।&lt;br&gt;&lt;br&gt;BSD-3-Clause लाइसेंस।</translation>
     </message>
     <message>
-        <source>%1 needs %2, which has moved. Nothing was changed. Find it, or choose another file. (E501)</source>
-        <translation>%1 को %2 चाहिए, जो हट गई है। कुछ नहीं बदला। उसे ढूँढें या दूसरी फ़ाइल चुनें। (E501)</translation>
-    </message>
-    <message>
-        <source>&amp;Find it…</source>
-        <translation>ढूँढें (&amp;F)…</translation>
-    </message>
-    <message>
-        <source>Find %1</source>
-        <translation>%1 ढूँढें</translation>
-    </message>
-    <message>
-        <source>%1 has changed since this was saved (its checksum differs). It is shown as it is now; results may differ. (E501)</source>
-        <translation>सहेजने के बाद %1 बदल गई है (चेकसम अलग है)। यह अब जैसी है वैसी दिखाई गई है; परिणाम अलग हो सकते हैं। (E501)</translation>
-    </message>
-    <message>
-        <source>Save project</source>
-        <translation>परियोजना सहेजें</translation>
-    </message>
-    <message>
-        <source>Projects (*.relievo.json)</source>
-        <translation>परियोजनाएँ (*.relievo.json)</translation>
-    </message>
-    <message>
-        <source>%1 lies on a finer detail than this map has. The window was not moved.</source>
-        <translation>%1 इस मानचित्र से बारीक विवरण पर है। विंडो नहीं खिसकाई गई।</translation>
-    </message>
-    <message>
-        <source>Go to %1</source>
-        <translation>%1 पर जाएँ</translation>
-    </message>
-    <message>
-        <source>%1. Detail %2 of %3</source>
-        <translation>%1। विवरण %3 में से %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
-        <translation>
-            <numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform>
-            <numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>वापस लाएँ (&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>छोड़ दें (&amp;D)</translation>
-    </message>
-    <message>
         <source>Detail %1 of %2</source>
         <translation>विवरण %2 में से %1</translation>
-    </message>
-    <message>
-        <source>This is the finest detail</source>
-        <translation>यह सबसे बारीक विवरण है</translation>
-    </message>
-    <message>
-        <source>This is the whole object</source>
-        <translation>यह पूरी वस्तु है</translation>
-    </message>
-    <message>
-        <source>Whole object</source>
-        <translation>पूरी वस्तु</translation>
-    </message>
-    <message>
-        <source>Edge</source>
-        <translation>किनारा</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>सतह</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>विंडो</translation>
-    </message>
-    <message>
-        <source>Measure</source>
-        <translation>माप</translation>
-    </message>
-    <message>
-        <source>Places</source>
-        <translation>जगहें</translation>
     </message>
     <message>
         <source>Cancelled. Nothing was changed.</source>
@@ -4419,540 +4407,16 @@
         <translation>%1 बल चालू करने के लिए F5 दबाएँ।</translation>
     </message>
     <message>
-        <source>Press depth %1 mm of hand</source>
-        <translation>दबाने की गहराई हाथ के %1 mm</translation>
-    </message>
-    <message>
-        <source>REFERENCE</source>
-        <translation>संदर्भ</translation>
-    </message>
-    <message>
-        <source>DETAIL %1 of %2</source>
-        <translation>विवरण %2 में से %1</translation>
-    </message>
-    <message>
-        <source>1 mm of hand = %1 mm</source>
-        <translation>हाथ का 1 mm = %1 mm</translation>
-    </message>
-    <message>
-        <source>heights × %1   |   </source>
-        <translation>ऊँचाइयाँ × %1   |   </translation>
-    </message>
-    <message>
         <source>Detail %1/%2</source>
         <translation>विवरण %1/%2</translation>
-    </message>
-    <message>
-        <source>&amp;Load what is there</source>
-        <translation>जो है उसे लोड करें (&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>चुनें (&amp;C)…</translation>
-    </message>
-    <message>
-        <source>in %1 %2</source>
-        <translation>%1 में %2</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3</source>
-        <translation>%1 × %2 × %3</translation>
-    </message>
-    <message>
-        <source>%1: %2. Which unit?</source>
-        <translation>%1: %2। कौन-सी इकाई?</translation>
-    </message>
-    <message>
-        <source>The points carry no unit. %1 – %2. Most likely %3. Shown as millimetres until you say. (E103)</source>
-        <translation>बिंदुओं में कोई इकाई नहीं है। %1 – %2। सबसे संभव %3। आपके बताने तक मिलीमीटर माने गए। (E103)</translation>
     </message>
     <message>
         <source>Only files on this computer can be opened. Nothing was opened.</source>
         <translation>केवल इस कंप्यूटर की फ़ाइलें खोली जा सकती हैं। कुछ नहीं खोला गया।</translation>
     </message>
     <message>
-        <source>measured</source>
-        <translation>मापा गया</translation>
-    </message>
-    <message>
-        <source>interpolated</source>
-        <translation>अंतर्वेशित</translation>
-    </message>
-    <message>
-        <source>hole, on base plane</source>
-        <translation>छेद, आधार तल पर</translation>
-    </message>
-    <message>
-        <source>steep</source>
-        <translation>तीव्र ढाल</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>बाहर</translation>
-    </message>
-    <message>
-        <source>x %1  y %2  z %3 mm</source>
-        <translation>x %1  y %2  z %3 mm</translation>
-    </message>
-    <message>
-        <source>%1, %2. Detail %3 of %4</source>
-        <translation>%1, %2। विवरण %4 में से %3</translation>
-    </message>
-    <message>
-        <source>%1/%2 N</source>
-        <translation>%1/%2 N</translation>
-    </message>
-    <message>
-        <source>forces off</source>
-        <translation>बल बंद</translation>
-    </message>
-    <message>
-        <source>Force on the hand and its limit</source>
-        <translation>हाथ पर बल और उसकी सीमा</translation>
-    </message>
-    <message>
-        <source>Press F5 to switch forces on</source>
-        <translation>बल चालू करने के लिए F5 दबाएँ</translation>
-    </message>
-    <message>
-        <source>Device: %1</source>
-        <translation>उपकरण: %1</translation>
-    </message>
-    <message>
-        <source>Worst period: %1 ms</source>
-        <translation>सबसे लंबी अवधि: %1 ms</translation>
-    </message>
-    <message>
-        <source>Real-time priority</source>
-        <translation>रीयल-टाइम प्राथमिकता</translation>
-    </message>
-    <message>
-        <source>No real-time priority: %1</source>
-        <translation>रीयल-टाइम प्राथमिकता नहीं: %1</translation>
-    </message>
-    <message>
-        <source>%1/s, late %2</source>
-        <translation>%1/s, देर %2</translation>
-    </message>
-    <message>
-        <source>recording %1</source>
-        <translation>रिकॉर्डिंग %1</translation>
-    </message>
-    <message>
-        <source>Touch is not available: %1 Viewing works.</source>
-        <translation>स्पर्श उपलब्ध नहीं: %1 देखना चलता है।</translation>
-    </message>
-    <message>
         <source>the haptics plugin was not found.</source>
         <translation>हैप्टिक प्लगइन नहीं मिला।</translation>
-    </message>
-    <message>
-        <source>Replay</source>
-        <translation>पुनर्प्रदर्शन</translation>
-    </message>
-    <message>
-        <source>Recordings (*.csv *.h5 *.hdf5)</source>
-        <translation>रिकॉर्डिंग (*.csv *.h5 *.hdf5)</translation>
-    </message>
-    <message>
-        <source>A recording is running. Nothing was opened. Stop it first (Ctrl+R).</source>
-        <translation>रिकॉर्डिंग चल रही है। कुछ नहीं खोला गया। पहले उसे रोकें (Ctrl+R)।</translation>
-    </message>
-    <message>
-        <source>%1 Nothing was changed.</source>
-        <translation>%1 कुछ नहीं बदला।</translation>
-    </message>
-    <message>
-        <source>&amp;Open its input</source>
-        <translation>उसका स्रोत खोलें (&amp;O)</translation>
-    </message>
-    <message>
-        <source>%1 N</source>
-        <translation>%1 N</translation>
-    </message>
-    <message>
-        <source>Force when it was recorded</source>
-        <translation>रिकॉर्डिंग के समय का बल</translation>
-    </message>
-    <message>
-        <source>replay %1</source>
-        <translation>पुनर्प्रदर्शन %1</translation>
-    </message>
-    <message>
-        <source>Forces are on: the replay was closed.</source>
-        <translation>बल चालू हैं: पुनर्प्रदर्शन बंद किया गया।</translation>
-    </message>
-    <message>
-        <source>The camera path is empty</source>
-        <translation>कैमरा पथ खाली है</translation>
-    </message>
-    <message>
-        <source>End of the camera path</source>
-        <translation>कैमरा पथ का अंत</translation>
-    </message>
-    <message>
-        <source>Video</source>
-        <translation>वीडियो</translation>
-    </message>
-    <message>
-        <source>The program ffmpeg is not installed: a folder of pictures can be made.</source>
-        <translation>प्रोग्राम ffmpeg स्थापित नहीं है: चित्रों का फ़ोल्डर बनाया जा सकता है।</translation>
-    </message>
-    <message>
-        <source>Video to %1</source>
-        <translation>%1 में वीडियो</translation>
-    </message>
-    <message>
-        <source>The program ffmpeg, which packs videos, is not installed. Nothing was made. Install the package ffmpeg, or keep a folder of pictures.</source>
-        <translation>वीडियो बनाने वाला प्रोग्राम ffmpeg स्थापित नहीं है। कुछ नहीं बनाया गया। पैकेज ffmpeg स्थापित करें, या चित्रों का फ़ोल्डर रखें।</translation>
-    </message>
-    <message>
-        <source>&amp;Keep pictures</source>
-        <translation>चित्र रखें (&amp;K)</translation>
-    </message>
-    <message>
-        <source>Camera path</source>
-        <translation>कैमरा पथ</translation>
-    </message>
-    <message>
-        <source>Key view %1 at %2 s</source>
-        <translation>मुख्य दृश्य %1, %2 s पर</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>बाएँ</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>दाएँ</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>ऊपर</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>नीचे</translation>
-    </message>
-    <message>
-        <source>%1. Window at %2, %3 mm</source>
-        <translation>%1। विंडो %2, %3 mm पर</translation>
-    </message>
-    <message>
-        <source>Nothing is open. Open a scan with Ctrl+O.</source>
-        <translation>कुछ खुला नहीं है। Ctrl+O से स्कैन खोलें।</translation>
-    </message>
-    <message>
-        <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
-        <translation>%1, %2 गुणा %3 mm, %4 विवरणों में। छूने के लिए हाथ भीतर दबाएँ; F5 बल चालू करता है। प्लस: और बारीक; माइनस: और मोटा; दोनों दो सेकंड: सहायता।</translation>
-    </message>
-    <message>
-        <source>Beacon %1</source>
-        <translation>संकेतक %1</translation>
-    </message>
-    <message>
-        <source>%1 removed.</source>
-        <translation>%1 हटाया गया।</translation>
-    </message>
-    <message>
-        <source>There are %1 beacons already. Remove one first.</source>
-        <translation>पहले से %1 संकेतक हैं। पहले एक हटाएँ।</translation>
-    </message>
-    <message>
-        <source>%1 set.</source>
-        <translation>%1 लगाया गया।</translation>
-    </message>
-    <message>
-        <source>Unsaved work</source>
-        <translation>सहेजा नहीं गया काम</translation>
-    </message>
-    <message>
-        <source>Work on %1 is in no file yet: places, measurements, camera paths or settings.</source>
-        <translation>%1 पर किया काम अभी किसी फ़ाइल में नहीं है: स्थान, माप, कैमरा पथ या सेटिंग।</translation>
-    </message>
-    <message>
-        <source>Save it as a project?</source>
-        <translation>क्या इसे परियोजना के रूप में सहेजें?</translation>
-    </message>
-    <message>
-        <source>relievo could not be started again. Nothing was changed. Close it and start it yourself.</source>
-        <translation>relievo दोबारा शुरू नहीं हो सका। कुछ नहीं बदला गया। इसे बंद करके स्वयं शुरू करें।</translation>
-    </message>
-    <message>
-        <source>A folder of pictures (*)</source>
-        <translation>चित्रों का फ़ोल्डर (*)</translation>
-    </message>
-    <message>
-        <source>Videos (*.mp4)</source>
-        <translation>वीडियो (*.mp4)</translation>
-    </message>
-    <message>
-        <source>Cancelled. No picture was saved.</source>
-        <translation>रद्द किया गया। कोई चित्र नहीं सहेजा गया।</translation>
-    </message>
-    <message>
-        <source>relievo closes when the picture is saved</source>
-        <translation>चित्र सहेजे जाने पर relievo बंद होगा</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <comment>undo, step</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>The view is copied as text</source>
-        <translation>दृश्य पाठ के रूप में कॉपी हुआ</translation>
-    </message>
-    <message>
-        <source>The copied view does not lie on this map. The window was not moved. Open the scan that it was copied from.</source>
-        <translation>कॉपी किया गया दृश्य इस मानचित्र पर नहीं है। विंडो नहीं खिसकाई गई। वह स्कैन खोलें जिससे दृश्य कॉपी किया गया था।</translation>
-    </message>
-    <message>
-        <source>Paste view</source>
-        <translation>दृश्य चिपकाएँ</translation>
-    </message>
-    <message>
-        <source>The copied view is shown. Detail %1 of %2</source>
-        <translation>कॉपी किया गया दृश्य दिखाया गया। विवरण %2 में से %1</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was packed.</source>
-        <translation>रद्द किया गया। कुछ नहीं पैक हुआ।</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 is packed: %n file(s), each with its checksum</source>
-        <translation>
-            <numerusform>%1 पैक हुआ: %n फ़ाइल, अपने जाँच-योग के साथ</numerusform>
-            <numerusform>%1 पैक हुआ: %n फ़ाइलें, हर एक अपने जाँच-योग के साथ</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Relief image</source>
-        <translation>उभार चित्र</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>प्रकाश</translation>
-    </message>
-    <message>
-        <source>Selected profile or section (*.csv *.svg)</source>
-        <translation>चुना प्रोफ़ाइल या काट (*.csv *.svg)</translation>
-    </message>
-    <message>
-        <source>%1 is saved in %2</source>
-        <translation>%1 %2 में सहेजा गया</translation>
-    </message>
-    <message>
-        <source>%1[*] – relievo</source>
-        <translation>%1[*] – relievo</translation>
-    </message>
-    <message>
-        <source>&amp;Choose another…</source>
-        <translation>दूसरी चुनें (&amp;C)…</translation>
-    </message>
-    <message>
-        <source>&amp;Work that was kept…</source>
-        <translation>रखा गया काम (&amp;W)…</translation>
-    </message>
-    <message>
-        <source>The next recording is %1</source>
-        <translation>अगली रिकॉर्डिंग %1 होगी</translation>
-    </message>
-    <message>
-        <source>Folder of recordings</source>
-        <translation>रिकॉर्डिंग का फ़ोल्डर</translation>
-    </message>
-    <message>
-        <source>Recordings go to %1</source>
-        <translation>रिकॉर्डिंग %1 में जाएँगी</translation>
-    </message>
-    <message>
-        <source>Recordings are kept in %1.</source>
-        <translation>रिकॉर्डिंग %1 में रखी जाती हैं।</translation>
-    </message>
-    <message>
-        <source>Another &amp;folder…</source>
-        <translation>दूसरा फ़ोल्डर… (&amp;F)</translation>
-    </message>
-    <message>
-        <source>%1 % of this picture is a strong red or cyan, which one eye sees dark through the glasses. Grey stereo shows it to both</source>
-        <translation>इस चित्र का %1 % गहरा लाल या सियान है, जो चश्मे से एक आँख को काला दिखता है। धूसर स्टीरियो दोनों को दिखाता है</translation>
-    </message>
-    <message>
-        <source>This scan has no colours; it is shown as lit stone</source>
-        <translation>इस स्कैन में रंग नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
-    </message>
-    <message>
-        <source>This scan has no intensities; it is shown as lit stone</source>
-        <translation>इस स्कैन में तीव्रताएँ नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
-    </message>
-    <message>
-        <source>&amp;Keep them</source>
-        <translation>उन्हें रखें (&amp;K)</translation>
-    </message>
-    <message>
-        <source>&amp;Leave them out</source>
-        <translation>उन्हें छोड़ दें (&amp;L)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 heights are %3, which often stands for a missing one. They are shown as heights.</source>
-        <translation>%2 में से %1 ऊँचाइयाँ %3 हैं, जो अक्सर अनुपस्थित ऊँचाई के लिए लिखा जाता है। वे ऊँचाइयों की तरह दिखाई गई हैं।</translation>
-    </message>
-    <message>
-        <source>&amp;Take as missing</source>
-        <translation>अनुपस्थित मानें (&amp;T)</translation>
-    </message>
-    <message>
-        <source>&amp;Keep as heights</source>
-        <translation>ऊँचाई मानें (&amp;K)</translation>
-    </message>
-    <message>
-        <source>How this object stands is not certain. From where shall it be seen?</source>
-        <translation>यह वस्तु कैसे खड़ी है, यह निश्चित नहीं है। इसे किधर से देखा जाए?</translation>
-    </message>
-    <message>
-        <source>The points carry no unit. %1 – %2. The coordinates are those of a map projection; shown as %3 until you say. (E103)</source>
-        <translation>बिंदुओं की कोई इकाई नहीं है। %1 – %2। निर्देशांक किसी मानचित्र प्रक्षेप के हैं; जब तक आप न बताएँ, %3 माने गए हैं। (E103)</translation>
-    </message>
-    <message>
-        <source>One of %1 points lies %2 % of the box away from all others.</source>
-        <translation>%1 में से एक बिंदु बाकी सबसे घेरे के %2 % जितना दूर है।</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points lie %3 % of the box away from all others.</source>
-        <translation>%2 में से %1 बिंदु बाकी सबसे घेरे के %3 % जितने दूर हैं।</translation>
-    </message>
-    <message>
-        <source>Kept, and so most of the map is empty.</source>
-        <translation>रखे गए हैं, इसलिए मानचित्र का अधिकांश भाग खाली है।</translation>
-    </message>
-    <message>
-        <source>Left out.</source>
-        <translation>छोड़ दिए गए।</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was exported.</source>
-        <translation>रद्द किया गया। कुछ निर्यात नहीं किया गया।</translation>
-    </message>
-    <message>
-        <source>Shading of colours</source>
-        <translation>रंगों का छायांकन</translation>
-    </message>
-    <message>
-        <source>Open folder</source>
-        <translation>फ़ोल्डर खोलें</translation>
-    </message>
-    <message>
-        <source>There is no scan in %1. Nothing was opened.</source>
-        <translation>%1 में कोई स्कैन नहीं है। कुछ नहीं खोला गया।</translation>
-    </message>
-    <message>
-        <source>%1 files are more than the %2 scans that can be joined. Nothing was opened.</source>
-        <translation>%1 फ़ाइलें जोड़े जा सकने वाले %2 स्कैन से अधिक हैं। कुछ नहीं खोला गया।</translation>
-    </message>
-    <message>
-        <source>Prepare</source>
-        <translation>तैयार करें</translation>
-    </message>
-    <message>
-        <source>Unmeasured cells</source>
-        <translation>बिना मापी कोशिकाएँ</translation>
-    </message>
-    <message>
-        <source>Undone: %1</source>
-        <translation>पूर्ववत किया: %1</translation>
-    </message>
-    <message>
-        <source>Done again: %1</source>
-        <translation>फिर से किया: %1</translation>
-    </message>
-    <message>
-        <source>relievo closes when the package is written</source>
-        <translation>पैकेज लिखे जाने पर relievo बंद होगा</translation>
-    </message>
-    <message>
-        <source>relievo closes when the video is saved; Escape stops both</source>
-        <translation>वीडियो सहेजे जाने पर relievo बंद होगा; Escape दोनों को रोकता है</translation>
-    </message>
-    <message>
-        <source>relievo closes when the map is written</source>
-        <translation>मानचित्र लिखे जाने पर relievo बंद होगा</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points lie together, %3 % of the box away from all others.</source>
-        <translation>%2 में से %1 बिंदु एक साथ, बाकी सबसे घेरे के %3 % जितने दूर हैं।</translation>
-    </message>
-    <message>
-        <source>Kept, as they may belong to the object.</source>
-        <translation>रखे गए हैं, क्योंकि वे वस्तु के हो सकते हैं।</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>और %n अन्य</numerusform>
-            <numerusform>और %n अन्य</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Files elsewhere</source>
-        <translation>अन्यत्र की फ़ाइलें</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
-        <translation>
-            <numerusform>%1 अपने फ़ोल्डर से बाहर की %n फ़ाइल का नाम लेता है, जो अपने चेकसम के अनुसार वह नहीं है जिससे यह बना था:</numerusform>
-            <numerusform>%1 अपने फ़ोल्डर से बाहर की %n फ़ाइलों के नाम लेता है, जो अपने चेकसम के अनुसार वे नहीं हैं जिनसे यह बना था:</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The work that was kept</source>
-        <translation>रखा गया काम</translation>
-    </message>
-    <message>
-        <source>Whoever made it chose these names. Shall they be read? What is not read stays named in it, and all else opens.</source>
-        <translation>जिसने इसे बनाया, उसी ने ये नाम चुने। क्या इन्हें पढ़ा जाए? जो नहीं पढ़ा जाता, उसका नाम इसमें बना रहता है, और बाकी सब खुलता है।</translation>
-    </message>
-    <message>
-        <source>&amp;Read them</source>
-        <translation>&amp;पढ़ें</translation>
-    </message>
-    <message>
-        <source>&amp;Do not read them</source>
-        <translation>&amp;न पढ़ें</translation>
-    </message>
-    <message>
-        <source>%1 was not opened: it needs %2, which is outside of its folder and was not read. Nothing was changed. Find it, or choose another file.</source>
-        <translation>%1 नहीं खोला गया: इसे %2 चाहिए, जो इसके फ़ोल्डर से बाहर है और नहीं पढ़ा गया। कुछ नहीं बदला गया। उसे खोजें, या कोई दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s) that this project names were not read. They stay named in it, and are offered for no package and no figure.</source>
-        <translation>
-            <numerusform>%n फ़ाइल, जिसका नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गई। उसका नाम इसमें बना रहता है, और वह किसी पैकेज या चित्र के लिए नहीं दी जाती।</numerusform>
-            <numerusform>%n फ़ाइलें, जिनके नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गईं। उनके नाम इसमें बने रहते हैं, और वे किसी पैकेज या चित्र के लिए नहीं दी जातीं।</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was opened.</source>
-        <translation>रद्द किया गया। कुछ नहीं खोला गया।</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n part(s) of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</source>
-        <translation>
-            <numerusform>%1 का %n भाग वैसा नहीं है जैसा पैक किया गया था। कुछ नहीं खोला गया। &apos;relievo project verify&apos; उसका नाम बताता है।</numerusform>
-            <numerusform>%1 के %n भाग वैसे नहीं हैं जैसे पैक किए गए थे। कुछ नहीं खोला गया। &apos;relievo project verify&apos; उनके नाम बताता है।</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Unpack elsewhere…</source>
-        <translation>&amp;कहीं और खोलें…</translation>
-    </message>
-    <message>
-        <source>%1 was unpacked into %2</source>
-        <translation>%1 को %2 में निकाला गया</translation>
-    </message>
-    <message>
-        <source>Unpack %1 into</source>
-        <translation>%1 को यहाँ निकालें</translation>
     </message>
     <message>
         <source>Level 0 of the pyramid: not smoothed</source>
@@ -4963,64 +4427,8 @@
         <translation>पिरामिड का स्तर %1, σ = %2 के गाउसीय से चिकना किया गया</translation>
     </message>
     <message>
-        <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
-        <translation>माउस विवरण दृश्य में क्या करता है; F7 देखने और स्पर्श के बीच बदलता है, वरीयताएँ बटन चुनती हैं</translation>
-    </message>
-    <message>
-        <source>%1. This relief image has no lamp: the light shows in others.</source>
-        <translation>%1। इस उभार चित्र में कोई दीपक नहीं: प्रकाश दूसरों में दिखता है।</translation>
-    </message>
-    <message>
-        <source>%1 x %2 pixels; File &gt; Image asks for others</source>
-        <translation>%1 x %2 पिक्सेल; फ़ाइल &gt; चित्र दूसरे पूछता है</translation>
-    </message>
-    <message>
-        <source>Picture of the detail view (.png)</source>
-        <translation>विवरण दृश्य का चित्र (.png)</translation>
-    </message>
-    <message>
-        <source>Picture of the whole object (.png)</source>
-        <translation>पूरी वस्तु का चित्र (.png)</translation>
-    </message>
-    <message>
-        <source>Profile %1, drawing (.svg)</source>
-        <translation>प्रोफ़ाइल %1, रेखाचित्र (.svg)</translation>
-    </message>
-    <message>
-        <source>Profile %1, numbers (.csv)</source>
-        <translation>प्रोफ़ाइल %1, संख्याएँ (.csv)</translation>
-    </message>
-    <message>
-        <source>Section %1, drawing (.svg)</source>
-        <translation>काट %1, रेखाचित्र (.svg)</translation>
-    </message>
-    <message>
-        <source>Section %1, numbers (.csv)</source>
-        <translation>काट %1, संख्याएँ (.csv)</translation>
-    </message>
-    <message>
-        <source>Save profile</source>
-        <translation>प्रोफ़ाइल सहेजें</translation>
-    </message>
-    <message>
-        <source>As it is shown (*.svg)</source>
-        <translation>जैसी दिखती है (*.svg)</translation>
-    </message>
-    <message>
-        <source>Its numbers (*.csv)</source>
-        <translation>उसकी संख्याएँ (*.csv)</translation>
-    </message>
-    <message>
         <source>%1 is closed</source>
         <translation>%1 बंद है</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was suggested.</source>
-        <translation>रद्द। कुछ सुझाया नहीं गया।</translation>
-    </message>
-    <message>
-        <source>Suggestions</source>
-        <translation>सुझाव</translation>
     </message>
 </context>
 <context>
@@ -5036,6 +4444,37 @@
     <message>
         <source>The manual opens in the browser: %1</source>
         <translation>पुस्तिका ब्राउज़र में खुलती है: %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::MeasureController</name>
+    <message>
+        <source>Save measurements</source>
+        <translation>माप सहेजें</translation>
+    </message>
+    <message>
+        <source>List of measurements (*.csv)</source>
+        <translation>मापों की सूची (*.csv)</translation>
+    </message>
+    <message>
+        <source>Selected profile or section (*.csv *.svg)</source>
+        <translation>चुना प्रोफ़ाइल या काट (*.csv *.svg)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजी गई</translation>
+    </message>
+    <message>
+        <source>Save profile</source>
+        <translation>प्रोफ़ाइल सहेजें</translation>
+    </message>
+    <message>
+        <source>As it is shown (*.svg)</source>
+        <translation>जैसी दिखती है (*.svg)</translation>
+    </message>
+    <message>
+        <source>Its numbers (*.csv)</source>
+        <translation>उसकी संख्याएँ (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -8206,10 +7645,129 @@
     </message>
 </context>
 <context>
+    <name>relievo::OpenController</name>
+    <message>
+        <source>%1 needs %2, which has moved. Nothing was changed. Find it, or choose another file. (E501)</source>
+        <translation>%1 को %2 चाहिए, जो हट गई है। कुछ नहीं बदला। उसे ढूँढें या दूसरी फ़ाइल चुनें। (E501)</translation>
+    </message>
+    <message>
+        <source>&amp;Find it…</source>
+        <translation>ढूँढें (&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Choose another…</source>
+        <translation>दूसरी चुनें (&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Find %1</source>
+        <translation>%1 ढूँढें</translation>
+    </message>
+    <message>
+        <source>%1 has changed since this was saved (its checksum differs). It is shown as it is now; results may differ. (E501)</source>
+        <translation>सहेजने के बाद %1 बदल गई है (चेकसम अलग है)। यह अब जैसी है वैसी दिखाई गई है; परिणाम अलग हो सकते हैं। (E501)</translation>
+    </message>
+    <message>
+        <source>&amp;Work that was kept…</source>
+        <translation>रखा गया काम (&amp;W)…</translation>
+    </message>
+    <message>
+        <source>&amp;Load what is there</source>
+        <translation>जो है उसे लोड करें (&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>चुनें (&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>खोलें</translation>
+    </message>
+    <message>
+        <source>Scans, height maps, projects and figures (%1)</source>
+        <translation>स्कैन, ऊँचाई मानचित्र, परियोजनाएँ और चित्र (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>सभी फ़ाइलें (*)</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: it needs %2, which is outside of its folder and was not read. Nothing was changed. Find it, or choose another file.</source>
+        <translation>%1 नहीं खोला गया: इसे %2 चाहिए, जो इसके फ़ोल्डर से बाहर है और नहीं पढ़ा गया। कुछ नहीं बदला गया। उसे खोजें, या कोई दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message numerus="yes">
+        <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
+        <translation>
+            <numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform>
+            <numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>वापस लाएँ (&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>छोड़ दें (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>फ़ोल्डर खोलें</translation>
+    </message>
+    <message>
+        <source>There is no scan in %1. Nothing was opened.</source>
+        <translation>%1 में कोई स्कैन नहीं है। कुछ नहीं खोला गया।</translation>
+    </message>
+    <message>
+        <source>%1 files are more than the %2 scans that can be joined. Nothing was opened.</source>
+        <translation>%1 फ़ाइलें जोड़े जा सकने वाले %2 स्कैन से अधिक हैं। कुछ नहीं खोला गया।</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>तैयार करें</translation>
+    </message>
+</context>
+<context>
     <name>relievo::OverviewInset</name>
     <message>
         <source>Place of the window on the object</source>
         <translation>वस्तु पर विंडो की जगह</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PackageController</name>
+    <message>
+        <source>Cancelled. Nothing was packed.</source>
+        <translation>रद्द किया गया। कुछ नहीं पैक हुआ।</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was opened.</source>
+        <translation>रद्द किया गया। कुछ नहीं खोला गया।</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is packed: %n file(s), each with its checksum</source>
+        <translation>
+            <numerusform>%1 पैक हुआ: %n फ़ाइल, अपने जाँच-योग के साथ</numerusform>
+            <numerusform>%1 पैक हुआ: %n फ़ाइलें, हर एक अपने जाँच-योग के साथ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s) of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</source>
+        <translation>
+            <numerusform>%1 का %n भाग वैसा नहीं है जैसा पैक किया गया था। कुछ नहीं खोला गया। &apos;relievo project verify&apos; उसका नाम बताता है।</numerusform>
+            <numerusform>%1 के %n भाग वैसे नहीं हैं जैसे पैक किए गए थे। कुछ नहीं खोला गया। &apos;relievo project verify&apos; उनके नाम बताता है।</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Unpack elsewhere…</source>
+        <translation>&amp;कहीं और खोलें…</translation>
+    </message>
+    <message>
+        <source>%1 was unpacked into %2</source>
+        <translation>%1 को %2 में निकाला गया</translation>
+    </message>
+    <message>
+        <source>Unpack %1 into</source>
+        <translation>%1 को यहाँ निकालें</translation>
     </message>
 </context>
 <context>
@@ -8293,6 +7851,72 @@
     <message>
         <source>Packages (*.zip)</source>
         <translation>पैकेज (*.zip)</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PictureController</name>
+    <message>
+        <source>Cancelled. No picture was saved.</source>
+        <translation>रद्द किया गया। कोई चित्र नहीं सहेजा गया।</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजी गई</translation>
+    </message>
+    <message>
+        <source>%1 is saved in %2</source>
+        <translation>%1 %2 में सहेजा गया</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PlaceController</name>
+    <message>
+        <source>Beacon %1</source>
+        <translation>संकेतक %1</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was suggested.</source>
+        <translation>रद्द। कुछ सुझाया नहीं गया।</translation>
+    </message>
+    <message>
+        <source>%1 removed.</source>
+        <translation>%1 हटाया गया।</translation>
+    </message>
+    <message>
+        <source>There are %1 beacons already. Remove one first.</source>
+        <translation>पहले से %1 संकेतक हैं। पहले एक हटाएँ।</translation>
+    </message>
+    <message>
+        <source>%1 set.</source>
+        <translation>%1 लगाया गया।</translation>
+    </message>
+    <message>
+        <source>%1 lies on a finer detail than this map has. The window was not moved.</source>
+        <translation>%1 इस मानचित्र से बारीक विवरण पर है। विंडो नहीं खिसकाई गई।</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>%1 पर जाएँ</translation>
+    </message>
+    <message>
+        <source>%1. Detail %2 of %3</source>
+        <translation>%1। विवरण %3 में से %2</translation>
+    </message>
+    <message>
+        <source>The view is copied as text</source>
+        <translation>दृश्य पाठ के रूप में कॉपी हुआ</translation>
+    </message>
+    <message>
+        <source>The copied view does not lie on this map. The window was not moved. Open the scan that it was copied from.</source>
+        <translation>कॉपी किया गया दृश्य इस मानचित्र पर नहीं है। विंडो नहीं खिसकाई गई। वह स्कैन खोलें जिससे दृश्य कॉपी किया गया था।</translation>
+    </message>
+    <message>
+        <source>Paste view</source>
+        <translation>दृश्य चिपकाएँ</translation>
+    </message>
+    <message>
+        <source>The copied view is shown. Detail %1 of %2</source>
+        <translation>कॉपी किया गया दृश्य दिखाया गया। विवरण %2 में से %1</translation>
     </message>
 </context>
 <context>
@@ -8419,6 +8043,13 @@
     <message>
         <source>Touch</source>
         <translation>स्पर्श</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PointerController</name>
+    <message>
+        <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
+        <translation>माउस विवरण दृश्य में क्या करता है; F7 देखने और स्पर्श के बीच बदलता है, वरीयताएँ बटन चुनती हैं</translation>
     </message>
 </context>
 <context>
@@ -9292,6 +8923,84 @@
     </message>
 </context>
 <context>
+    <name>relievo::QuestionController</name>
+    <message>
+        <source>&amp;Keep them</source>
+        <translation>उन्हें रखें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Leave them out</source>
+        <translation>उन्हें छोड़ दें (&amp;L)</translation>
+    </message>
+    <message>
+        <source>One of %1 points lies %2 % of the box away from all others.</source>
+        <translation>%1 में से एक बिंदु बाकी सबसे घेरे के %2 % जितना दूर है।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie %3 % of the box away from all others.</source>
+        <translation>%2 में से %1 बिंदु बाकी सबसे घेरे के %3 % जितने दूर हैं।</translation>
+    </message>
+    <message>
+        <source>Kept, and so most of the map is empty.</source>
+        <translation>रखे गए हैं, इसलिए मानचित्र का अधिकांश भाग खाली है।</translation>
+    </message>
+    <message>
+        <source>Left out.</source>
+        <translation>छोड़ दिए गए।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie together, %3 % of the box away from all others.</source>
+        <translation>%2 में से %1 बिंदु एक साथ, बाकी सबसे घेरे के %3 % जितने दूर हैं।</translation>
+    </message>
+    <message>
+        <source>Kept, as they may belong to the object.</source>
+        <translation>रखे गए हैं, क्योंकि वे वस्तु के हो सकते हैं।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are %3, which often stands for a missing one. They are shown as heights.</source>
+        <translation>%2 में से %1 ऊँचाइयाँ %3 हैं, जो अक्सर अनुपस्थित ऊँचाई के लिए लिखा जाता है। वे ऊँचाइयों की तरह दिखाई गई हैं।</translation>
+    </message>
+    <message>
+        <source>&amp;Take as missing</source>
+        <translation>अनुपस्थित मानें (&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as heights</source>
+        <translation>ऊँचाई मानें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>How this object stands is not certain. From where shall it be seen?</source>
+        <translation>यह वस्तु कैसे खड़ी है, यह निश्चित नहीं है। इसे किधर से देखा जाए?</translation>
+    </message>
+    <message>
+        <source>in %1 %2</source>
+        <translation>%1 में %2</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3</source>
+        <translation>%1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>%1: %2. Which unit?</source>
+        <translation>%1: %2। कौन-सी इकाई?</translation>
+    </message>
+    <message>
+        <source>The points carry no unit. %1 – %2. The coordinates are those of a map projection; shown as %3 until you say. (E103)</source>
+        <translation>बिंदुओं की कोई इकाई नहीं है। %1 – %2। निर्देशांक किसी मानचित्र प्रक्षेप के हैं; जब तक आप न बताएँ, %3 माने गए हैं। (E103)</translation>
+    </message>
+    <message>
+        <source>The points carry no unit. %1 – %2. Most likely %3. Shown as millimetres until you say. (E103)</source>
+        <translation>बिंदुओं में कोई इकाई नहीं है। %1 – %2। सबसे संभव %3। आपके बताने तक मिलीमीटर माने गए। (E103)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) that this project names were not read. They stay named in it, and are offered for no package and no figure.</source>
+        <translation>
+            <numerusform>%n फ़ाइल, जिसका नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गई। उसका नाम इसमें बना रहता है, और वह किसी पैकेज या चित्र के लिए नहीं दी जाती।</numerusform>
+            <numerusform>%n फ़ाइलें, जिनके नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गईं। उनके नाम इसमें बने रहते हैं, और वे किसी पैकेज या चित्र के लिए नहीं दी जातीं।</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>relievo::ReferenceView</name>
     <message>
         <source>Draw window</source>
@@ -9452,6 +9161,53 @@
     </message>
 </context>
 <context>
+    <name>relievo::ReplayController</name>
+    <message>
+        <source>The next recording is %1</source>
+        <translation>अगली रिकॉर्डिंग %1 होगी</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>रिकॉर्डिंग का फ़ोल्डर</translation>
+    </message>
+    <message>
+        <source>Recordings go to %1</source>
+        <translation>रिकॉर्डिंग %1 में जाएँगी</translation>
+    </message>
+    <message>
+        <source>Recordings are kept in %1.</source>
+        <translation>रिकॉर्डिंग %1 में रखी जाती हैं।</translation>
+    </message>
+    <message>
+        <source>Another &amp;folder…</source>
+        <translation>दूसरा फ़ोल्डर… (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>पुनर्प्रदर्शन</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>रिकॉर्डिंग (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>सभी फ़ाइलें (*)</translation>
+    </message>
+    <message>
+        <source>A recording is running. Nothing was opened. Stop it first (Ctrl+R).</source>
+        <translation>रिकॉर्डिंग चल रही है। कुछ नहीं खोला गया। पहले उसे रोकें (Ctrl+R)।</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was changed.</source>
+        <translation>%1 कुछ नहीं बदला।</translation>
+    </message>
+    <message>
+        <source>&amp;Open its input</source>
+        <translation>उसका स्रोत खोलें (&amp;O)</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ReplayPanel</name>
     <message>
         <source>Play</source>
@@ -9588,6 +9344,57 @@
     <message>
         <source>   |   since %1 s: %2</source>
         <translation>   |   %1 s से: %2</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SaveController</name>
+    <message>
+        <source>Unsaved work</source>
+        <translation>सहेजा नहीं गया काम</translation>
+    </message>
+    <message>
+        <source>Work on %1 is in no file yet: places, measurements, camera paths or settings.</source>
+        <translation>%1 पर किया काम अभी किसी फ़ाइल में नहीं है: स्थान, माप, कैमरा पथ या सेटिंग।</translation>
+    </message>
+    <message>
+        <source>Save it as a project?</source>
+        <translation>क्या इसे परियोजना के रूप में सहेजें?</translation>
+    </message>
+    <message>
+        <source>relievo could not be started again. Nothing was changed. Close it and start it yourself.</source>
+        <translation>relievo दोबारा शुरू नहीं हो सका। कुछ नहीं बदला गया। इसे बंद करके स्वयं शुरू करें।</translation>
+    </message>
+    <message>
+        <source>relievo closes when the package is written</source>
+        <translation>पैकेज लिखे जाने पर relievo बंद होगा</translation>
+    </message>
+    <message>
+        <source>relievo closes when the map is written</source>
+        <translation>मानचित्र लिखे जाने पर relievo बंद होगा</translation>
+    </message>
+    <message>
+        <source>relievo closes when the video is saved; Escape stops both</source>
+        <translation>वीडियो सहेजे जाने पर relievo बंद होगा; Escape दोनों को रोकता है</translation>
+    </message>
+    <message>
+        <source>relievo closes when the picture is saved</source>
+        <translation>चित्र सहेजे जाने पर relievo बंद होगा</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>परियोजना सहेजें</translation>
+    </message>
+    <message>
+        <source>Projects (*.relievo.json)</source>
+        <translation>परियोजनाएँ (*.relievo.json)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजी गई</translation>
+    </message>
+    <message>
+        <source>%1[*] – relievo</source>
+        <translation>%1[*] – relievo</translation>
     </message>
 </context>
 <context>
@@ -10251,6 +10058,82 @@
     </message>
 </context>
 <context>
+    <name>relievo::SurfaceController</name>
+    <message>
+        <source>Undone: %1</source>
+        <translation>पूर्ववत किया: %1</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>फिर से किया: %1</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>पूरी वस्तु</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>बाएँ</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>दाएँ</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>ऊपर</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>नीचे</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2</source>
+        <translation>विवरण %2 में से %1</translation>
+    </message>
+    <message>
+        <source>This is the finest detail</source>
+        <translation>यह सबसे बारीक विवरण है</translation>
+    </message>
+    <message>
+        <source>This is the whole object</source>
+        <translation>यह पूरी वस्तु है</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>किनारा</translation>
+    </message>
+    <message>
+        <source>%1. Window at %2, %3 mm</source>
+        <translation>%1। विंडो %2, %3 mm पर</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>undo, step</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>पूर्ववत (&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>फिर करें (&amp;R)</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>इतिहास</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>चरण</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>जैसा खोला गया</translation>
+    </message>
+</context>
+<context>
     <name>relievo::SurfacePanel</name>
     <message>
         <source>File</source>
@@ -10524,6 +10407,109 @@
     </message>
 </context>
 <context>
+    <name>relievo::TouchController</name>
+    <message>
+        <source>measured</source>
+        <translation>मापा गया</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>अंतर्वेशित</translation>
+    </message>
+    <message>
+        <source>hole, on base plane</source>
+        <translation>छेद, आधार तल पर</translation>
+    </message>
+    <message>
+        <source>steep</source>
+        <translation>तीव्र ढाल</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>बाहर</translation>
+    </message>
+    <message>
+        <source>Press depth %1 mm of hand</source>
+        <translation>दबाने की गहराई हाथ के %1 mm</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  z %3 mm</source>
+        <translation>x %1  y %2  z %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2. Detail %3 of %4</source>
+        <translation>%1, %2। विवरण %4 में से %3</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Force when it was recorded</source>
+        <translation>रिकॉर्डिंग के समय का बल</translation>
+    </message>
+    <message>
+        <source>replay %1</source>
+        <translation>पुनर्प्रदर्शन %1</translation>
+    </message>
+    <message>
+        <source>%1/%2 N</source>
+        <translation>%1/%2 N</translation>
+    </message>
+    <message>
+        <source>forces off</source>
+        <translation>बल बंद</translation>
+    </message>
+    <message>
+        <source>Force on the hand and its limit</source>
+        <translation>हाथ पर बल और उसकी सीमा</translation>
+    </message>
+    <message>
+        <source>Press F5 to switch forces on</source>
+        <translation>बल चालू करने के लिए F5 दबाएँ</translation>
+    </message>
+    <message>
+        <source>Forces are on: the replay was closed.</source>
+        <translation>बल चालू हैं: पुनर्प्रदर्शन बंद किया गया।</translation>
+    </message>
+    <message>
+        <source>Device: %1</source>
+        <translation>उपकरण: %1</translation>
+    </message>
+    <message>
+        <source>Worst period: %1 ms</source>
+        <translation>सबसे लंबी अवधि: %1 ms</translation>
+    </message>
+    <message>
+        <source>Real-time priority</source>
+        <translation>रीयल-टाइम प्राथमिकता</translation>
+    </message>
+    <message>
+        <source>No real-time priority: %1</source>
+        <translation>रीयल-टाइम प्राथमिकता नहीं: %1</translation>
+    </message>
+    <message>
+        <source>%1/s, late %2</source>
+        <translation>%1/s, देर %2</translation>
+    </message>
+    <message>
+        <source>recording %1</source>
+        <translation>रिकॉर्डिंग %1</translation>
+    </message>
+    <message>
+        <source>Touch is not available: %1 Viewing works.</source>
+        <translation>स्पर्श उपलब्ध नहीं: %1 देखना चलता है।</translation>
+    </message>
+    <message>
+        <source>Nothing is open. Open a scan with Ctrl+O.</source>
+        <translation>कुछ खुला नहीं है। Ctrl+O से स्कैन खोलें।</translation>
+    </message>
+    <message>
+        <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
+        <translation>%1, %2 गुणा %3 mm, %4 विवरणों में। छूने के लिए हाथ भीतर दबाएँ; F5 बल चालू करता है। प्लस: और बारीक; माइनस: और मोटा; दोनों दो सेकंड: सहायता।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::VideoControl</name>
     <message>
         <source>Video saved: %1 s, %2 frames in %3</source>
@@ -10540,6 +10526,53 @@
     <message>
         <source>The video has ended early</source>
         <translation>वीडियो समय से पहले समाप्त हुआ</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::VideoController</name>
+    <message>
+        <source>End of the camera path</source>
+        <translation>कैमरा पथ का अंत</translation>
+    </message>
+    <message>
+        <source>The camera path is empty</source>
+        <translation>कैमरा पथ खाली है</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg is not installed: a folder of pictures can be made.</source>
+        <translation>प्रोग्राम ffmpeg स्थापित नहीं है: चित्रों का फ़ोल्डर बनाया जा सकता है।</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>वीडियो</translation>
+    </message>
+    <message>
+        <source>A folder of pictures (*)</source>
+        <translation>चित्रों का फ़ोल्डर (*)</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4)</source>
+        <translation>वीडियो (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Video to %1</source>
+        <translation>%1 में वीडियो</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg, which packs videos, is not installed. Nothing was made. Install the package ffmpeg, or keep a folder of pictures.</source>
+        <translation>वीडियो बनाने वाला प्रोग्राम ffmpeg स्थापित नहीं है। कुछ नहीं बनाया गया। पैकेज ffmpeg स्थापित करें, या चित्रों का फ़ोल्डर रखें।</translation>
+    </message>
+    <message>
+        <source>&amp;Keep pictures</source>
+        <translation>चित्र रखें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>कैमरा पथ</translation>
+    </message>
+    <message>
+        <source>Key view %1 at %2 s</source>
+        <translation>मुख्य दृश्य %1, %2 s पर</translation>
     </message>
 </context>
 <context>
@@ -10883,6 +10916,60 @@
     <message>
         <source>%1 is too large for the memory and was not used. Make it coarser; it is laid over the whole map.</source>
         <translation>%1 स्मृति के लिए बहुत बड़ा है और काम में नहीं लिया गया। इसे मोटा करें; यह पूरे मानचित्र पर बिछाया जाता है।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::WindowMessages</name>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजी गई</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::WorkArea</name>
+    <message>
+        <source>Surface</source>
+        <translation>सतह</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>विंडो</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>दृश्य</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>स्टीरियो</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>माप</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>जगहें</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>सुझाव</translation>
+    </message>
+    <message>
+        <source>REFERENCE</source>
+        <translation>संदर्भ</translation>
+    </message>
+    <message>
+        <source>DETAIL %1 of %2</source>
+        <translation>विवरण %2 में से %1</translation>
+    </message>
+    <message>
+        <source>1 mm of hand = %1 mm</source>
+        <translation>हाथ का 1 mm = %1 mm</translation>
+    </message>
+    <message>
+        <source>heights × %1   |   </source>
+        <translation>ऊँचाइयाँ × %1   |   </translation>
     </message>
 </context>
 </TS>

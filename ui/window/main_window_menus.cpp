@@ -1,32 +1,95 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Menus, tool bar, and what plugins add to them.
 #include <functional>
 #include <map>
 #include <QAction>
-#include <QApplication>
 #include <QComboBox>
-#include <QFileDialog>
-#include <QFileInfo>
+#include <QDesktopServices>
+#include <QDoubleSpinBox>
 #include <QMenu>
-#include <QMenuBar>
 #include <QMessageBox>
 #include <QToolBar>
 #include <QToolButton>
-#include <QUndoView>
-#include <QVBoxLayout>
 
 #include "core/session/colours/surface_colours.h"
-#include "ui/dialogs/depth_map_dialog.h"
 #include "ui/dialogs/keys_sheet.h"
 #include "ui/frame/message_strip.h"
+#include "ui/frame/side_panels.h"
 #include "ui/frame/start_page.h"
 #include "ui/frame/tool_bar_fitter.h"
-#include "ui/language/spoken_error.h"
+#include "ui/panels/surface_panel.h"
 #include "ui/style/mnemonic.h"
 #include "ui/views/detail_view.h"
+#include "ui/views/reference_view.h"
+#include "ui/window/command_search.h"
 #include "ui/window/main_window.h"
+#include "ui/window/manual.h"
+#include "ui/window/work_area.h"
 #include "ui/work/file_names.h"
 
 namespace relievo {
+
+void MainWindow::makeCommands() {
+  commands_.on(Command::close, this, [this] { closeDocument(); });
+  commands_.on(Command::quit, this, [this] { close(); });
+  commands_.on(Command::answer, this, [this] { strip_->takeOffer(); });
+  commands_.on(Command::keys, this, [this] {
+    auto* sheet = new KeysSheet(findChildren<QAction*>(), this);
+    sheet->setAttribute(Qt::WA_DeleteOnClose);
+    sheet->show();
+  });
+  commands_.on(Command::preferences, this, [this] { showPreferences(); });
+  commands_.on(Command::search_commands, this, [this] {
+    auto* search = new CommandSearch(findChildren<QAction*>(), this);
+    search->setAttribute(Qt::WA_DeleteOnClose);
+    search->show();
+  });
+  // At the page about what the keyboard is in.
+  commands_.on(Command::manual, this, [this] { showManual(focusWidget()); });
+  new ManualKey([this](const QWidget* about) { showManual(about); }, this);
+  commands_.on(Command::about, this, [this] { showAbout(); });
+  constexpr std::size_t kThemes = 4;
+  const int chosen = settings_.choice(QStringLiteral("theme"), 0).toInt();
+  for (std::size_t i = 0; i < kThemes; ++i) {
+    const Command command = commandAfter(Command::theme_system, i);
+    commands_.on(command, this, [this, i] { setTheme(static_cast<Theme>(i)); });
+    commands_[command].setChecked(static_cast<int>(i) == chosen);
+  }
+  commands_.on(Command::type_window, this, [this] {
+    commands_[Command::show_panels].setChecked(true);
+    auto* x = area_->panels().region->findChild<QDoubleSpinBox*>(QStringLiteral("region_x"));
+    x->setFocus();
+    x->selectAll();
+  });
+  for (const Command shown :
+       {Command::show_panels, Command::show_reference, Command::show_profile}) {
+    commands_[shown].setChecked(true);
+  }
+  commands_.onToggled(Command::show_panels, this,
+                      [this](bool on) { area_->panels().all->setVisible(on); });
+  commands_.onToggled(Command::show_reference, this, [this](bool on) { area_->showReference(on); });
+  commands_.onToggled(Command::show_profile, this, [this](bool) { showPlots(); });
+  commands_[Command::show_plots].setVisible(false);
+  commands_.onToggled(Command::show_plots, this, [this](bool) { showPlots(); });
+  commands_.on(Command::full_screen, this, [this] { setFullScreenDetail(!isFullScreen()); });
+  commands_.on(Command::swap_views, this, [this] {
+    QWidget* to = &area_->detail();
+    if (to->hasFocus()) to = &area_->reference();
+    to->setFocus(Qt::ShortcutFocusReason);
+  });
+  commands_.on(Command::next_part, this, [this] { focusNextPart(1); });
+  commands_.on(Command::previous_part, this, [this] { focusNextPart(-1); });
+}
+
+void MainWindow::showManual(const QWidget* about) {
+  const ManualOpening manual =
+      openManual(manualTopic(about), manualFolders(), &QDesktopServices::openUrl);
+  if (manual.opened) {
+    messages_->announce(manual.sentence);
+  } else {
+    messages_->show(manual.sentence);
+  }
+}
 
 void MainWindow::makeMenus() {
   commands_.makeMenus();
@@ -129,27 +192,13 @@ void MainWindow::showRecent() {
   clear->setToolTip(tr("Forget these files"));
 }
 
-void MainWindow::showHistory() {
-  const QUndoStack& history = document_.history();
-  const auto show = [](QAction& action, const QString& verb, const QString& what, bool can,
-                       const QString& key) {
-    action.setEnabled(can);
-    action.setText(what.isEmpty() ? verb : tr("%1 %2", "undo, step").arg(verb, what));
-    action.setToolTip(QStringLiteral("%1 (%2)").arg(withoutMnemonic(action.text()), key));
-  };
-  show(commands_[Command::undo], tr("&Undo"), history.undoText(), history.canUndo(),
-       QStringLiteral("Ctrl+Z"));
-  show(commands_[Command::redo], tr("&Redo"), history.redoText(), history.canRedo(),
-       QStringLiteral("Ctrl+Y"));
-}
-
 void MainWindow::enableCommands() {
-  enableVideo();
+  controllers_->videos.enable();
   const bool is_open = document_.isOpen();
   const bool is_scan = is_open && !document_.surface()->is_raster;
-  const bool in_replay = replay_->showing();
+  const bool in_replay = area_->replay().showing();
   commands_.enable(is_open, is_scan, in_replay);
-  commands_[Command::use_view].setEnabled(is_scan && detail_->isTurned());
+  commands_[Command::use_view].setEnabled(is_scan && area_->detail().isTurned());
   for (const ReliefKind kind : {ReliefKind::natural, ReliefKind::intensity}) {
     QAction& look = commands_[commandAfter(Command::relief_lit, static_cast<std::size_t>(kind))];
     look.setEnabled(is_open && canShow(*document_.surface(), kind));
@@ -166,60 +215,6 @@ void MainWindow::enableCommands() {
   commands_[Command::engine_depthbuffer].setChecked(engine == "depthbuffer");
 }
 
-void MainWindow::chooseFile() {
-  auto* dialog = new QFileDialog(this, tr("Open"));
-  dialog->setObjectName(QStringLiteral("open_dialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFiles);
-  dialog->setNameFilters(
-      {tr("Scans, height maps, projects and figures (%1)")
-           .arg((scanPatterns() << QStringLiteral("*.json") << QStringLiteral("*.png")
-                                << QStringLiteral("*.pdf") << QStringLiteral("*.svg")
-                                << QStringLiteral("*.zip"))
-                    .join(' ')),
-       tr("All files (*)")});
-  const QString folder = settings_.layout(QStringLiteral("folder")).toString();
-  if (!folder.isEmpty()) dialog->setDirectory(folder);
-  connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
-    settings_.setLayout(QStringLiteral("folder"), QFileInfo(files.front()).absolutePath());
-    openTogether(files);
-  });
-  dialog->open();
-}
-
-void MainWindow::chooseDepthMap() {
-  if (document_.busy() || !document_.canRemake()) return;
-  auto* dialog = new DepthMapDialog(document_, this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &DepthMapDialog::unitChosen, this, [this](LengthUnit unit) {
-    settings_.rememberUnit(document_.file(), unit);
-    strip_->close();
-  });
-  dialog->setModal(true);  // The document must not change below a preview of it.
-  dialog->show();
-}
-
-void MainWindow::showSteps() {
-  auto* dialog = new QDialog(this);
-  dialog->setObjectName(QStringLiteral("history_dialog"));
-  dialog->setWindowTitle(tr("History"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  auto* steps = new QUndoView(&document_.history());
-  steps->setObjectName(QStringLiteral("history_steps"));
-  steps->setAccessibleName(tr("Steps"));
-  steps->setEmptyLabel(tr("As opened"));
-  auto* column = new QVBoxLayout(dialog);
-  column->addWidget(steps);
-  dialog->resize(320, 400);
-  dialog->show();
-}
-
-void MainWindow::showKeys() {
-  auto* sheet = new KeysSheet(findChildren<QAction*>(), this);
-  sheet->setAttribute(Qt::WA_DeleteOnClose);
-  sheet->show();
-}
-
 void MainWindow::showAbout() {
   auto* box =
       new QMessageBox(QMessageBox::NoIcon, tr("About relievo"),
@@ -230,6 +225,50 @@ void MainWindow::showAbout() {
                       QMessageBox::Close, this);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->open();
+}
+
+void MainWindow::addPanel(const QString& title, QWidget* panel) {
+  constexpr int kAfterWindow = 2;  // What is touched with stands beside what is touched.
+  area_->panels().all->insert(kAfterWindow, title, panel);
+}
+
+void MainWindow::removePanel(QWidget* panel) {
+  area_->panels().all->remove(panel);
+}
+
+void MainWindow::addToMenu(const QString& title, QAction* action) {
+  action->setParent(this);
+  addAction(action);
+  const QList<QKeySequence> keys = action->shortcuts();
+  if (!keys.isEmpty()) {
+    const QString key = keys.front().toString(QKeySequence::NativeText);
+    if (!action->toolTip().contains(key)) {
+      action->setToolTip(QStringLiteral("%1 (%2)").arg(action->toolTip(), key));
+    }
+  }
+  QMenu* to = &commands_.menuOfBar(title, title);
+  // A recording and its notes stand before what is made of them.
+  const QStringList first{QStringLiteral("record"), QStringLiteral("addNote")};
+  const int place = static_cast<int>(first.indexOf(action->objectName()));
+  to->insertAction(place < 0 ? nullptr : to->actions().value(place), action);
+  to->menuAction()->setVisible(true);
+  const bool forces = action->objectName() == QLatin1String("forces");
+  PointerController* pointer = &controllers_->pointer;
+  if (forces) {
+    connect(action, &QAction::toggled, pointer, &PointerController::touchWhileForcesAreOn);
+  }
+  if (action->objectName() == QLatin1String("forcesOff")) {
+    connect(action, &QAction::triggered, pointer,
+            [pointer] { pointer->touchWhileForcesAreOn(false); });
+  }
+  if (!forces && action->objectName() != QLatin1String("record")) return;
+  if (action->icon().isNull()) action->setIcon(icon(forces ? Icon::forces : Icon::record));
+  if (forces) tools_->insertAction(&commands_[Command::stereo], action);
+  if (!forces) tools_->insertAction(nullptr, action);
+  if (auto* button = qobject_cast<QToolButton*>(tools_->widgetForAction(action))) {
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setAccessibleName(withoutMnemonic(action->text()));
+  }
 }
 
 }  // namespace relievo

@@ -4,7 +4,9 @@
 #include <QAccessible>
 #include <utility>
 
+#include "core/base/error.h"
 #include "ui/language/spoken_error.h"
+#include "ui/work/file_names.h"
 
 namespace relievo {
 
@@ -36,6 +38,15 @@ void WindowMessages::show(const QString& text, const std::vector<MessageStrip::B
 
 void WindowMessages::showError(const QString& text, const QString& code) {
   strip_.show(shownError(text, code));
+}
+
+void WindowMessages::tellWritten(const QString& file, const std::function<void()>& write) {
+  try {
+    write();
+    announce(tr("%1 is saved").arg(shownName(file)));
+  } catch (const Error& error) {
+    show(spokenError(error));
+  }
 }
 
 void WindowMessages::close() {

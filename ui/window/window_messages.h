@@ -28,6 +28,8 @@ class WindowMessages : public QObject {
   /// The same of an error, with its code and what can be done.
   void showError(const QString& text, const QString& code);
   void close();
+  /// Says that a file is saved, or why not.
+  void tellWritten(const QString& file, const std::function<void()>& write);
   QString shown() const;  ///< Empty while there is none.
   /// A field of the status bar.
   void set(StatusField field, const QString& text, const QString& tip = {});
@@ -39,13 +41,15 @@ class WindowMessages : public QObject {
     connect(&work, &Work::progressed, this, &WindowMessages::showWork);
   }
 
+  /// There is long work, or no longer.
+  void showBusy(bool busy);
+
  Q_SIGNALS:
   void workBegan();
   void cancelAsked();  ///< By the button beside the progress.
   void dismissed();    ///< The strip was closed without an answer.
 
  private:
-  void showBusy(bool busy);
   void showWork(const QString& step, double fraction);
 
   MessageStrip& strip_;

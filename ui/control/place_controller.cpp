@@ -1,38 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Named places, views as text, and work that outlives a crash.
+#include "ui/control/place_controller.h"
+
 #include <algorithm>
 #include <cmath>
 #include <QAction>
 #include <QClipboard>
-#include <QFileInfo>
 #include <QGuiApplication>
-#include <QTimer>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/region/window.h"
-#include "ui/frame/message_strip.h"
+#include "ui/control/look_controller.h"
+#include "ui/control/touch_controller.h"
 #include "ui/frame/side_panels.h"
 #include "ui/language/spoken_error.h"
-#include "ui/panels/measure_panel.h"
 #include "ui/panels/places_panel.h"
-#include "ui/panels/stereo_panel.h"
-#include "ui/panels/view_panel.h"
-#include "ui/views/detail_view.h"
-#include "ui/window/main_window.h"
+#include "ui/panels/suggest_panel.h"
+#include "ui/views/reference_view.h"
 #include "ui/work/file_names.h"
-#include "ui/work/work_keeper.h"
 
 namespace relievo {
 namespace {
 
 constexpr int kMostBeacons = 9;
-// Of steps that merge while a slider is dragged; the document's own ids are below.
-constexpr int kMergeLight = 102, kMergeShading = 103;
 constexpr double kSameBeaconMm = 5;  // Of hand: nearer than that is the same beacon.
 
 QString beaconName(int number) {
-  return MainWindow::tr("Beacon %1").arg(number);
+  return PlaceController::tr("Beacon %1").arg(number);
 }
 
 bool isBeacon(const NamedRegion& place) {
@@ -54,70 +48,75 @@ QString freeBeacon(const std::vector<NamedRegion>& places) {
 
 }  // namespace
 
-void MainWindow::makePlaceCommands() {
-  commands_.on(Command::name_place, this, [this] { namePlace(); });
-  commands_.on(Command::next_place, this, [this] { places_panel_->step(1); });
-  commands_.on(Command::previous_place, this, [this] { places_panel_->step(-1); });
+PlaceController::PlaceController(const ControllerParts& parts, const Panels& panels,
+                                 ReferenceView& reference, LookController& look,
+                                 const TouchController& touch)
+    : Controller(parts), panels_(panels), look_(look), touch_(touch) {
+  makeCommands();
+  connect(&panels_.places, &PlacesPanel::addAsked, this, &PlaceController::name);
+  connect(&panels_.places, &PlacesPanel::goAsked, this, &PlaceController::goTo);
+  connect(&panels_.places, &PlacesPanel::said, &messages_, &WindowMessages::announce);
+  connectSuggestions(reference);
+}
+
+void PlaceController::makeCommands() {
+  commands_.on(Command::name_place, this, [this] { name(); });
+  commands_.on(Command::next_place, this, [this] { panels_.places.step(1); });
+  commands_.on(Command::previous_place, this, [this] { panels_.places.step(-1); });
   commands_.on(Command::copy_view, this, [this] { copyView(); });
   commands_.on(Command::paste_view, this, [this] { pasteView(); });
   commands_.on(Command::beacon, this, [this] { toggleBeacon(); });
-}
-
-void MainWindow::connectPlaces() {
-  connect(places_panel_, &PlacesPanel::addAsked, this, &MainWindow::namePlace);
-  connect(places_panel_, &PlacesPanel::goAsked, this, &MainWindow::goToPlace);
-  connect(places_panel_, &PlacesPanel::said, this, &MainWindow::announce);
-  connect(stereo_panel_, &StereoPanel::changed, this, &MainWindow::chooseStereo);
-  // The window may be another one before the panel has heard of another stereo.
-  connect(stereo_panel_, &StereoPanel::drawnChanged, this, &MainWindow::showStereo);
-  connect(view_panel_, &ViewPanel::lightChanged, this, [this](const LightOptions& light) {
-    chooseLook(
-        tr("Light"), [&](ReliefLook& look) { look.light = light; }, kMergeLight);
-  });
-  connect(view_panel_, &ViewPanel::shadingChanged, this, [this](double shading) {
-    chooseLook(
-        tr("Shading of colours"), [&](ReliefLook& look) { look.shading = shading; }, kMergeShading);
-  });
-  connect(&document_, &Document::amended, this, &MainWindow::keepWork);
-  connect(&document_.history(), &QUndoStack::indexChanged, this, &MainWindow::keepWork);
-  connect(keeper_, &WorkKeeper::failed, this, &MainWindow::showMessage);
-}
-
-void MainWindow::keepWork() {
-  if (!document_.isOpen()) return;
-  keeper_->changed();
-  if (std::exchange(title_due_, true)) return;
-  constexpr int kTitleMs = 200;  // Of many changes in a row the title tells the last.
-  QTimer::singleShot(kTitleMs, this, [this] {
-    title_due_ = false;
-    showTitle();
+  commands_.on(Command::suggest_windows, this, [this] {
+    commands_[Command::show_panels].setChecked(true);
+    panels_.all.reveal(&panels_.suggestions);
+    panels_.suggestions.find();
   });
 }
 
-void MainWindow::namePlace() {
+void PlaceController::connectSuggestions(ReferenceView& reference) {
+  SuggestPanel& suggestions = panels_.suggestions;
+  connect(&suggestions, &SuggestPanel::said, &messages_, &WindowMessages::announce);
+  messages_.follow(suggestions);
+  connect(&messages_, &WindowMessages::cancelAsked, this, [this] {
+    if (panels_.suggestions.cancel()) announce(tr("Cancelled. Nothing was suggested."));
+  });
+  connect(&suggestions, &SuggestPanel::shownChanged, &reference, [&suggestions, &reference] {
+    std::vector<SuggestedFrame> frames;
+    if (suggestions.overlayWanted()) {
+      for (const FeelableWindow& w : suggestions.windows()) {
+        const Region& r = w.region;
+        const bool is_current = static_cast<int>(frames.size()) == suggestions.current();
+        frames.push_back({{r.x_mm, r.y_mm, r.side_mm, r.side_mm}, is_current});
+      }
+    }
+    reference.setSuggestions(frames);
+  });
+}
+
+void PlaceController::name() {
   if (!document_.isOpen()) return;
   commands_[Command::show_panels].setChecked(true);
-  panels_->reveal(places_panel_);
-  NamedRegion place{.name = places_panel_->freeName().toStdString(),
+  panels_.all.reveal(&panels_.places);
+  NamedRegion place{.name = panels_.places.freeName().toStdString(),
                     .region = document_.project().region,
                     .gain = document_.project().gain};
-  if (places_panel_->withView()) place.view = viewOf(document_.project());
-  places_panel_->add(std::move(place));
+  if (panels_.places.withView()) place.view = viewOf(document_.project());
+  panels_.places.add(std::move(place));
 }
 
 // A beacon's window is centred on the hand wherever that lies; it is put on the map when gone to.
-void MainWindow::toggleBeacon() {
+void PlaceController::toggleBeacon() {
   const auto window = document_.window();
   if (!window) return;
-  const StepAbout here = about();
+  const StepAbout here = touch_.about();
   const double reach_mm = kSameBeaconMm * handMapping(*window).objectMmPerHandMm();
-  const std::vector<NamedRegion>& places = places_panel_->places();
+  const std::vector<NamedRegion>& places = panels_.places.places();
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Region& r = places[i].region;
     const double away_mm = std::hypot(r.centreX() - here.x_mm, r.centreY() - here.y_mm);
     if (!isBeacon(places[i]) || away_mm > reach_mm) continue;
     const QString name = QString::fromStdString(places[i].name);
-    places_panel_->removeAt(i);
+    panels_.places.removeAt(i);
     announce(tr("%1 removed.").arg(name));
     return;
   }
@@ -131,71 +130,51 @@ void MainWindow::toggleBeacon() {
                     .gain = document_.project().gain};
   place.region.x_mm = here.x_mm - 0.5 * place.region.side_mm;
   place.region.y_mm = here.y_mm - 0.5 * place.region.side_mm;
-  places_panel_->put(std::move(place));
+  panels_.places.put(std::move(place));
   announce(tr("%1 set.").arg(name));
 }
 
-void MainWindow::goToPlace(const NamedRegion& place) {
+void PlaceController::goTo(const NamedRegion& place) {
   const QString name = QString::fromStdString(place.name);
   if (!document_.isOpen()) return;
   if (place.region.level.value >= document_.details()) {
-    strip_->show(
+    messages_.show(
         tr("%1 lies on a finer detail than this map has. The window was not moved.").arg(name));
     return;
   }
   Region to = place.region;
   if (isBeacon(place)) to = moved(document_.surface()->ladder, to, 0, 0).value_or(to);
-  if (place.view) showView(*place.view, tr("Go to %1").arg(name));
+  if (place.view) look_.showView(*place.view, tr("Go to %1").arg(name));
   document_.goTo(to, place.gain, tr("Go to %1").arg(name));
   announce(tr("%1. Detail %2 of %3").arg(name).arg(document_.detail()).arg(document_.details()));
 }
 
-void MainWindow::copyView() {
+void PlaceController::copyView() {
   QGuiApplication::clipboard()->setText(
       QString::fromStdString(toText(viewOf(document_.project()))));
   announce(tr("The view is copied as text"));
 }
 
-void MainWindow::pasteView() {
+void PlaceController::pasteView() {
   if (!document_.isOpen()) return;
   try {
     const ViewState view =
         viewFromText(QGuiApplication::clipboard()->text().trimmed().toStdString());
     const DetailLadder& ladder = document_.surface()->ladder;
     if (view.region.level.value >= document_.details() || !onMap(ladder, view.region)) {
-      strip_->show(
+      messages_.show(
           tr("The copied view does not lie on this map. The window was not moved. Open the "
              "scan that it was copied from."));
       return;
     }
-    showView(view, tr("Paste view"));
+    look_.showView(view, tr("Paste view"));
     document_.goTo(view.region, view.gain, tr("Paste view"));
     announce(tr("The copied view is shown. Detail %1 of %2")
                  .arg(document_.detail())
                  .arg(document_.details()));
   } catch (const Error& error) {
-    strip_->show(shownError(error));
+    messages_.show(shownError(error));
   }
-}
-
-void MainWindow::offerLeftWork() {
-  const auto left = keeper_->left();
-  if (!left) return;
-  const Project& work = left->project;
-  const QString name = shownName(pathFromBytes(work.saved_as.empty() ? work.file : work.saved_as));
-  const int steps = static_cast<int>(left->project.history.size());
-  strip_->show(
-      tr("relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).", nullptr, steps)
-          .arg(name, left->time),
-      {{tr("&Restore"),
-        [this, left] {
-          recovered_copy_ = left->copy;
-          restore(left->project, {});
-        }},
-       {tr("&Discard"), [this, left] {
-          WorkKeeper::discard(left->copy);
-          offerLeftWork();
-        }}});
 }
 
 }  // namespace relievo

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Look or touch: what the buttons of the mouse do in the detail view.
+#include "ui/control/pointer_controller.h"
+
 #include <QAction>
-#include <QActionGroup>
 #include <utility>
 
-#include "ui/frame/status_fields.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/pointer_bindings.h"
-#include "ui/window/main_window.h"
 
 namespace relievo {
 namespace {
@@ -20,17 +18,30 @@ bool isCarriedByPointer(const QString& device) {
 
 }  // namespace
 
-void MainWindow::makePointerCommands() {
-  commands_.on(Command::pointer_look, this, [this] { choosePointerMode(PointerMode::look); });
-  commands_.on(Command::pointer_touch, this, [this] { choosePointerMode(PointerMode::touch); });
+PointerController::PointerController(const ControllerParts& parts, DetailView& detail)
+    : Controller(parts), detail_(detail) {
+  commands_.on(Command::pointer_look, this, [this] { choose(PointerMode::look); });
+  commands_.on(Command::pointer_touch, this, [this] { choose(PointerMode::touch); });
   commands_.on(Command::pointer_switch, this, [this] {
-    const bool looks = detail_->pointerMode() == PointerMode::look;
-    choosePointerMode(looks ? PointerMode::touch : PointerMode::look);
-    announce(bindingsText(detail_->pointerMode(), pointerBindings()));
+    const bool looks = detail_.pointerMode() == PointerMode::look;
+    choose(looks ? PointerMode::touch : PointerMode::look);
+    announce(bindingsText(detail_.pointerMode(), bindings()));
   });
+  connect(&document_, &Document::surfaceChanged, this, &PointerController::showBindings);
 }
 
-PointerBindings MainWindow::pointerBindings() const {
+void PointerController::showKeptMode() {
+  const QString kept = settings_.choice(QStringLiteral("pointer_mode"), QString()).toString();
+  looks_after_forces_ = false;
+  show(kept == QLatin1String("touch") ? PointerMode::touch : PointerMode::look);
+}
+
+void PointerController::follow(const TouchReadout& readout) {
+  device_ = readout.device;
+  touchWhileForcesAreOn(readout.forces_on);
+}
+
+PointerBindings PointerController::bindings() const {
   const auto chosen = [this](const char* key, PointerAct fallback) {
     const QString kept = settings_.choice(QString::fromLatin1(key), QString()).toString();
     return pointerAct(kept, fallback);
@@ -45,40 +56,40 @@ PointerBindings MainWindow::pointerBindings() const {
   return made;
 }
 
-void MainWindow::choosePointerMode(PointerMode mode) {
+void PointerController::choose(PointerMode mode) {
   looks_after_forces_ = false;
   settings_.setChoice(QStringLiteral("pointer_mode"), mode == PointerMode::touch
                                                           ? QStringLiteral("touch")
                                                           : QStringLiteral("look"));
-  showPointerMode(mode);
+  show(mode);
 }
 
-void MainWindow::showPointerMode(PointerMode mode) {
-  detail_->setPointerMode(mode);
+void PointerController::show(PointerMode mode) {
+  detail_.setPointerMode(mode);
   const bool touches = mode == PointerMode::touch;
   commands_[touches ? Command::pointer_touch : Command::pointer_look].setChecked(true);
   showBindings();
 }
 
-void MainWindow::showBindings() {
-  const PointerBindings bindings = pointerBindings();
-  detail_->setBindings(bindings);
-  status_->set(StatusField::pointer,
-               document_.isOpen() ? bindingsText(detail_->pointerMode(), bindings) : QString(),
-               tr("What the mouse does in the detail view; F7 changes between look and touch, "
-                  "Preferences choose the buttons"));
+void PointerController::showBindings() {
+  const PointerBindings now = bindings();
+  detail_.setBindings(now);
+  messages_.set(StatusField::pointer,
+                document_.isOpen() ? bindingsText(detail_.pointerMode(), now) : QString(),
+                tr("What the mouse does in the detail view; F7 changes between look and touch, "
+                   "Preferences choose the buttons"));
 }
 
 // Whoever switches forces on with the mouse as the hand wants to press; after that the left button
 // does again what it did before.
-void MainWindow::touchWhileForcesAreOn(bool on) {
+void PointerController::touchWhileForcesAreOn(bool on) {
   if (std::exchange(forces_were_on_, on) == on) return;
   if (on) {
-    if (detail_->pointerMode() == PointerMode::touch || !isCarriedByPointer(touch_.device)) return;
+    if (detail_.pointerMode() == PointerMode::touch || !isCarriedByPointer(device_)) return;
     looks_after_forces_ = true;
-    showPointerMode(PointerMode::touch);
+    show(PointerMode::touch);
   } else if (std::exchange(looks_after_forces_, false)) {
-    showPointerMode(PointerMode::look);
+    show(PointerMode::look);
   }
 }
 

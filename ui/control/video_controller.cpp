@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Videos and camera paths: commands of the window.
+#include "ui/control/video_controller.h"
+
 #include <algorithm>
 #include <array>
 #include <QAction>
@@ -12,18 +13,15 @@
 
 #include "core/base/error.h"
 #include "core/base/replaceable.h"
-#include "ui/dialogs/video_control.h"
+#include "core/provenance/provenance.h"
 #include "ui/dialogs/video_dialog.h"
-#include "ui/frame/message_strip.h"
-#include "ui/frame/status_fields.h"
 #include "ui/language/spoken_error.h"
+#include "ui/panels/replay_control.h"
 #include "ui/panels/replay_panel.h"
 #include "ui/plots/time_plot.h"
 #include "ui/style/text.h"
 #include "ui/video/video_file.h"
 #include "ui/views/detail_view.h"
-#include "ui/views/path_preview.h"
-#include "ui/window/main_window.h"
 #include "ui/work/file_names.h"
 
 namespace relievo {
@@ -41,112 +39,111 @@ QString videoFolder() {
 
 }  // namespace
 
-void MainWindow::makeVideoCommands() {
-  commands_.on(Command::video, this, [this] { chooseVideo(); });
-  commands_.onToggled(Command::video_live, this, [this](bool on) { setLiveVideo(on); });
-  commands_.on(Command::key_view, this, [this] { addKeyView(); });
-  commands_.on(Command::path_play, this, [this] { previewPath(); });
-  commands_.on(Command::path_clear, this, [this] {
-    document_.amend([](Project& p) { p.paths.clear(); });
-    enableVideo();
-    announce(tr("The camera path is empty"));
-  });
-}
-
-void MainWindow::connectVideo() {
-  connect(video_, &VideoControl::said, this, &MainWindow::announce);
-  connect(video_, &VideoControl::failed, this, &MainWindow::showMessage);
-  connect(video_, &VideoControl::busyChanged, this, &MainWindow::showBusy);
-  connect(video_, &VideoControl::busyChanged, this, [this](bool) { enableVideo(); });
-  connect(video_, &VideoControl::ended, this, &MainWindow::closeIfAwaited);
-  connect(video_, &VideoControl::progressed, status_, &StatusFields::showWork);
-  connect(status_, &StatusFields::cancelAsked, this, [this] {
-    stayOpen();
-    video_->cancel();
-  });
-  connect(video_, &VideoControl::liveEnded, this, [this] {
+VideoController::VideoController(const ControllerParts& parts, DetailView& detail, TimePlot& plot,
+                                 ReplayControl& replay)
+    : Controller(parts), detail_(detail), plot_(plot), replay_(replay) {
+  makeCommands();
+  connect(&video_, &VideoControl::said, &messages_, &WindowMessages::announce);
+  connect(&video_, &VideoControl::failed, &messages_,
+          [this](const QString& text) { messages_.show(text); });
+  messages_.follow(video_);
+  connect(&video_, &VideoControl::busyChanged, this, &VideoController::enable);
+  connect(&messages_, &WindowMessages::cancelAsked, &video_, &VideoControl::cancel);
+  connect(&video_, &VideoControl::liveEnded, this, [this] {
     commands_[Command::video_live].setChecked(false);
-    enableVideo();
+    enable();
   });
-  connect(replay_, &ReplayControl::shownChanged, this, [this](bool) { enableVideo(); });
-  connect(path_preview_, &PathPreview::viewChanged, this, &MainWindow::showPathView);
-  connect(path_preview_, &PathPreview::ended, this, [this] {
+  connect(&replay_, &ReplayControl::shownChanged, this, &VideoController::enable);
+  connect(&preview_, &PathPreview::viewChanged, this, &VideoController::showPathView);
+  connect(&preview_, &PathPreview::ended, this, [this] {
     document_.revert();
-    detail_->straighten();
+    detail_.straighten();
     announce(tr("End of the camera path"));
   });
 }
 
-bool MainWindow::hasPath() const {
+void VideoController::makeCommands() {
+  commands_.on(Command::video, this, [this] { choose(); });
+  commands_.onToggled(Command::video_live, this, [this](bool on) { setLive(on); });
+  commands_.on(Command::key_view, this, [this] { addKeyView(); });
+  commands_.on(Command::path_play, this, [this] { previewPath(); });
+  commands_.on(Command::path_clear, this, [this] {
+    document_.amend([](Project& p) { p.paths.clear(); });
+    enable();
+    announce(tr("The camera path is empty"));
+  });
+}
+
+bool VideoController::hasPath() const {
   return !document_.project().paths.empty() && document_.project().paths.front().keys.size() >= 2;
 }
 
-void MainWindow::enableVideo() {
+void VideoController::enable() {
   const bool is_open = document_.isOpen();
-  commands_[Command::video].setEnabled(is_open && !video_->writing() &&
-                                       (replay_->showing() || hasPath()));
+  commands_[Command::video].setEnabled(is_open && !video_.writing() &&
+                                       (replay_.showing() || hasPath()));
   commands_[Command::video_live].setEnabled(is_open);
   commands_[Command::key_view].setEnabled(is_open);
   commands_[Command::path_play].setEnabled(is_open && hasPath());
   commands_[Command::path_clear].setEnabled(!document_.project().paths.empty());
 }
 
-void MainWindow::chooseVideo() {
+void VideoController::choose() {
   const bool can_pack = haveFfmpeg();
   if (!can_pack) {
     announce(tr("The program ffmpeg is not installed: a folder of pictures can be made."));
   }
   VideoDialog::Start start;
-  start.view_px = detail_->size() * devicePixelRatioF();
+  start.view_px = detail_.size() * window_.devicePixelRatioF();
   start.can_pack = can_pack;
-  start.recording = replay_->showing();
+  start.recording = replay_.showing();
   start.duration_s =
-      start.recording ? replay_->player().durationS() : document_.project().paths.front().endS();
-  if (start.recording) start.request.speed = replay_->player().speed();
+      start.recording ? replay_.player().durationS() : document_.project().paths.front().endS();
+  if (start.recording) start.request.speed = replay_.player().speed();
   if (hasPath()) start.request.path = document_.project().paths.front();
   const StereoOptions& stereo = document_.project().stereo;
   start.request.eye_angle_deg = stereo.eye_angle_deg;
   start.request.swap_eyes = stereo.swap_eyes;
-  auto* dialog = new VideoDialog(start, this);
+  auto* dialog = new VideoDialog(start, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog] { chooseVideoFile(dialog->request()); });
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { chooseFile(dialog->request()); });
   dialog->open();
 }
 
-void MainWindow::chooseVideoFile(const VideoRequest& chosen) {
-  auto* dialog = new QFileDialog(this, tr("Video"), videoFolder());
+void VideoController::chooseFile(const VideoRequest& chosen) {
+  auto* dialog = new QFileDialog(&window_, tr("Video"), videoFolder());
   dialog->setObjectName(QStringLiteral("video_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   const bool folder = chosen.profile == VideoProfile::images;
   dialog->setNameFilter(folder ? tr("A folder of pictures (*)") : tr("Videos (*.mp4)"));
   dialog->selectFile(
-      stemOf(replay_->showing() ? replay_->file() : document_.file(), QStringLiteral(".mp4.json")));
+      stemOf(replay_.showing() ? replay_.file() : document_.file(), QStringLiteral(".mp4.json")));
   connect(dialog, &QFileDialog::fileSelected, this, [this, chosen, folder](const QString& file) {
     const bool whole = folder || file.endsWith(QLatin1String(".mp4"));
-    writeVideo(chosen, whole ? file : file + QLatin1String(".mp4"));
+    write(chosen, whole ? file : file + QLatin1String(".mp4"));
   });
   dialog->open();
 }
 
-void MainWindow::writeVideo(const VideoRequest& chosen, const QString& file) {
+void VideoController::write(const VideoRequest& chosen, const QString& file) {
   try {
     requireNotAnInput(
         QFile::encodeName(file).toStdString(),
         {{.file = QFile::encodeName(document_.file()).toStdString()},
-         {.file = QFile::encodeName(replay_->showing() ? replay_->file() : QString()).toStdString(),
+         {.file = QFile::encodeName(replay_.showing() ? replay_.file() : QString()).toStdString(),
           .what = "the recording that is shown"}});
   } catch (const Error& error) {
-    strip_->show(shownError(error));
+    messages_.show(shownError(error));
     return;
   }
   VideoControl::Order order;
   order.surface = document_.surface();
   order.request = chosen;
   order.request.look = document_.project().look;
-  if (replay_->showing()) {
-    order.recording = replay_->player().shared();
-    order.recording_file = replay_->file();
+  if (replay_.showing()) {
+    order.recording = replay_.player().shared();
+    order.recording_file = replay_.file();
   } else if (hasPath()) {
     order.request.path = document_.project().paths.front();
     order.request.overview = false;
@@ -154,20 +151,20 @@ void MainWindow::writeVideo(const VideoRequest& chosen, const QString& file) {
   order.provenance = document_.provenanceIn(file);
   order.provenance.view.reset();  // The video goes its own way.
   order.file = QFileInfo(file).absoluteFilePath();
-  video_->write(order);
+  video_.write(order);
 }
 
-VideoControl::LiveSource MainWindow::liveSource() {
+VideoControl::LiveSource VideoController::liveSource() {
   const auto below = [this]() -> QWidget* {
-    QWidget* shown = replay_->showing() ? static_cast<QWidget*>(replay_->panel()) : plot_;
+    QWidget* shown = replay_.showing() ? static_cast<QWidget*>(replay_.panel()) : &plot_;
     return shown->isVisible() ? shown : nullptr;
   };
-  QSize pixels = detail_->shotSize();
+  QSize pixels = detail_.shotSize();
   if (const QWidget* plots = below()) {
     pixels.rheight() += pixels.width() * plots->height() / std::max(1, plots->width());
   }
   return {.pixels = pixels,
-          .view = [this] { return detail_->shot(); },
+          .view = [this] { return detail_.shot(); },
           .below =
               [below] {
                 QWidget* plots = below();
@@ -175,16 +172,16 @@ VideoControl::LiveSource MainWindow::liveSource() {
               }};
 }
 
-void MainWindow::setLiveVideo(bool on) {
+void VideoController::setLive(bool on) {
   if (!on) {
-    video_->stopLive();
+    video_.stopLive();
     return;
   }
-  if (video_->live()) return;
+  if (video_.live()) return;
   const QString stem = videoFolder() + QLatin1String("/view-") +
                        QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmmss"));
   const auto start = [this](const QString& file, VideoProfile profile) {
-    if (video_->startLive(file, profile, carriedState(file), liveSource())) {
+    if (video_.startLive(file, profile, toJson(document_.provenanceIn(file), -1), liveSource())) {
       announce(tr("Video to %1").arg(shownPath(file)));
     } else {
       commands_[Command::video_live].setChecked(false);
@@ -195,16 +192,16 @@ void MainWindow::setLiveVideo(bool on) {
     return;
   }
   commands_[Command::video_live].setChecked(false);
-  strip_->show(tr("The program ffmpeg, which packs videos, is not installed. Nothing was made. "
-                  "Install the package ffmpeg, or keep a folder of pictures."),
-               {{tr("&Keep pictures"), [this, start, stem] {
-                   const QSignalBlocker quiet(&commands_[Command::video_live]);
-                   commands_[Command::video_live].setChecked(true);
-                   start(stem, VideoProfile::images);
-                 }}});
+  messages_.show(tr("The program ffmpeg, which packs videos, is not installed. Nothing was made. "
+                    "Install the package ffmpeg, or keep a folder of pictures."),
+                 {{tr("&Keep pictures"), [this, start, stem] {
+                     const QSignalBlocker quiet(&commands_[Command::video_live]);
+                     commands_[Command::video_live].setChecked(true);
+                     start(stem, VideoProfile::images);
+                   }}});
 }
 
-void MainWindow::addKeyView() {
+void VideoController::addKeyView() {
   const ViewState view = viewOf(document_.project());
   double at_s = 0;
   document_.amend([&](Project& p) {
@@ -213,27 +210,27 @@ void MainWindow::addKeyView() {
     if (!keys.empty()) at_s = keys.back().t_s + kKeyStepS;
     keys.push_back({at_s, view});
   });
-  enableVideo();
+  enable();
   announce(tr("Key view %1 at %2 s")
                .arg(document_.project().paths.front().keys.size())
                .arg(numberText(at_s, 0)));
 }
 
-void MainWindow::previewPath() {
-  if (path_preview_->playing()) {
-    path_preview_->stop();
+void VideoController::previewPath() {
+  if (preview_.playing()) {
+    preview_.stop();
     return;
   }
   if (!hasPath() || !document_.isOpen()) return;
-  replay_->close();
+  replay_.close();
   try {
-    path_preview_->play(document_.project().paths.front(), document_.surface()->ladder);
+    preview_.play(document_.project().paths.front(), document_.surface()->ladder);
   } catch (const Error& error) {
-    strip_->show(shownError(error));
+    messages_.show(shownError(error));
   }
 }
 
-void MainWindow::showPathView(const ViewState& view) {
+void VideoController::showPathView(const ViewState& view) {
   document_.preview(view.region);
   document_.previewGain(view.gain);
   document_.setTurn(view.azimuth_deg, view.elevation_deg);
