@@ -22,7 +22,6 @@ class MeasureController : public Controller {
 
  private:
   void makeCommands();
-  void connectProfile();
   void begin(MeasureKind kind);
   void show();
   void save();
