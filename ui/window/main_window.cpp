@@ -65,11 +65,11 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
   layOut();
   messages_ = std::make_unique<WindowMessages>(*strip_, *status_);
   connectDocument();
-  controllers_ = std::make_unique<Controllers>(
-      ControllerParts{document_, settings_, commands_, *messages_, *this}, *area_);
   makeCommands();
   makeMenus();
   makeToolBar();
+  controllers_ = std::make_unique<Controllers>(
+      ControllerParts{document_, settings_, commands_, *messages_, *this}, *area_);
   connectParts();
   showSurface();
   showWindow();
