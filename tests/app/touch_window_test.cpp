@@ -322,9 +322,9 @@ TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit)
   ASSERT_TRUE(waitFor([this] { return window().project().recordings.size() == 1; }));
   QTest::keyClick(&view, Qt::Key_Escape);  // Forces off.
   window().open(recording);                // As if it were dropped.
-  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }))
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }))
       << window().message().toStdString();
-  QTest::keyClick(window().replayControl().panel(), Qt::Key_Down);
+  QTest::keyClick(window().controllers().replays.control().panel(), Qt::Key_Down);
   EXPECT_TRUE(child<QLabel>("replay_readout")->text().endsWith("note: the dome"))
       << child<QLabel>("replay_readout")->text().toStdString();
   plugins->detachAll();

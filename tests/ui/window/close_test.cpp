@@ -68,7 +68,7 @@ TEST_F(CloseTest, StopsTheForcesAndLetsNoneComeOnBehindTheStartPage) {
   openRelief();
   TouchReadout readout;
   readout.forces_on = true;
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   action("close")->trigger();
   EXPECT_TRUE(stopped);
   EXPECT_FALSE(window().runCommand("forces"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an opened file leaves open: the strip asks, one question at a time, and stops nothing.
+#include "ui/control/question_controller.h"
+
 #include <algorithm>
 #include <cmath>
 #include <QIcon>
@@ -9,10 +10,7 @@
 #include "core/depth/rules/rasterize.h"
 #include "core/session/unit_guess.h"
 #include "ui/dialogs/depth_map_preview.h"
-#include "ui/frame/message_strip.h"
 #include "ui/style/text.h"
-#include "ui/window/main_window.h"
-#include "ui/window/settings.h"
 
 namespace relievo {
 namespace {
@@ -31,41 +29,43 @@ QString shareText(double share_of_box) {
 
 }  // namespace
 
-void MainWindow::connectQuestions() {
-  connect(strip_, &MessageStrip::dismissed, this, &MainWindow::askNext);
+QuestionController::QuestionController(const ControllerParts& parts) : Controller(parts) {
+  commands_.on(Command::units, this, [this] { askUnit(); });
+  connect(&messages_, &WindowMessages::dismissed, this, &QuestionController::askNext);
   // An answer made the surface anew; two at a time would undo each other.
-  connect(&document_, &Document::surfaceChanged, this, &MainWindow::askNext, Qt::QueuedConnection);
+  connect(&document_, &Document::surfaceChanged, this, &QuestionController::askNext,
+          Qt::QueuedConnection);
 }
 
-void MainWindow::askQuestions() {
+void QuestionController::begin(bool restored, std::size_t withheld) {
   questions_.clear();
-  if (restoring_) askAboutWithheld();
+  if (restored && withheld > 0) tellWithheld(static_cast<int>(withheld));
   const Surface& surface = *document_.surface();
-  if (surface.strays.points > 0 && !restoring_) questions_.emplace_back([this] { askStrays(); });
-  if (surface.strays.grouped > 0 && !restoring_) questions_.emplace_back([this] { askGroups(); });
+  if (surface.strays.points > 0 && !restored) questions_.emplace_back([this] { askStrays(); });
+  if (surface.strays.grouped > 0 && !restored) questions_.emplace_back([this] { askGroups(); });
   if (surface.suspect_height) questions_.emplace_back([this] { askNodata(); });
   if (surface.unit_source == UnitSource::assumed || surface.unit_source == UnitSource::guessed) {
     questions_.emplace_back([this] { askUnit(); });
   }
   const auto& view = document_.project().options.view;
   const bool automatic = !view || view->name == "auto";
-  if (surface.view_is_weak && automatic && !restoring_) drawFaces();
+  if (surface.view_is_weak && automatic && !restored) drawFaces();
   askNext();
 }
 
-void MainWindow::askNext() {
-  if (questions_.empty() || document_.busy() || !strip_->text().isEmpty()) return;
+void QuestionController::askNext() {
+  if (questions_.empty() || document_.busy() || !messages_.shown().isEmpty()) return;
   const std::function<void()> ask = questions_.front();
   questions_.erase(questions_.begin());
   ask();
 }
 
-void MainWindow::answerStrays(StrayRule rule) {
+void QuestionController::answerStrays(StrayRule rule) {
   document_.setStrays(rule);
   askNext();  // If that was the answer already.
 }
 
-void MainWindow::askStrays() {
+void QuestionController::askStrays() {
   const Strays& strays = document_.surface()->strays;
   const QString few = countText(strays.points);
   const QString all = countText(strays.all);
@@ -82,13 +82,13 @@ void MainWindow::askStrays() {
           : tr("%1 of %2 points lie %3 % of the box away from all others.").arg(few, all, share);
   if (strays.kept) {
     const QString kept = tr("Kept, and so most of the map is empty.");
-    strip_->show(QStringLiteral("%1 %2").arg(found, kept), {drop, keep});
+    messages_.show(QStringLiteral("%1 %2").arg(found, kept), {drop, keep});
   } else {
-    strip_->show(QStringLiteral("%1 %2").arg(found, tr("Left out.")), {keep, drop});
+    messages_.show(QStringLiteral("%1 %2").arg(found, tr("Left out.")), {keep, drop});
   }
 }
 
-void MainWindow::askGroups() {
+void QuestionController::askGroups() {
   const Strays& strays = document_.surface()->strays;
   const QString found = tr("%1 of %2 points lie together, %3 % of the box away from all others.")
                             .arg(countText(strays.grouped), countText(strays.all),
@@ -99,16 +99,16 @@ void MainWindow::askGroups() {
                                   [this] { answerStrays(StrayRule::drop_groups); }};
   if (strays.groups_kept) {
     const QString kept = tr("Kept, as they may belong to the object.");
-    strip_->show(QStringLiteral("%1 %2").arg(found, kept), {drop, keep});
+    messages_.show(QStringLiteral("%1 %2").arg(found, kept), {drop, keep});
   } else {
-    strip_->show(QStringLiteral("%1 %2").arg(found, tr("Left out.")), {keep, drop});
+    messages_.show(QStringLiteral("%1 %2").arg(found, tr("Left out.")), {keep, drop});
   }
 }
 
-void MainWindow::askNodata() {
+void QuestionController::askNodata() {
   const SuspectHeight suspect = *document_.surface()->suspect_height;
   const auto answer = [this](const NodataChoice& nodata) { document_.setNodata(nodata); };
-  strip_->show(
+  messages_.show(
       tr("%1 of %2 heights are %3, which often stands for a missing one. They are shown as "
          "heights.")
           .arg(countText(suspect.count), countText(suspect.all),
@@ -118,7 +118,7 @@ void MainWindow::askNodata() {
        {tr("&Keep as heights"), [answer] { answer(NodataChoice{}); }}});
 }
 
-void MainWindow::drawFaces() {
+void QuestionController::drawFaces() {
   const std::shared_ptr<const Scan> scan = document_.source().scan;
   const std::shared_ptr<const Surface> shown = document_.surface();
   if (!scan) return;
@@ -155,7 +155,7 @@ void MainWindow::drawFaces() {
       });
 }
 
-void MainWindow::askFace(const std::vector<std::pair<std::string, QImage>>& faces) {
+void QuestionController::askFace(const std::vector<std::pair<std::string, QImage>>& faces) {
   std::vector<MessageStrip::Button> buttons;
   for (const auto& [name, picture] : faces) {
     const bool is_shown = name == document_.surface()->view_name;
@@ -175,10 +175,11 @@ void MainWindow::askFace(const std::vector<std::pair<std::string, QImage>>& face
                                       QIcon(pixels)};
     buttons.insert(is_shown ? buttons.begin() : buttons.end(), button);  // For Ctrl+Return.
   }
-  strip_->show(tr("How this object stands is not certain. From where shall it be seen?"), buttons);
+  messages_.show(tr("How this object stands is not certain. From where shall it be seen?"),
+                 buttons);
 }
 
-void MainWindow::askUnit() {
+void QuestionController::askUnit() {
   const Surface& surface = *document_.surface();
   if (!surface.info.bounds) return;
   const FilePoint size = surface.info.bounds->max - surface.info.bounds->min;
@@ -206,26 +207,36 @@ void MainWindow::askUnit() {
   const QString numbers =
       tr("%1 \u00d7 %2 \u00d7 %3").arg(number(size.x), number(size.y), number(size.z));
   if (!assumed) {
-    strip_->show(tr("%1: %2. Which unit?").arg(numbers, sizes.join(QStringLiteral("; "))), buttons);
+    messages_.show(tr("%1: %2. Which unit?").arg(numbers, sizes.join(QStringLiteral("; "))),
+                   buttons);
     return;
   }
   if (guessed) {
-    strip_->show(tr("The points carry no unit. %1 \u2013 %2. The coordinates are those of a map "
-                    "projection; shown as %3 until you say. (E103)")
-                     .arg(numbers, sizes.join(QStringLiteral("; ")), unitText(likely)),
-                 buttons);
+    messages_.show(tr("The points carry no unit. %1 \u2013 %2. The coordinates are those of a map "
+                      "projection; shown as %3 until you say. (E103)")
+                       .arg(numbers, sizes.join(QStringLiteral("; ")), unitText(likely)),
+                   buttons);
     return;
   }
-  strip_->show(tr("The points carry no unit. %1 \u2013 %2. Most likely %3. Shown as millimetres "
-                  "until you say. (E103)")
-                   .arg(numbers, sizes.join(QStringLiteral("; ")), unitText(likely)),
-               buttons);
+  messages_.show(tr("The points carry no unit. %1 \u2013 %2. Most likely %3. Shown as millimetres "
+                    "until you say. (E103)")
+                     .arg(numbers, sizes.join(QStringLiteral("; ")), unitText(likely)),
+                 buttons);
 }
 
-void MainWindow::chooseUnit(LengthUnit unit) {
+void QuestionController::chooseUnit(LengthUnit unit) {
   settings_.rememberUnit(document_.file(), unit);
-  strip_->close();
+  messages_.close();
   document_.setUnit(unit);
+}
+
+void QuestionController::tellWithheld(int count) {
+  questions_.emplace_back([this, count] {
+    messages_.show(
+        tr("%n file(s) that this project names were not read. They stay named in it, and "
+           "are offered for no package and no figure.",
+           nullptr, count));
+  });
 }
 
 }  // namespace relievo

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Packages for citation, and the recordings that belong to the work.
+#include "ui/control/package_controller.h"
+
 #include <algorithm>
 #include <memory>
 #include <QDir>
@@ -13,13 +14,10 @@
 #include "core/project/carried_state.h"
 #include "core/project/package.h"
 #include "core/project/unpacked_package.h"
+#include "ui/control/foreign_files.h"
 #include "ui/dialogs/package_dialog.h"
-#include "ui/frame/message_strip.h"
-#include "ui/frame/status_fields.h"
 #include "ui/language/spoken_error.h"
-#include "ui/window/main_window.h"
 #include "ui/work/file_names.h"
-#include "ui/work/work_keeper.h"
 
 namespace relievo {
 namespace {
@@ -45,87 +43,49 @@ void requireSameScan(const QString& recording, const Project& project) {
 
 }  // namespace
 
-void MainWindow::setCompanions(CompanionsOf companions) {
+void PackageController::setCompanions(CompanionsOf companions) {
   companions_ = std::move(companions);
 }
 
-void MainWindow::makePackageCommand() {
-  make({"package",
-        tr("Pac&kage for citation\u2026"),
-        {},
-        tr("One zip with project, scan, recordings, figures and checksums"),
-        [this] { choosePackage(); },
-        {}});
-}
-
-void MainWindow::connectPackages() {
-  for (WorkQueue* work : {&package_work_, &unpack_work_}) {
-    connect(work, &WorkQueue::busyChanged, this, &MainWindow::showBusy);
+PackageController::PackageController(const ControllerParts& parts, const ForeignFiles& foreign)
+    : Controller(parts), foreign_(foreign) {
+  commands_.on(Command::package, this, [this] { choose(); });
+  for (WorkQueue* work : {&work_, &unpack_work_}) {
+    connect(work, &WorkQueue::busyChanged, &messages_, &WindowMessages::showBusy);
   }
-  connect(status_, &StatusFields::cancelAsked, this, [this] {
-    stayOpen();
-    if (package_work_.cancel()) announce(tr("Cancelled. Nothing was packed."));
+  connect(&messages_, &WindowMessages::cancelAsked, this, [this] {
+    if (work_.cancel()) announce(tr("Cancelled. Nothing was packed."));
     if (unpack_work_.cancel()) announce(tr("Cancelled. Nothing was opened."));
   });
 }
 
-void MainWindow::noteRecording(const QString& file) {
-  askForRecordingFolder();
-  if (!document_.isOpen()) return;
-  const auto known = std::make_shared<InputFile>();
-  const QString scan = document_.fileSha256();
-  record_work_.add(
-      [file, known](const Task& task) {
-        try {
-          *known = asItIs(file, task);
-        } catch (const Error&) {  // It is gone again; then it belongs to nothing.
-        }
-      },
-      [this, known, scan] {
-        if (known->sha256.empty() || scan != document_.fileSha256()) return;
-        document_.amend([&](Project& p) {
-          std::erase_if(p.recordings,
-                        [&](const InputFile& one) { return one.file == known->file; });
-          p.recordings.push_back(*known);
-        });
-      });
-}
-
-void MainWindow::noteFigure(const QString& file) {
-  const std::string path = bytesOfPath(QFileInfo(file).absoluteFilePath());
-  document_.amend([&](Project& p) {
-    std::erase(p.figures, path);
-    p.figures.push_back(path);
-  });
-}
-
-void MainWindow::choosePackage() {
-  if (!document_.isOpen() || document_.busy() || package_work_.busy()) return;
+void PackageController::choose() {
+  if (!document_.isOpen() || document_.busy() || work_.busy()) return;
   const QString& project = document_.projectFile();
   const QFileInfo near(project.isEmpty() ? document_.file() : project);
   const QString more = QStringLiteral("-package.zip");
   const QString stem = stemOf(near.fileName().section('.', 0, 0) + '.', more);
   QStringList figures;
   for (const std::string& figure : document_.project().figures) {
-    if (isWithheld(figure)) continue;
+    if (foreign_.isWithheld(figure)) continue;
     const QString file = pathFromBytes(figure);
     if (QFileInfo::exists(file)) figures << file;
   }
   QStringList recordings;
   for (const InputFile& recording : document_.project().recordings) {
-    if (!isWithheld(recording.file)) recordings << pathFromBytes(recording.file);
+    if (!foreign_.isWithheld(recording.file)) recordings << pathFromBytes(recording.file);
   }
   auto* dialog = new PackageDialog(
-      {document_.file(), recordings, figures, near.absoluteDir().filePath(stem + more)}, this);
+      {document_.file(), recordings, figures, near.absoluteDir().filePath(stem + more)}, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog] { writePackage(dialog->choice()); });
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { write(dialog->choice()); });
   dialog->open();
 }
 
-void MainWindow::writePackage(const PackageChoice& choice) {
+void PackageController::write(const PackageChoice& choice) {
   const auto error = std::make_shared<QString>();
   const auto files = std::make_shared<std::uint64_t>(0);
-  package_work_.add(
+  work_.add(
       [choice, error, files, project = document_.stored(),
        companions = companions_](const Task& task) {
         try {
@@ -143,7 +103,7 @@ void MainWindow::writePackage(const PackageChoice& choice) {
             };
           }
           const std::filesystem::path target = pathOf(choice.file);
-          relievo::writePackage(target, packed, contents, task);
+          writePackage(target, packed, contents, task);
           *files = verifyPackage(target, task).files;
         } catch (const Cancelled&) {  // Its end is not told.
         } catch (const std::exception& failure) {
@@ -152,17 +112,17 @@ void MainWindow::writePackage(const PackageChoice& choice) {
       },
       [this, choice, error, files] {
         if (!error->isEmpty()) {
-          strip_->show(*error);
+          messages_.show(*error);
         } else {
           announce(tr("%1 is packed: %n file(s), each with its checksum", nullptr,
                       static_cast<int>(*files))
                        .arg(shownName(choice.file)));
         }
-        closeIfAwaited(error->isEmpty());
+        Q_EMIT ended(error->isEmpty());
       });
 }
 
-bool MainWindow::openPackage(const QString& file, const QString& into) {
+bool PackageController::unpack(const QString& file, const QString& into) {
   try {
     if (inputFacts(pathOf(file)).carrier != CarrierKind::package) return false;
   } catch (const Error&) {
@@ -193,17 +153,17 @@ bool MainWindow::openPackage(const QString& file, const QString& into) {
       },
       [this, file, unpacked] {
         if (unpacked->problems > 0) {
-          strip_->show(tr("%n part(s) of %1 are not as they were packed. Nothing was opened. "
-                          "'relievo project verify' names them.",
-                          nullptr, unpacked->problems)
-                           .arg(shownName(file)));
+          messages_.show(tr("%n part(s) of %1 are not as they were packed. Nothing was opened. "
+                            "'relievo project verify' names them.",
+                            nullptr, unpacked->problems)
+                             .arg(shownName(file)));
         } else if (unpacked->not_there) {
-          strip_->show(unpacked->error, {{tr("&Unpack elsewhere\u2026"),
-                                          [this, file] { choosePackageFolder(file); }}});
+          messages_.show(unpacked->error,
+                         {{tr("&Unpack elsewhere\u2026"), [this, file] { chooseFolder(file); }}});
         } else if (!unpacked->error.isEmpty()) {
-          strip_->show(unpacked->error);
+          messages_.show(unpacked->error);
         } else {
-          open(unpacked->project);
+          Q_EMIT this->unpacked(unpacked->project);
           announce(
               tr("%1 was unpacked into %2")
                   .arg(shownName(file), shownPath(QFileInfo(unpacked->project).absolutePath())));
@@ -212,14 +172,14 @@ bool MainWindow::openPackage(const QString& file, const QString& into) {
   return true;
 }
 
-void MainWindow::choosePackageFolder(const QString& package) {
-  auto* dialog = new QFileDialog(this, tr("Unpack %1 into").arg(shownName(package)));
+void PackageController::chooseFolder(const QString& package) {
+  auto* dialog = new QFileDialog(&window_, tr("Unpack %1 into").arg(shownName(package)));
   dialog->setObjectName(QStringLiteral("unpack_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly, true);
   connect(dialog, &QFileDialog::fileSelected, this,
-          [this, package](const QString& folder) { openPackage(package, folder); });
+          [this, package](const QString& folder) { unpack(package, folder); });
   dialog->open();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that a project from elsewhere names: asked about before they are read
-// (docs/adr/0136-outside-files.md).
+#include "ui/control/foreign_files.h"
+
 #include <algorithm>
 #include <memory>
 #include <QDialogButtonBox>
@@ -9,11 +9,8 @@
 #include <QPushButton>
 
 #include "core/project/project_files.h"
-#include "ui/frame/message_strip.h"
-#include "ui/frame/status_fields.h"
 #include "ui/language/core_words.h"
 #include "ui/language/spoken_error.h"
-#include "ui/window/main_window.h"
 #include "ui/work/file_names.h"
 
 namespace relievo {
@@ -39,30 +36,33 @@ QString listed(const std::vector<std::filesystem::path>& files) {
     lines << shownPath(pathFromBytes(files[i].native()));
   }
   const int more = static_cast<int>(files.size() - static_cast<std::size_t>(lines.size()));
-  if (more > 0) lines << MainWindow::tr("and %n more", nullptr, more);
+  if (more > 0) lines << ForeignFiles::tr("and %n more", nullptr, more);
   return lines.join('\n');
 }
 
 }  // namespace
 
-void MainWindow::connectForeignFiles() {
-  connect(&foreign_work_, &LatestWorker::busyChanged, this, &MainWindow::showBusy);
-  connect(&foreign_work_, &LatestWorker::progressed, status_, &StatusFields::showWork);
-  connect(status_, &StatusFields::cancelAsked, this, [this] {
-    if (foreign_work_.cancel()) announce(tr("Cancelled. Nothing was changed."));
-  });
+ForeignFiles::ForeignFiles(const ControllerParts& parts) : Controller(parts) {
+  messages_.follow(worker_);
+  connect(&messages_, &WindowMessages::cancelAsked, this, &ForeignFiles::cancel);
 }
 
-void MainWindow::whenFilesMayBeRead(const Project& project, const QString& carrier,
-                                    const Withhold& then) {
-  const std::filesystem::path names_them = bytesOfPath(carrier);
-  if (carrier.isEmpty() || allIsInFolder(names_them, project)) return then({});
+bool ForeignFiles::cancel() {
+  if (!worker_.cancel()) return false;
+  announce(tr("Cancelled. Nothing was changed."));
+  return true;
+}
+
+void ForeignFiles::whenTheyMayBeRead(const Project& project, const Carrier& carrier,
+                                     const Withhold& then) {
+  const std::filesystem::path names_them = bytesOfPath(carrier.file);
+  if (carrier.file.isEmpty() || allIsInFolder(names_them, project)) return then({});
   struct Found {
     std::vector<std::filesystem::path> files;
     QString error;
   };
   const auto found = std::make_shared<Found>();
-  foreign_work_.start(
+  worker_.start(
       [found, project, names_them](const Task& task) {
         try {
           found->files = foreignFiles(names_them, project, task);
@@ -74,25 +74,24 @@ void MainWindow::whenFilesMayBeRead(const Project& project, const QString& carri
       },
       [this, found, carrier, then] {
         if (!found->error.isEmpty()) {
-          strip_->show(found->error);
+          messages_.show(found->error);
         } else if (found->files.empty()) {
           then({});
         } else {
-          askForForeignFiles(found->files, carrier, then);
+          ask(found->files, carrier, then);
         }
       });
 }
 
-void MainWindow::askForForeignFiles(const std::vector<std::filesystem::path>& files,
-                                    const QString& carrier, const Withhold& then) {
+void ForeignFiles::ask(const Files& files, const Carrier& carrier, const Withhold& then) {
   auto* box = new QMessageBox(
       QMessageBox::Warning, tr("Files elsewhere"),
       tr("%1 names %n file(s) outside of its folder that are not, by their checksums, what it was "
          "made from:",
          nullptr, static_cast<int>(files.size()))
-              .arg(carrier == recovered_copy_ ? tr("The work that was kept") : shownName(carrier)) +
+              .arg(carrier.is_kept_work ? tr("The work that was kept") : shownName(carrier.file)) +
           QLatin1String("\n\n") + listed(files),
-      QMessageBox::Yes | QMessageBox::No, this);
+      QMessageBox::Yes | QMessageBox::No, &window_);
   box->setObjectName(QStringLiteral("foreign_dialog"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setTextFormat(Qt::PlainText);
@@ -105,36 +104,13 @@ void MainWindow::askForForeignFiles(const std::vector<std::filesystem::path>& fi
   box->button(QMessageBox::No)->setText(tr("&Do not read them"));
   box->setDefaultButton(QMessageBox::No);
   box->setEscapeButton(QMessageBox::No);
-  connect(box, &QDialog::finished, this, [files, then](int answer) {
-    then(answer == QMessageBox::Yes ? std::vector<std::filesystem::path>{} : files);
-  });
+  connect(box, &QDialog::finished, this,
+          [files, then](int answer) { then(answer == QMessageBox::Yes ? Files{} : files); });
   box->open();
 }
 
-bool MainWindow::isWithheld(const std::string& file) const {
+bool ForeignFiles::isWithheld(const std::string& file) const {
   return std::find(withheld_.begin(), withheld_.end(), file) != withheld_.end();
-}
-
-void MainWindow::tellInputWithheld(const Project& project, const QString& carrier) {
-  const std::string& kept = project.saved_as.empty() ? project.file : project.saved_as;
-  strip_->show(
-      tr("%1 was not opened: it needs %2, which is outside of its folder and was not read. "
-         "Nothing was changed. Find it, or choose another file.")
-          .arg(shownName(carrier.isEmpty() ? pathFromBytes(kept) : carrier),
-               shownPath(pathFromBytes(project.file))),
-      {{tr("&Find it\u2026"), [this, project, carrier] { relink(project, carrier); }},
-       {tr("&Choose another\u2026"), [this] { chooseFile(); }}});
-}
-
-void MainWindow::askAboutWithheld() {
-  if (withheld_.empty()) return;
-  const int count = static_cast<int>(withheld_.size());
-  questions_.emplace_back([this, count] {
-    strip_->show(
-        tr("%n file(s) that this project names were not read. They stay named in it, and "
-           "are offered for no package and no figure.",
-           nullptr, count));
-  });
 }
 
 }  // namespace relievo

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// File > Export...: maps, meshes, pictures, profiles and sections for other programs.
+#include "ui/control/export_controller.h"
+
 #include <memory>
 #include <QFile>
 #include <QFileInfo>
@@ -9,14 +10,12 @@
 #include "core/io/raster/raster.h"
 #include "core/project/project_files.h"
 #include "core/provenance/provenance.h"
+#include "ui/control/picture_controller.h"
 #include "ui/dialogs/export_dialog.h"
-#include "ui/frame/message_strip.h"
-#include "ui/frame/status_fields.h"
 #include "ui/language/spoken_error.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"
-#include "ui/window/main_window.h"
 #include "ui/work/file_names.h"
 
 namespace relievo {
@@ -28,48 +27,42 @@ std::filesystem::path pathOf(const QString& file) {
 
 }  // namespace
 
-void MainWindow::makeExportCommand() {
-  make({"export",
-        tr("E&xport\u2026"),
-        {},
-        tr("A map, mesh, picture, profile or section for other programs"),
-        [this] { chooseExport(); },
-        {}});
-}
-
-void MainWindow::connectExports() {
-  connect(&export_work_, &WorkQueue::busyChanged, this, &MainWindow::showBusy);
-  connect(&export_work_, &WorkQueue::progressed, status_, &StatusFields::showWork);
-  connect(status_, &StatusFields::cancelAsked, this, [this] {
-    if (export_work_.cancel()) announce(tr("Cancelled. Nothing was exported."));
+ExportController::ExportController(const ControllerParts& parts, const Sources& sources)
+    : Controller(parts), sources_(sources) {
+  commands_.on(Command::export_map, this, [this] { choose(); });
+  messages_.follow(work_);
+  connect(&messages_, &WindowMessages::cancelAsked, this, [this] {
+    if (work_.cancel()) announce(tr("Cancelled. Nothing was exported."));
   });
 }
 
-void MainWindow::chooseExport() {
+void ExportController::choose() {
   if (!document_.isOpen()) return;
   auto* dialog = new ExportDialog(document_.surface(), document_.project().region,
                                   stemOf(document_.file(), QStringLiteral("-heights.origin.tif")),
-                                  otherExports(), this);
+                                  otherExports(), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ExportDialog::chosen, this,
-          [this](const ExportOrder& order) { exportMap(order.choice, order.file); });
+          [this](const ExportOrder& order) { write(order.choice, order.file); });
   dialog->open();
 }
 
-std::vector<OtherExport> MainWindow::otherExports() {
+std::vector<OtherExport> ExportController::otherExports() {
   std::vector<OtherExport> others;
   const auto add_picture = [&](const QString& text, ImageSource source, const QSize& pixels) {
-    others.push_back(
-        {text, QStringLiteral(".png"),
-         tr("%1 x %2 pixels; File > Image asks for others")
-             .arg(pixels.width())
-             .arg(pixels.height()),
-         [this, source, pixels](const QString& file) { saveImage(source, pixels, file); }});
+    others.push_back({text, QStringLiteral(".png"),
+                      tr("%1 x %2 pixels; File > Image asks for others")
+                          .arg(pixels.width())
+                          .arg(pixels.height()),
+                      [this, source, pixels](const QString& file) {
+                        sources_.pictures.save(source, pixels, file);
+                      }});
   };
-  add_picture(tr("Picture of the detail view (.png)"), ImageSource::detail, detail_->shotSize());
+  add_picture(tr("Picture of the detail view (.png)"), ImageSource::detail,
+              sources_.detail.shotSize());
   add_picture(tr("Picture of the whole object (.png)"), ImageSource::reference,
-              reference_->shotSize());
-  const std::vector<Measurement>& all = measure_panel_->measurements();
+              sources_.reference.shotSize());
+  const std::vector<Measurement>& all = sources_.measure.measurements();
   for (int row = 0; row < static_cast<int>(all.size()); ++row) {
     const Measurement& m = all[static_cast<std::size_t>(row)];
     const bool is_profile = m.kind == MeasureKind::profile;
@@ -84,24 +77,15 @@ std::vector<OtherExport> MainWindow::otherExports() {
                         drawn ? QStringLiteral(".svg") : QStringLiteral(".csv"),
                         {},
                         [this, row](const QString& file) {
-                          tellWritten(file,
-                                      [this, row, file] { measure_panel_->writeRow(row, file); });
+                          messages_.tellWritten(
+                              file, [this, row, file] { sources_.measure.writeRow(row, file); });
                         }});
     }
   }
   return others;
 }
 
-void MainWindow::tellWritten(const QString& file, const std::function<void()>& write) {
-  try {
-    write();
-    announce(tr("%1 is saved").arg(shownName(file)));
-  } catch (const Error& error) {
-    strip_->show(spokenError(error));
-  }
-}
-
-void MainWindow::exportMap(const MapExport& choice, const QString& file) {
+void ExportController::write(const MapExport& choice, const QString& file) {
   struct Work {
     std::shared_ptr<const Surface> surface;
     std::shared_ptr<const RasterMap> raster;
@@ -119,7 +103,7 @@ void MainWindow::exportMap(const MapExport& choice, const QString& file) {
   work->choice = choice;
   work->scan = pathOf(document_.file());
   work->file = pathOf(file);
-  export_work_.add(
+  work_.add(
       [work](const Task& task) {
         try {
           requireNotAnInput(work->file, {{.file = work->scan}});
@@ -127,8 +111,8 @@ void MainWindow::exportMap(const MapExport& choice, const QString& file) {
           work->provenance.input =
               inputFile(work->scan, folder.empty() ? std::filesystem::path(".") : folder, task);
           work->choice.state = toJson(work->provenance, -1);
-          work->written = relievo::exportMap(work->file, *work->surface, work->choice,
-                                             work->raster.get(), task);
+          work->written =
+              exportMap(work->file, *work->surface, work->choice, work->raster.get(), task);
         } catch (const Cancelled&) {  // Its end is not told.
         } catch (const std::exception& failure) {
           work->error = shownError(failure);
@@ -136,8 +120,8 @@ void MainWindow::exportMap(const MapExport& choice, const QString& file) {
       },
       [this, work, file] {
         if (!work->error.isEmpty()) {
-          strip_->show(work->error);
-          closeIfAwaited(false);
+          messages_.show(work->error);
+          Q_EMIT ended(false);
           return;
         }
         announce(tr("%1 is saved").arg(shownName(file)));
@@ -145,8 +129,8 @@ void MainWindow::exportMap(const MapExport& choice, const QString& file) {
         for (const std::string& words : work->written.left_out) {
           left_out << QString::fromStdString(words);
         }
-        if (!left_out.isEmpty()) strip_->show(left_out.join(' '));
-        closeIfAwaited(left_out.isEmpty());
+        if (!left_out.isEmpty()) messages_.show(left_out.join(' '));
+        Q_EMIT ended(left_out.isEmpty());
       });
 }
 
