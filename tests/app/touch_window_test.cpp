@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
@@ -151,6 +152,20 @@ TEST_F(TouchWindowTest, AModuleThatIsNoPluginIsSkippedAndNamed) {
   ASSERT_EQ(plugins->problems().size(), 1);
   EXPECT_TRUE(plugins->problems().front().contains("broken.so"));
   EXPECT_FALSE(plugins->has("broken"));
+}
+
+TEST_F(TouchWindowTest, ADialogThatTakesTheReleaseEndsThePressAndTheForce) {
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics_plugin")) << plugins->problems().join(' ').toStdString();
+  openRelief();
+  touchMiddle();
+  QDialog dialog(&window());
+  dialog.open();
+  ASSERT_TRUE(waitFor([this] {
+    const auto& probe = window().detailView().sceneState().probe;
+    return probe && !probe->touching && norm(probe->force) == 0;
+  }));
+  EXPECT_TRUE(action("forces")->isChecked()) << "they are on for the next press";
 }
 
 TEST_F(TouchWindowTest, PressingWithTheMouseIsAnsweredByAForceThatEscapeStops) {

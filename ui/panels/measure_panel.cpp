@@ -11,6 +11,7 @@
 #include <QScopedValueRollback>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/measure/measure_text.h"
@@ -151,6 +152,11 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
   connect(&document_, &Document::surfaceChanged, this, &MeasurePanel::showList);
   connect(&document_, &Document::measurementsChanged, this, &MeasurePanel::showOthers);
   connect(readings_, &MeasureReadings::changed, this, &MeasurePanel::showReadings);
+  // Lines and labels lie on the surface as it is shown.
+  connect(&document_, &Document::windowChanged, this, [this] {
+    const double gain = document_.project().gain;
+    if (std::exchange(shown_gain_, gain) != gain && !measurements().empty()) Q_EMIT changed();
+  });
   tellNext();
   showList();
 }

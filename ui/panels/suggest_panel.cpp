@@ -128,6 +128,12 @@ void SuggestPanel::find() {
       });
 }
 
+bool SuggestPanel::cancel() {
+  if (!worker_.cancel()) return false;
+  Q_EMIT said(tr("Cancelled. Nothing was suggested."));
+  return true;
+}
+
 QString SuggestPanel::rowText(std::size_t place) const {
   const FeelableWindow& w = windows_[place];
   const DetailLadder& ladder = surface_->ladder;

@@ -1361,8 +1361,8 @@
         <translation>Ausschnitt verschieben</translation>
     </message>
     <message>
-        <source>The part inside the pink window. The pointer carries the hand just above the surface. To look, drag with the left button to turn; to touch (F7), hold it to press in, and turn the wheel meanwhile to press deeper. Right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
-        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche. Zum Betrachten drehen Sie mit gezogener linker Taste; zum Fühlen (F7) drückt sie ein, solange sie gehalten wird, und das Rad währenddessen tiefer. Ziehen mit rechts verschiebt den Ausschnitt, das Rad zoomt. Tasten: Pfeile, Bild ab, Bild auf.</translation>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface. What dragging does, F7 changes between the two: %1. %2; the wheel meanwhile presses deeper. Keys: arrows, Page Down, Page Up.</source>
+        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche. Was Ziehen bewirkt, F7 wechselt zwischen beiden: %1. %2; das Rad drückt währenddessen tiefer. Tasten: Pfeile, Bild ab, Bild auf.</translation>
     </message>
 </context>
 <context>
@@ -3006,6 +3006,10 @@
         <source>Surface made softer to stay steady.</source>
         <translation>Oberfläche weicher gemacht, damit sie ruhig bleibt.</translation>
     </message>
+    <message>
+        <source>Touch: advanced</source>
+        <translation>Fühlen: erweitert</translation>
+    </message>
 </context>
 <context>
     <name>relievo::HeightHistogram</name>
@@ -3144,18 +3148,6 @@
         <translation>Detailansicht: Rad</translation>
     </message>
     <message>
-        <source>Zoom about the pointer</source>
-        <translation>Um den Zeiger vergrößern</translation>
-    </message>
-    <message>
-        <source>Detail view: middle, right button</source>
-        <translation>Detailansicht: mittlere, rechte Maustaste</translation>
-    </message>
-    <message>
-        <source>Turn the view, move the window</source>
-        <translation>Die Ansicht drehen, den Ausschnitt verschieben</translation>
-    </message>
-    <message>
         <source>Reference view: drag</source>
         <translation>Übersicht: Ziehen</translation>
     </message>
@@ -3196,10 +3188,6 @@
         <translation>Was sie tun</translation>
     </message>
     <message>
-        <source>To look: turn the view; to touch: press the hand in</source>
-        <translation>Betrachten: Ansicht drehen; Fühlen: Hand eindrücken</translation>
-    </message>
-    <message>
         <source>Other commands</source>
         <translation>Andere Befehle</translation>
     </message>
@@ -3218,6 +3206,30 @@
     <message>
         <source>No key has these words. Ctrl+K finds commands without a key, too.</source>
         <translation>Keine Taste hat diese Wörter. Strg+K findet auch Befehle ohne Taste.</translation>
+    </message>
+    <message>
+        <source>Look: %1. Touch: %2</source>
+        <translation>Betrachten: %1. Fühlen: %2</translation>
+    </message>
+    <message>
+        <source>press the hand in</source>
+        <translation>die Hand eindrücken</translation>
+    </message>
+    <message>
+        <source>Detail view: middle button</source>
+        <translation>Detailansicht: mittlere Maustaste</translation>
+    </message>
+    <message>
+        <source>Detail view: right button</source>
+        <translation>Detailansicht: rechte Maustaste</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer; away from you is closer</source>
+        <translation>Um den Zeiger vergrößern; von Ihnen weg ist näher</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer; towards you is closer</source>
+        <translation>Um den Zeiger vergrößern; zu Ihnen hin ist näher</translation>
     </message>
 </context>
 <context>
@@ -3958,10 +3970,6 @@
     <message>
         <source>Move the focus to the part before</source>
         <translation>Den Fokus zum Teil davor bewegen</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Oberfläche</translation>
     </message>
     <message>
         <source>Window</source>
@@ -5000,12 +5008,20 @@
         <translation>Ausschnitte danach ordnen, wie viel von ihrem Relief eine Hand fühlt</translation>
     </message>
     <message>
-        <source>Cancelled. Nothing was suggested.</source>
-        <translation>Abgebrochen. Nichts wurde vorgeschlagen.</translation>
-    </message>
-    <message>
         <source>Suggestions</source>
         <translation>Vorschläge</translation>
+    </message>
+    <message>
+        <source>%1 is closed when the recording is saved</source>
+        <translation>%1 wird geschlossen, wenn die Aufnahme gesichert ist</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
     </message>
 </context>
 <context>
@@ -8405,6 +8421,22 @@
         <source>Touch</source>
         <translation>Fühlen</translation>
     </message>
+    <message>
+        <source>turn the view</source>
+        <translation>die Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>move the window</source>
+        <translation>den Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>vergrößern</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
 </context>
 <context>
     <name>relievo::PreferencesDialog</name>
@@ -9277,6 +9309,13 @@
     </message>
 </context>
 <context>
+    <name>relievo::RecordingsEnd</name>
+    <message>
+        <source>Recording saved: %1</source>
+        <translation>Aufnahme gesichert: %1</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ReferenceView</name>
     <message>
         <source>Draw window</source>
@@ -9674,6 +9713,14 @@
     <message>
         <source>%1 panel</source>
         <translation>Feld %1</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>zugeklappt</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>aufgeklappt</translation>
     </message>
 </context>
 <context>
@@ -10233,6 +10280,10 @@
     <message>
         <source>Windows: %1, the best first</source>
         <translation>Ausschnitte: %1, der beste zuerst</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was suggested.</source>
+        <translation>Abgebrochen. Nichts wurde vorgeschlagen.</translation>
     </message>
 </context>
 <context>

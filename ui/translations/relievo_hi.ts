@@ -1361,8 +1361,8 @@
         <translation>विंडो खिसकाएँ</translation>
     </message>
     <message>
-        <source>The part inside the pink window. The pointer carries the hand just above the surface. To look, drag with the left button to turn; to touch (F7), hold it to press in, and turn the wheel meanwhile to press deeper. Right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
-        <translation>गुलाबी विंडो के भीतर का भाग। सूचक हाथ को सतह के ठीक ऊपर ले जाता है। देखने के लिए बाएँ बटन से खींचकर घुमाएँ; स्पर्श के लिए (F7) उसे दबाए रखकर भीतर दबाएँ, और उस समय पहिया घुमाकर और गहरा। दाएँ से खींचना विंडो को खिसकाता है, पहिया पास-दूर करता है। कुंजियाँ: तीर, Page Down, Page Up।</translation>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface. What dragging does, F7 changes between the two: %1. %2; the wheel meanwhile presses deeper. Keys: arrows, Page Down, Page Up.</source>
+        <translation>गुलाबी विंडो के भीतर का भाग। सूचक हाथ को सतह के ठीक ऊपर ले जाता है। खींचने से क्या होता है, F7 दोनों के बीच बदलता है: %1। %2; उस समय पहिया और गहरा दबाता है। कुंजियाँ: तीर, Page Down, Page Up।</translation>
     </message>
 </context>
 <context>
@@ -3006,6 +3006,10 @@
         <source>Surface made softer to stay steady.</source>
         <translation>सतह स्थिर रखने के लिए नरम की गई।</translation>
     </message>
+    <message>
+        <source>Touch: advanced</source>
+        <translation>स्पर्श: उन्नत</translation>
+    </message>
 </context>
 <context>
     <name>relievo::HeightHistogram</name>
@@ -3144,18 +3148,6 @@
         <translation>विवरण दृश्य: पहिया</translation>
     </message>
     <message>
-        <source>Zoom about the pointer</source>
-        <translation>सूचक के पास लाएँ</translation>
-    </message>
-    <message>
-        <source>Detail view: middle, right button</source>
-        <translation>विवरण दृश्य: बीच का, दायाँ बटन</translation>
-    </message>
-    <message>
-        <source>Turn the view, move the window</source>
-        <translation>दृश्य घुमाएँ, विंडो खिसकाएँ</translation>
-    </message>
-    <message>
         <source>Reference view: drag</source>
         <translation>संदर्भ दृश्य: खींचना</translation>
     </message>
@@ -3196,10 +3188,6 @@
         <translation>वे क्या करती हैं</translation>
     </message>
     <message>
-        <source>To look: turn the view; to touch: press the hand in</source>
-        <translation>देखना: दृश्य घुमाएँ; स्पर्श: हाथ भीतर दबाएँ</translation>
-    </message>
-    <message>
         <source>Other commands</source>
         <translation>अन्य आदेश</translation>
     </message>
@@ -3218,6 +3206,30 @@
     <message>
         <source>No key has these words. Ctrl+K finds commands without a key, too.</source>
         <translation>किसी कुंजी में ये शब्द नहीं। Ctrl+K बिना कुंजी के आदेश भी खोजता है।</translation>
+    </message>
+    <message>
+        <source>Look: %1. Touch: %2</source>
+        <translation>देखना: %1। स्पर्श: %2</translation>
+    </message>
+    <message>
+        <source>press the hand in</source>
+        <translation>हाथ भीतर दबाएँ</translation>
+    </message>
+    <message>
+        <source>Detail view: middle button</source>
+        <translation>विवरण दृश्य: बीच का बटन</translation>
+    </message>
+    <message>
+        <source>Detail view: right button</source>
+        <translation>विवरण दृश्य: दायाँ बटन</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer; away from you is closer</source>
+        <translation>सूचक के पास लाएँ; आपसे दूर घुमाना पास लाता है</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer; towards you is closer</source>
+        <translation>सूचक के पास लाएँ; आपकी ओर घुमाना पास लाता है</translation>
     </message>
 </context>
 <context>
@@ -3958,10 +3970,6 @@
     <message>
         <source>Move the focus to the part before</source>
         <translation>फ़ोकस पिछले भाग पर ले जाएँ</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>सतह</translation>
     </message>
     <message>
         <source>Window</source>
@@ -5000,12 +5008,20 @@
         <translation>विंडो को इससे क्रम दें कि उनके उभार का कितना भाग हाथ महसूस करता है</translation>
     </message>
     <message>
-        <source>Cancelled. Nothing was suggested.</source>
-        <translation>रद्द। कुछ सुझाया नहीं गया।</translation>
-    </message>
-    <message>
         <source>Suggestions</source>
         <translation>सुझाव</translation>
+    </message>
+    <message>
+        <source>%1 is closed when the recording is saved</source>
+        <translation>रिकॉर्डिंग सहेजी जाने पर %1 बंद होगा</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1। %2</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>स्कैन</translation>
     </message>
 </context>
 <context>
@@ -8405,6 +8421,22 @@
         <source>Touch</source>
         <translation>स्पर्श</translation>
     </message>
+    <message>
+        <source>turn the view</source>
+        <translation>दृश्य घुमाएँ</translation>
+    </message>
+    <message>
+        <source>move the window</source>
+        <translation>विंडो खिसकाएँ</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>पास-दूर करें</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>कुछ नहीं</translation>
+    </message>
 </context>
 <context>
     <name>relievo::PreferencesDialog</name>
@@ -9277,6 +9309,13 @@
     </message>
 </context>
 <context>
+    <name>relievo::RecordingsEnd</name>
+    <message>
+        <source>Recording saved: %1</source>
+        <translation>रिकॉर्डिंग सहेजी गई: %1</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ReferenceView</name>
     <message>
         <source>Draw window</source>
@@ -9674,6 +9713,14 @@
     <message>
         <source>%1 panel</source>
         <translation>%1 पटल</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>मुड़ा हुआ</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>खुला</translation>
     </message>
 </context>
 <context>
@@ -10233,6 +10280,10 @@
     <message>
         <source>Windows: %1, the best first</source>
         <translation>विंडो: %1, सबसे अच्छी पहले</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was suggested.</source>
+        <translation>रद्द। कुछ सुझाया नहीं गया।</translation>
     </message>
 </context>
 <context>

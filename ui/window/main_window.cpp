@@ -45,6 +45,7 @@
 #include "ui/views/reference_view.h"
 #include "ui/window/first_view.h"
 #include "ui/work/file_names.h"
+#include "ui/work/recordings_end.h"
 #include "ui/work/work_keeper.h"
 
 namespace relievo {
@@ -174,6 +175,7 @@ void MainWindow::layOut() {
   rows_->addWidget(plot_);
   replay_ = new ReplayControl(document_, this);
   video_ = new VideoControl(this);
+  recordings_end_ = new RecordingsEnd(*video_, record_work_, this);
   path_preview_ = new PathPreview(this);
   rows_->addWidget(replay_->panel());
   profile_ = new ProfileStrip;
@@ -455,6 +457,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   // Escape, wherever the focus is: first the forces, then long work, then the mode.
   if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
     if (stopForces()) return true;
+    if (suggest_panel_->cancel()) return true;
     if (foreign_work_.cancel()) {
       announce(tr("Cancelled. Nothing was changed."));
       return true;

@@ -43,6 +43,7 @@ class OverviewInset;
 class PathPreview;
 class PlacesPanel;
 class ProfileStrip;
+class RecordingsEnd;
 class ReferenceView;
 class RegionPanel;
 class SidePanels;
@@ -335,7 +336,7 @@ class MainWindow : public QMainWindow {
   void stepLight(int clockwise, int higher);
   void chooseLight(const LightOptions& light, int merge_id);
   void showLight();
-  static constexpr int kMergeDraggedLight = 104;
+  static constexpr int kMergeDraggedLight = 1000;  ///< By keys; a drag adds its number.
 
   // main_window_profile.cpp
   void makeProfileCommands();
@@ -429,6 +430,7 @@ class MainWindow : public QMainWindow {
   ProfileStrip* profile_ = nullptr;
   ReplayControl* replay_ = nullptr;
   VideoControl* video_ = nullptr;
+  RecordingsEnd* recordings_end_ = nullptr;
   PathPreview* path_preview_ = nullptr;
   StatusFields* status_ = nullptr;
   QToolBar* tools_ = nullptr;

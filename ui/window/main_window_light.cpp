@@ -58,8 +58,9 @@ void MainWindow::makeLightCommands() {
 
 void MainWindow::connectLight() {
   light_ball_ = new LightBall(detail_);
-  connect(light_ball_, &LightBall::dragged, this,
-          [this](const LightOptions& light) { chooseLight(light, kMergeDraggedLight); });
+  connect(light_ball_, &LightBall::dragged, this, [this](const LightOptions& light, int drag) {
+    chooseLight(light, kMergeDraggedLight + drag);
+  });
   connect(light_ball_, &LightBall::stepped, this, &MainWindow::stepLight);
   connect(detail_, &SurfaceView::sized, light_ball_, &LightBall::place);
 }

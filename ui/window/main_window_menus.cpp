@@ -350,7 +350,7 @@ void MainWindow::showSteps() {
 }
 
 void MainWindow::showKeys() {
-  auto* sheet = new KeysSheet(findChildren<QAction*>(), this);
+  auto* sheet = new KeysSheet(findChildren<QAction*>(), pointerBindings(), this);
   sheet->setAttribute(Qt::WA_DeleteOnClose);
   sheet->show();
 }

@@ -19,6 +19,7 @@
 #include "ui/language/spoken_error.h"
 #include "ui/window/main_window.h"
 #include "ui/work/file_names.h"
+#include "ui/work/recordings_end.h"
 #include "ui/work/work_keeper.h"
 
 namespace relievo {
@@ -71,6 +72,7 @@ void MainWindow::connectPackages() {
 
 void MainWindow::noteRecording(const QString& file) {
   askForRecordingFolder();
+  recordings_end_->noteSaved(shownName(file));
   if (!document_.isOpen()) return;
   const auto known = std::make_shared<InputFile>();
   const QString scan = document_.fileSha256();

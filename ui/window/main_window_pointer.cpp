@@ -83,6 +83,13 @@ void MainWindow::showPointerMode(PointerMode mode) {
 void MainWindow::showBindings() {
   const PointerBindings bindings = pointerBindings();
   detail_->setBindings(bindings);
+  for (const auto& [name, mode] : {std::pair("pointer_look", PointerMode::look),
+                                   std::pair("pointer_touch", PointerMode::touch)}) {
+    const QString told = bindingsText(mode, bindings);
+    command(name)->setToolTip(told);
+    command(name)->setStatusTip(told);
+    command(name)->setWhatsThis(told);
+  }
   status_->set(StatusField::pointer,
                document_.isOpen() ? bindingsText(detail_->pointerMode(), bindings) : QString(),
                tr("What the mouse does in the detail view; F7 changes between look and touch, "

@@ -27,9 +27,7 @@ void MainWindow::connectSuggestions() {
   connect(suggest_panel_, &SuggestPanel::said, this, &MainWindow::announce);
   connect(suggest_panel_, &SuggestPanel::busyChanged, this, &MainWindow::showBusy);
   connect(suggest_panel_, &SuggestPanel::progressed, status_, &StatusFields::showWork);
-  connect(status_, &StatusFields::cancelAsked, this, [this] {
-    if (suggest_panel_->cancel()) announce(tr("Cancelled. Nothing was suggested."));
-  });
+  connect(status_, &StatusFields::cancelAsked, suggest_panel_, &SuggestPanel::cancel);
   connect(suggest_panel_, &SuggestPanel::shownChanged, this, [this] {
     std::vector<SuggestedFrame> frames;
     if (suggest_panel_->overlayWanted()) {

@@ -26,6 +26,7 @@
 #include "ui/views/reference_view.h"
 #include "ui/window/main_window.h"
 #include "ui/work/file_names.h"
+#include "ui/work/recordings_end.h"
 
 namespace relievo {
 namespace {
@@ -172,6 +173,7 @@ void MainWindow::showTouch(const TouchReadout& readout) {
     });
   }
   touch_ = readout;
+  recordings_end_->noteRunning(readout.recording);
   touchWhileForcesAreOn(readout.forces_on);
   if (replay_->showing()) {
     if (!readout.forces_on) return;

@@ -18,6 +18,7 @@
 #include "ui/views/path_preview.h"
 #include "ui/window/main_window.h"
 #include "ui/work/file_names.h"
+#include "ui/work/recordings_end.h"
 #include "ui/work/work_keeper.h"
 
 namespace relievo {
@@ -65,10 +66,13 @@ void MainWindow::whenNothingIsUnsaved(const std::function<void()>& then) {
 
 void MainWindow::closeDocument() {
   if (!document_.isOpen()) return;
-  whenNothingIsUnsaved([this] {
-    const QString name = shownName(document_.file());
+  const QString name = shownName(document_.file());
+  if (recordings_end_->endFirst(command("record"), [this] { closeDocument(); })) {
+    announce(tr("%1 is closed when the recording is saved").arg(name));
+    return;
+  }
+  whenNothingIsUnsaved([this, name, saved = recordings_end_->takeWords()] {
     stopForces();
-    if (video_->live()) video_->stopLive();
     path_preview_->stop();
     if (replay_->showing()) replay_->close();
     replay_->forgetWaiting();
@@ -88,7 +92,8 @@ void MainWindow::closeDocument() {
     setWindowTitle(QStringLiteral("relievo"));
     setWindowModified(false);
     start_->setFocus();
-    announce(tr("%1 is closed").arg(name));
+    const QString closed = tr("%1 is closed").arg(name);
+    announce(saved.isEmpty() ? closed : tr("%1. %2").arg(saved, closed));
   });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/plots/profile_strip.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <QAction>
@@ -41,6 +42,22 @@ TEST_F(ProfileStripTest, IsThereOnceThereIsAProfileAndSaysLengthAndDepth) {
   EXPECT_EQ(readout(), "Profile dome: 160.00 mm long, 20.00 mm deep");
   action("undo")->trigger();
   EXPECT_FALSE(strip().isVisible());
+}
+
+TEST_F(ProfileStripTest, LabelsAndLinesInTheViewsFollowTheVerticalExaggeration) {
+  measure();
+  const auto* labels = window().detailView().findChild<ViewLabels*>();
+  ASSERT_EQ(labels->labels().size(), 1U);
+  const double z = labels->labels()[0].at.z;
+  ASSERT_NEAR(z, 20, 0.1);
+  document().setGain(2);
+  EXPECT_NEAR(labels->labels()[0].at.z, 2 * z, 1e-9);
+  const auto& lines = window().detailView().sceneState().lines;
+  double highest = 0;
+  for (const ViewMm& p : lines.at(0)) highest = std::max(highest, p.z);
+  EXPECT_NEAR(highest, 2 * z, 0.5);
+  action("undo")->trigger();
+  EXPECT_NEAR(labels->labels()[0].at.z, z, 1e-9);
 }
 
 TEST_F(ProfileStripTest, TheCursorCarriesTheHandAndIsMarkedInBothViews) {
