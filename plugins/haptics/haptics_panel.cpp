@@ -115,26 +115,40 @@ HapticsPanel::HapticsPanel(QWidget* parent) : QWidget(parent) {
   buildReadouts();
   connectControls();
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 0, 0, 2);
   column->addLayout(rows());
-  column->addStretch(1);
+  advanced_ = new QWidget(this);
+  advanced_->setObjectName(QStringLiteral("touchAdvanced"));
+  advanced_->setProperty("foldedAtFirst", true);  // As the window knows it.
+  advanced_->setLayout(advancedRows());
+  column->addWidget(advanced_);
   setSettings({});
 }
 
 QFormLayout* HapticsPanel::rows() {
   auto* form = new QFormLayout;
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  form->setVerticalSpacing(3);
   auto* strength_row = new QHBoxLayout;
   strength_row->addWidget(strength_, 1);
   strength_row->addWidget(strength_value_);
   form->addRow(forces_);
   form->addRow(state_);
   form->addRow(change_);
-  const auto labelled = [form](const QString& text, QWidget* buddy, auto* field) {
+  auto* label = new QLabel(tr("St&rength"));
+  label->setBuddy(strength_);
+  form->addRow(label, strength_row);
+  return form;
+}
+
+QFormLayout* HapticsPanel::advancedRows() {
+  auto* form = new QFormLayout;
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  const auto labelled = [form](const QString& text, QWidget* buddy, QWidget* field) {
     auto* label = new QLabel(text);
     label->setBuddy(buddy);
     form->addRow(label, field);
   };
-  labelled(tr("St&rength"), strength_, strength_row);
   labelled(tr("S&urface"), preset_, preset_);
   labelled(tr("Sh&ape"), surface_, surface_);
   labelled(tr("Prox&y"), proxy_, proxy_);

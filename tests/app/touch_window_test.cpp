@@ -15,12 +15,14 @@
 #include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QtTest/QTest>
 
 #include "app/host.h"
 #include "app/plugin_loader.h"
 #include "core/region/hand.h"
 #include "tests/ui/gui_fixture.h"
+#include "ui/frame/side_panels.h"
 #include "ui/panels/replay_panel.h"
 #include "ui/views/reference_view.h"
 #include "ui/work/file_names.h"
@@ -152,6 +154,20 @@ TEST_F(TouchWindowTest, AModuleThatIsNoPluginIsSkippedAndNamed) {
   ASSERT_EQ(plugins->problems().size(), 1);
   EXPECT_TRUE(plugins->problems().front().contains("broken.so"));
   EXPECT_FALSE(plugins->has("broken"));
+}
+
+TEST_F(TouchWindowTest, WhatEverybodyNeedsFitsBesideAWindowOf900Pixels) {
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics_plugin")) << plugins->problems().join(' ').toStdString();
+  window().resize(1440, 900);
+  openRelief();
+  QApplication::processEvents();
+  auto& panels = *child<SidePanels>("side_panels");
+  EXPECT_EQ(panels.titles().mid(4, 3), QStringList({"Measure", "Touch", "Touch: advanced"}));
+  EXPECT_TRUE(child<QWidget>("strengthSlider")->isVisible());
+  EXPECT_FALSE(child<QWidget>("stiffness")->isVisible());
+  EXPECT_EQ(panels.verticalScrollBar()->maximum(), 0)
+      << panels.widget()->sizeHint().height() << " of " << panels.viewport()->height();
 }
 
 TEST_F(TouchWindowTest, ADialogThatTakesTheReleaseEndsThePressAndTheForce) {

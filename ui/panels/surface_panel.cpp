@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -44,9 +45,9 @@ QString levelText(const DetailLadder& ladder, Level level) {
 
 QFormLayout* form(QWidget* panel) {
   auto* layout = new QFormLayout(panel);
-  layout->setContentsMargins(6, 0, 0, 6);
+  layout->setContentsMargins(6, 0, 0, 2);
   layout->setHorizontalSpacing(8);
-  layout->setVerticalSpacing(5);
+  layout->setVerticalSpacing(3);
   layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   return layout;
 }
@@ -124,6 +125,7 @@ QString holesText(const Surface& surface, HoleRule rule) {
 
 SurfacePanel::SurfacePanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document) {
+  setObjectName(QStringLiteral("surface_panel"));
   QFormLayout* layout = form(this);
   file_ = fact(layout, tr("File"), QStringLiteral("surface_file"));
   size_ = fact(layout, tr("Size"), QStringLiteral("surface_size"));
@@ -183,6 +185,7 @@ void SurfacePanel::showSurface() {
 
 RegionPanel::RegionPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document) {
+  setObjectName(QStringLiteral("region_panel"));
   QFormLayout* layout = form(this);
   x_ = mmField(layout, QStringLiteral("&x"), QStringLiteral("region_x"),
                tr("Left edge of the pink window"));
@@ -195,8 +198,9 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   side_->setMinimum(0.01);
   level_ = field<QComboBox>(layout, tr("&Level"), QStringLiteral("region_level"),
                             tr("Which detail feeds the window"));
-  gain_ = field<QDoubleSpinBox>(layout, tr("Gai&n"), QStringLiteral("gain"),
-                                tr("Heights are multiplied by this; 1 is true to scale"));
+  gain_ = new QDoubleSpinBox;
+  gain_->setObjectName(QStringLiteral("gain"));
+  gain_->setToolTip(tr("Heights are multiplied by this; 1 is true to scale"));
   gain_->setAccessibleName(tr("Height gain"));
   gain_->setRange(1 / kMostGain, kMostGain);
   gain_->setDecimals(2);
@@ -208,7 +212,12 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   gain_slider_->setAccessibleName(tr("Height gain"));
   gain_slider_->setToolTip(tr("Heights are multiplied by this; the middle is true to scale"));
   gain_slider_->setRange(-kGainSteps, kGainSteps);
-  layout->addRow(QString(), gain_slider_);
+  auto* gain_label = new QLabel(tr("Gai&n"));
+  gain_label->setBuddy(gain_);
+  auto* gain_row = new QHBoxLayout;
+  gain_row->addWidget(gain_);
+  gain_row->addWidget(gain_slider_, 1);
+  layout->addRow(gain_label, gain_row);
   hand_scale_ = new QLabel;
   hand_scale_->setObjectName(QStringLiteral("hand_scale"));
   hand_scale_->setAccessibleName(tr("Hand scale"));

@@ -194,15 +194,18 @@ void MainWindow::layOut() {
   region_panel_ = new RegionPanel(document_);
   view_panel_ = new ViewPanel;
   stereo_panel_ = new StereoPanel;
-  panels_->add(tr("Surface"), surface_panel_);
-  panels_->add(tr("Window"), region_panel_);
-  panels_->add(tr("View"), view_panel_);
-  panels_->add(tr("Stereo"), stereo_panel_);
   measure_panel_ = new MeasurePanel(document_);
-  panels_->add(tr("Measure"), measure_panel_);
   places_panel_ = new PlacesPanel(document_);
-  panels_->add(tr("Places"), places_panel_);
   suggest_panel_ = new SuggestPanel(document_);
+  // What everybody needs first; then what modules add, and what is opened when it is wanted.
+  panels_->add(tr("Scan"), surface_panel_);
+  panels_->add(tr("View"), view_panel_);
+  panels_->add(tr("Window"), region_panel_);
+  panels_->add(tr("Light"), view_panel_->lightPart());
+  panels_->add(tr("Measure"), measure_panel_);
+  panels_->keepPlaceHere();
+  panels_->add(tr("Stereo"), stereo_panel_);
+  panels_->add(tr("Places"), places_panel_);
   panels_->add(tr("Suggestions"), suggest_panel_);
   row->addWidget(panels_);
   pages_->addWidget(work);

@@ -195,6 +195,7 @@ void MainWindow::restoreLayout() {
   tools_->setVisible(document_.isOpen());  // The state may be of a window with a file.
   views_->restoreState(settings_.layout(QStringLiteral("views")).toByteArray());
   rows_->restoreState(settings_.layout(QStringLiteral("rows")).toByteArray());
+  panels_->setFolds(settings_.layout(QStringLiteral("folds")).toStringList());
   for (const char* part : {"show_panels", "show_reference", "show_profile"}) {
     const QVariant shown = settings_.layout(QString::fromLatin1(part));
     if (shown.isValid()) command(part)->setChecked(shown.toBool());
@@ -207,6 +208,7 @@ void MainWindow::saveLayout() {
   settings_.setLayout(QStringLiteral("state"), saveState());
   settings_.setLayout(QStringLiteral("views"), views_->saveState());
   settings_.setLayout(QStringLiteral("rows"), rows_->saveState());
+  settings_.setLayout(QStringLiteral("folds"), panels_->folds());
   for (const char* part : {"show_panels", "show_reference", "show_profile"}) {
     settings_.setLayout(QString::fromLatin1(part), command(part)->isChecked());
   }

@@ -63,8 +63,7 @@ QString originText(Origin origin) {
 }  // namespace
 
 void MainWindow::addPanel(const QString& title, QWidget* panel) {
-  constexpr int kAfterWindow = 2;  // What is touched with stands beside what is touched.
-  panels_->insert(kAfterWindow, title, panel);
+  panels_->addAtPlace(title, panel);
 }
 
 void MainWindow::removePanel(QWidget* panel) {
