@@ -121,7 +121,7 @@ TEST_F(HeldButtonsTest, TheSphereOfTheLightIsLetGoOf) {
   press(ball, middleOf(ball));
   move(ball, middleOf(ball) + QPointF(5, 0), Qt::LeftButton);
   const LightOptions dragged = document().project().look.light;
-  move(ball, middleOf(ball) + QPointF(0, 9));
+  move(ball, middleOf(ball) + QPointF(0, 9), Qt::RightButton);
   move(ball, middleOf(ball) + QPointF(0, 9), Qt::LeftButton);
   EXPECT_EQ(document().project().look.light, dragged);
 }
