@@ -48,7 +48,9 @@ void SidePanels::insert(int index, const QString& title, QWidget* panel) {
   header->setArrowType(Qt::DownArrow);
   header->setFocusPolicy(Qt::StrongFocus);
   header->setStyleSheet(
-      QStringLiteral("QToolButton:focus { border: 1px solid palette(highlight); }"));
+      QStringLiteral("QToolButton { border: 1px solid transparent; padding: 0px; }"
+                     "QToolButton:hover { border: 1px solid palette(mid); }"
+                     "QToolButton:focus { border: 1px solid palette(highlight); }"));
   QFont font = header->font();
   font.setBold(true);
   header->setFont(font);
