@@ -92,11 +92,10 @@ QList<Row> rowsOfViews(const PointerBindings& bindings) {
   add(KeysSheet::tr("Detail view: wheel"),
       bindings.forward_is_closer ? KeysSheet::tr("Zoom about the pointer; away from you is closer")
                                  : KeysSheet::tr("Zoom about the pointer; towards you is closer"));
-  add(KeysSheet::tr("Reference view: drag"), KeysSheet::tr("Draw, move or resize the window"));
-  add(KeysSheet::tr("Reference view: arrows, Shift+arrows"),
-      KeysSheet::tr("Move, resize the window"));
-  add(KeysSheet::tr("Reference view: Space, arrows, Enter"), KeysSheet::tr("Draw a window"));
-  add(KeysSheet::tr("Reference view: +, \u2212, wheel"), KeysSheet::tr("Finer, coarser"));
+  add(KeysSheet::tr("Overview: drag"), KeysSheet::tr("Draw, move or resize the window"));
+  add(KeysSheet::tr("Overview: arrows, Shift+arrows"), KeysSheet::tr("Move, resize the window"));
+  add(KeysSheet::tr("Overview: Space, arrows, Enter"), KeysSheet::tr("Draw a window"));
+  add(KeysSheet::tr("Overview: +, \u2212, wheel"), KeysSheet::tr("Finer, coarser"));
   return rows;
 }
 

@@ -1171,7 +1171,7 @@
         <translation>Rechtshändig, um die Achsen der Ansicht, zuerst x</translation>
     </message>
     <message>
-        <source>&amp;Engine</source>
+        <source>M&amp;ethod</source>
         <translation>&amp;Verfahren</translation>
     </message>
     <message>
@@ -1179,16 +1179,16 @@
         <translation>Der Prozessor, oder der Tiefenpuffer der Grafikkarte wie im Aufsatz</translation>
     </message>
     <message>
-        <source>Processor</source>
-        <translation>Prozessor</translation>
+        <source>CPU</source>
+        <translation>CPU</translation>
     </message>
     <message>
-        <source>Depth buffer</source>
-        <translation>Tiefenpuffer</translation>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
     </message>
     <message>
-        <source>&amp;Rule</source>
-        <translation>&amp;Regel</translation>
+        <source>Height pe&amp;r cell</source>
+        <translation>Höhe je &amp;Zelle</translation>
     </message>
     <message>
         <source>Which height a cell gets from the points in it</source>
@@ -1231,8 +1231,8 @@
         <translation>Abstand benachbarter Zellen</translation>
     </message>
     <message>
-        <source>&amp;M between levels</source>
-        <translation>&amp;M zwischen den Ebenen</translation>
+        <source>Pyra&amp;mid factor</source>
+        <translation>Pyra&amp;midenfaktor</translation>
     </message>
     <message>
         <source>How much coarser each level of the pyramid is; 2 in the paper</source>
@@ -1640,7 +1640,7 @@
         <translation>Ansicht %1 → %2</translation>
     </message>
     <message>
-        <source>Depth engine → %1</source>
+        <source>Depth method → %1</source>
         <translation>Verfahren → %1</translation>
     </message>
     <message>
@@ -1660,7 +1660,7 @@
         <translation>Ausschnitt wählen</translation>
     </message>
     <message>
-        <source>Height gain</source>
+        <source>Vertical exaggeration</source>
         <translation>Überhöhung</translation>
     </message>
     <message>
@@ -1698,6 +1698,14 @@
     <message>
         <source>Smaller window</source>
         <translation>Kleineres Fenster</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
     </message>
 </context>
 <context>
@@ -1873,8 +1881,8 @@
         <translation>Mit Kraftkurven einer Aufzeichnung</translation>
     </message>
     <message>
-        <source>Lit stone</source>
-        <translation>Beleuchteter Stein</translation>
+        <source>Shaded relief</source>
+        <translation>Beleuchtetes Relief</translation>
     </message>
     <message>
         <source>Height in colour</source>
@@ -2732,12 +2740,12 @@
         <translation>Nicht &amp;gemessen</translation>
     </message>
     <message>
-        <source>Tic&amp;k there</source>
-        <translation>&amp;Tick dort</translation>
+        <source>Edge &amp;cue</source>
+        <translation>&amp;Tastmarke am Rand</translation>
     </message>
     <message>
-        <source>K&amp;nock</source>
-        <translation>An&amp;klopfen</translation>
+        <source>Co&amp;ntact impulse</source>
+        <translation>Ko&amp;ntaktimpuls</translation>
     </message>
     <message>
         <source>Ma&amp;gnet</source>
@@ -2760,8 +2768,8 @@
         <translation>Wie steif gefüllte Lücken und die Grundebene sind, als Teil der Steifigkeit gemessener Stellen. 100 %: kein Unterschied.</translation>
     </message>
     <message>
-        <source>Tick at the border of measured ground, in newtons</source>
-        <translation>Tick am Rand des Gemessenen, in Newton</translation>
+        <source>Edge cue at the border of measured ground, in newtons</source>
+        <translation>Tastmarke am Rand des Gemessenen, in Newton</translation>
     </message>
     <message>
         <source> N</source>
@@ -2784,8 +2792,8 @@
         <translation>Wieviel von der nächstfeineren Ebene höchstens zusätzlich zur getasteten zu fühlen ist. 0: nichts.</translation>
     </message>
     <message>
-        <source>Knock of a new contact, in newtons at most</source>
-        <translation>Anklopfen bei neuer Berührung, höchstens in Newton</translation>
+        <source>Contact impulse, in newtons at most</source>
+        <translation>Kontaktimpuls, höchstens in Newton</translation>
     </message>
     <message>
         <source>A short knock as hard as the hand comes. 0: none.</source>
@@ -2812,8 +2820,8 @@
         <translation>Anhalten, vergrößern, Werte ablesen und als SVG oder CSV speichern.</translation>
     </message>
     <message>
-        <source>Fi&amp;rm ground</source>
-        <translation>F&amp;ester Grund</translation>
+        <source>Stiffness &amp;map</source>
+        <translation>St&amp;eifigkeitskarte</translation>
     </message>
     <message>
         <source>What says where the ground is firm</source>
@@ -2844,8 +2852,8 @@
         <translation>Der Grund ist fest, wo gemessen wurde.</translation>
     </message>
     <message>
-        <source>Raster of firm ground</source>
-        <translation>Raster des festen Grunds</translation>
+        <source>Stiffness map</source>
+        <translation>Steifigkeitskarte</translation>
     </message>
     <message>
         <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
@@ -2983,12 +2991,12 @@
         <translation>Der Grund ist fest, wo gemessen wurde.</translation>
     </message>
     <message>
-        <source>Firm ground: %1.</source>
-        <translation>Fester Grund: %1.</translation>
+        <source>Stiffness map: %1.</source>
+        <translation>Steifigkeitskarte: %1.</translation>
     </message>
     <message>
-        <source>Firm ground: %1. Set Not measured below 100 % to feel it.</source>
-        <translation>Fester Grund: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um ihn zu fühlen.</translation>
+        <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
+        <translation>Steifigkeitskarte: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um sie zu fühlen.</translation>
     </message>
     <message>
         <source>The recording has ended early.</source>
@@ -3057,7 +3065,7 @@
         <translation>Detailansicht</translation>
     </message>
     <message>
-        <source>Reference view</source>
+        <source>Overview</source>
         <translation>Übersicht</translation>
     </message>
     <message>
@@ -3148,7 +3156,7 @@
         <translation>Detailansicht: Rad</translation>
     </message>
     <message>
-        <source>Reference view: drag</source>
+        <source>Overview: drag</source>
         <translation>Übersicht: Ziehen</translation>
     </message>
     <message>
@@ -3156,7 +3164,7 @@
         <translation>Den Ausschnitt zeichnen, verschieben oder in der Größe ändern</translation>
     </message>
     <message>
-        <source>Reference view: arrows, Shift+arrows</source>
+        <source>Overview: arrows, Shift+arrows</source>
         <translation>Übersicht: Pfeile, Umschalt+Pfeile</translation>
     </message>
     <message>
@@ -3164,7 +3172,7 @@
         <translation>Den Ausschnitt verschieben, in der Größe ändern</translation>
     </message>
     <message>
-        <source>Reference view: Space, arrows, Enter</source>
+        <source>Overview: Space, arrows, Enter</source>
         <translation>Übersicht: Leertaste, Pfeile, Eingabe</translation>
     </message>
     <message>
@@ -3172,7 +3180,7 @@
         <translation>Einen Ausschnitt zeichnen</translation>
     </message>
     <message>
-        <source>Reference view: +, −, wheel</source>
+        <source>Overview: +, −, wheel</source>
         <translation>Übersicht: +, −, Rad</translation>
     </message>
     <message>
@@ -3309,8 +3317,8 @@
         <translation>&amp;Speichern…</translation>
     </message>
     <message>
-        <source>&amp;Lit stone</source>
-        <translation>&amp;Beleuchteter Stein</translation>
+        <source>Shaded re&amp;lief</source>
+        <translation>&amp;Beleuchtetes Relief</translation>
     </message>
     <message>
         <source>Matt stone under lamps</source>
@@ -3441,7 +3449,7 @@
         <translation>&amp;Oberfläche</translation>
     </message>
     <message>
-        <source>Depth &amp;engine</source>
+        <source>Depth m&amp;ethod</source>
         <translation>&amp;Verfahren</translation>
     </message>
     <message>
@@ -3884,16 +3892,16 @@
         <translation>Das Relief neu machen, aus der Richtung der gedrehten Detailansicht</translation>
     </message>
     <message>
-        <source>&amp;Processor</source>
-        <translation>&amp;Prozessor</translation>
+        <source>&amp;CPU</source>
+        <translation>&amp;CPU</translation>
     </message>
     <message>
         <source>Make the depth map on the processor</source>
         <translation>Die Tiefenkarte mit dem Prozessor machen</translation>
     </message>
     <message>
-        <source>&amp;Depth buffer</source>
-        <translation>&amp;Tiefenpuffer</translation>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
     </message>
     <message>
         <source>Make the depth map by the graphics card&apos;s depth buffer</source>
@@ -3916,7 +3924,7 @@
         <translation>Anaglyphe für rot-cyane Brillen</translation>
     </message>
     <message>
-        <source>Side &amp;panels</source>
+        <source>Side pa&amp;nels</source>
         <translation>&amp;Seitenfelder</translation>
     </message>
     <message>
@@ -3924,7 +3932,7 @@
         <translation>Die Seitenfelder zeigen oder verbergen</translation>
     </message>
     <message>
-        <source>Refere&amp;nce view</source>
+        <source>Over&amp;view</source>
         <translation>Üb&amp;ersicht</translation>
     </message>
     <message>
@@ -3952,7 +3960,7 @@
         <translation>&amp;Andere Ansicht</translation>
     </message>
     <message>
-        <source>Move the focus between the reference view and the detail view</source>
+        <source>Move the focus between the overview and the detail view</source>
         <translation>Den Fokus zwischen Übersicht und Detailansicht wechseln</translation>
     </message>
     <message>
@@ -3964,7 +3972,7 @@
         <translation>Den Fokus zum nächsten Teil des Fensters bewegen</translation>
     </message>
     <message>
-        <source>Pre&amp;vious part</source>
+        <source>&amp;Previous part</source>
         <translation>Vori&amp;ger Teil</translation>
     </message>
     <message>
@@ -4004,7 +4012,7 @@
         <translation>Eindrücktiefe %1 mm der Hand</translation>
     </message>
     <message>
-        <source>REFERENCE</source>
+        <source>OVERVIEW</source>
         <translation>ÜBERSICHT</translation>
     </message>
     <message>
@@ -4012,8 +4020,8 @@
         <translation>DETAIL %1 von %2</translation>
     </message>
     <message>
-        <source>1 mm of hand = %1 mm</source>
-        <translation>1 mm der Hand = %1 mm</translation>
+        <source>hand scale 1 : %1</source>
+        <translation>Maßstab der Hand 1 : %1</translation>
     </message>
     <message>
         <source>heights × %1   |   </source>
@@ -4188,8 +4196,8 @@
         <translation>Die Kräfte sind an: die Wiedergabe wurde geschlossen.</translation>
     </message>
     <message>
-        <source>&amp;Video…</source>
-        <translation>V&amp;ideo…</translation>
+        <source>Save &amp;video…</source>
+        <translation>V&amp;ideo speichern…</translation>
     </message>
     <message>
         <source>A video of the replay, or of the camera path, frame by frame</source>
@@ -4417,8 +4425,8 @@
         <translation>Die kopierte Ansicht wird gezeigt. Detail %1 von %2</translation>
     </message>
     <message>
-        <source>Pac&amp;kage for citation…</source>
-        <translation>&amp;Paket zum Zitieren…</translation>
+        <source>Export archive pac&amp;kage…</source>
+        <translation>Archiv&amp;paket exportieren…</translation>
     </message>
     <message>
         <source>One zip with project, scan, recordings, figures and checksums</source>
@@ -4568,12 +4576,12 @@
         <translation>%1 % dieses Bildes sind ein kräftiges Rot oder Cyan, das ein Auge durch die Brille dunkel sieht. Graues Stereo zeigt es beiden</translation>
     </message>
     <message>
-        <source>This scan has no colours; it is shown as lit stone</source>
-        <translation>Dieser Scan hat keine Farben; er wird als beleuchteter Stein gezeigt</translation>
+        <source>This scan has no colours; it is shown as shaded relief</source>
+        <translation>Dieser Scan hat keine Farben; er wird als beleuchtetes Relief gezeigt</translation>
     </message>
     <message>
-        <source>This scan has no intensities; it is shown as lit stone</source>
-        <translation>Dieser Scan hat keine Intensitäten; er wird als beleuchteter Stein gezeigt</translation>
+        <source>This scan has no intensities; it is shown as shaded relief</source>
+        <translation>Dieser Scan hat keine Intensitäten; er wird als beleuchtetes Relief gezeigt</translation>
     </message>
     <message>
         <source>E&amp;xport…</source>
@@ -8216,8 +8224,8 @@
 <context>
     <name>relievo::PackageDialog</name>
     <message>
-        <source>Package for citation</source>
-        <translation>Paket zum Zitieren</translation>
+        <source>Export archive package</source>
+        <translation>Archivpaket exportieren</translation>
     </message>
     <message>
         <source>One zip with this work as a project, what is ticked here, a README, and the checksum of each file. Recordings bring the rasters along that they need to be repeated.</source>
@@ -9330,7 +9338,7 @@
         <translation>Größe des Ausschnitts ändern</translation>
     </message>
     <message>
-        <source>Reference view</source>
+        <source>Overview</source>
         <translation>Übersicht</translation>
     </message>
     <message>
@@ -9381,7 +9389,7 @@
         <translation>Welches Detail den Ausschnitt speist</translation>
     </message>
     <message>
-        <source>Gai&amp;n</source>
+        <source>Exaggeratio&amp;n</source>
         <translation>Übe&amp;rhöhung</translation>
     </message>
     <message>
@@ -9389,7 +9397,7 @@
         <translation>Höhen werden damit vervielfacht; 1 ist maßstabsgetreu</translation>
     </message>
     <message>
-        <source>Height gain</source>
+        <source>Vertical exaggeration</source>
         <translation>Überhöhung</translation>
     </message>
     <message>
@@ -9401,8 +9409,8 @@
         <translation>Maßstab der Hand</translation>
     </message>
     <message>
-        <source>1 mm of hand = %1 mm on the object</source>
-        <translation>1 mm der Hand = %1 mm auf dem Objekt</translation>
+        <source>Hand scale 1 : %1</source>
+        <translation>Maßstab der Hand 1 : %1</translation>
     </message>
     <message>
         <source>%1 of %2, level 0</source>
@@ -10311,22 +10319,6 @@
     <message>
         <source>Length unit of the file&apos;s coordinates</source>
         <translation>Längeneinheit der Koordinaten in der Datei</translation>
-    </message>
-    <message>
-        <source>En&amp;gine</source>
-        <translation>&amp;Verfahren</translation>
-    </message>
-    <message>
-        <source>How the depth map is made from points and triangles</source>
-        <translation>Wie die Tiefenkarte aus Punkten und Dreiecken gemacht wird</translation>
-    </message>
-    <message>
-        <source>Processor</source>
-        <translation>Prozessor</translation>
-    </message>
-    <message>
-        <source>Depth buffer</source>
-        <translation>Tiefenpuffer</translation>
     </message>
     <message>
         <source>%1 × %2, %3 apart</source>

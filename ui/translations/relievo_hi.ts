@@ -1171,7 +1171,7 @@
         <translation>दाहिने हाथ का नियम, दृश्य के अपने अक्षों पर, पहले x</translation>
     </message>
     <message>
-        <source>&amp;Engine</source>
+        <source>M&amp;ethod</source>
         <translation>विधि (&amp;E)</translation>
     </message>
     <message>
@@ -1179,16 +1179,16 @@
         <translation>प्रोसेसर, या लेख की तरह ग्राफ़िक्स कार्ड का गहराई बफ़र</translation>
     </message>
     <message>
-        <source>Processor</source>
-        <translation>प्रोसेसर</translation>
+        <source>CPU</source>
+        <translation>CPU</translation>
     </message>
     <message>
-        <source>Depth buffer</source>
-        <translation>गहराई बफ़र</translation>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
     </message>
     <message>
-        <source>&amp;Rule</source>
-        <translation>नियम (&amp;R)</translation>
+        <source>Height pe&amp;r cell</source>
+        <translation>प्रति कोष्ठ ऊँचाई (&amp;R)</translation>
     </message>
     <message>
         <source>Which height a cell gets from the points in it</source>
@@ -1231,8 +1231,8 @@
         <translation>पड़ोसी सेलों की दूरी</translation>
     </message>
     <message>
-        <source>&amp;M between levels</source>
-        <translation>स्तरों के बीच M (&amp;M)</translation>
+        <source>Pyra&amp;mid factor</source>
+        <translation>पिरामिड गुणक (&amp;M)</translation>
     </message>
     <message>
         <source>How much coarser each level of the pyramid is; 2 in the paper</source>
@@ -1640,7 +1640,7 @@
         <translation>दृश्य %1 → %2</translation>
     </message>
     <message>
-        <source>Depth engine → %1</source>
+        <source>Depth method → %1</source>
         <translation>विधि → %1</translation>
     </message>
     <message>
@@ -1660,8 +1660,8 @@
         <translation>विंडो चुनें</translation>
     </message>
     <message>
-        <source>Height gain</source>
-        <translation>ऊँचाई का गुणक</translation>
+        <source>Vertical exaggeration</source>
+        <translation>ऊर्ध्व अतिरंजन</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -1698,6 +1698,14 @@
     <message>
         <source>Smaller window</source>
         <translation>छोटी खिड़की</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
     </message>
 </context>
 <context>
@@ -1873,8 +1881,8 @@
         <translation>रिकॉर्डिंग के बल आलेखों के साथ</translation>
     </message>
     <message>
-        <source>Lit stone</source>
-        <translation>प्रकाशित पत्थर</translation>
+        <source>Shaded relief</source>
+        <translation>छायांकित उभार</translation>
     </message>
     <message>
         <source>Height in colour</source>
@@ -2732,12 +2740,12 @@
         <translation>मापा नहीं गया (&amp;D)</translation>
     </message>
     <message>
-        <source>Tic&amp;k there</source>
-        <translation>वहाँ टिक (&amp;K)</translation>
+        <source>Edge &amp;cue</source>
+        <translation>किनारे का संकेत (&amp;C)</translation>
     </message>
     <message>
-        <source>K&amp;nock</source>
-        <translation>ठोकर (&amp;N)</translation>
+        <source>Co&amp;ntact impulse</source>
+        <translation>स्पर्श का आवेग (&amp;N)</translation>
     </message>
     <message>
         <source>Ma&amp;gnet</source>
@@ -2760,8 +2768,8 @@
         <translation>भरे अंतराल और आधार तल कितने कठोर हैं, मापी जगह की कठोरता के अंश में। 100 %: कोई अंतर नहीं।</translation>
     </message>
     <message>
-        <source>Tick at the border of measured ground, in newtons</source>
-        <translation>मापी जगह की सीमा पर टिक, न्यूटन में</translation>
+        <source>Edge cue at the border of measured ground, in newtons</source>
+        <translation>मापी जगह के किनारे का संकेत, न्यूटन में</translation>
     </message>
     <message>
         <source> N</source>
@@ -2784,8 +2792,8 @@
         <translation>छुए जा रहे स्तर के ऊपर अगला बारीक स्तर अधिकतम कितना महसूस हो। 0: कुछ नहीं।</translation>
     </message>
     <message>
-        <source>Knock of a new contact, in newtons at most</source>
-        <translation>नए स्पर्श की ठोकर, अधिकतम न्यूटन में</translation>
+        <source>Contact impulse, in newtons at most</source>
+        <translation>स्पर्श का आवेग, अधिकतम न्यूटन में</translation>
     </message>
     <message>
         <source>A short knock as hard as the hand comes. 0: none.</source>
@@ -2812,8 +2820,8 @@
         <translation>रोकें, पास लाएँ, मान पढ़ें और SVG या CSV में सहेजें।</translation>
     </message>
     <message>
-        <source>Fi&amp;rm ground</source>
-        <translation>ठोस जगह (&amp;R)</translation>
+        <source>Stiffness &amp;map</source>
+        <translation>कठोरता मानचित्र (&amp;M)</translation>
     </message>
     <message>
         <source>What says where the ground is firm</source>
@@ -2844,8 +2852,8 @@
         <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
     </message>
     <message>
-        <source>Raster of firm ground</source>
-        <translation>ठोस जगह का ग्रिड</translation>
+        <source>Stiffness map</source>
+        <translation>कठोरता मानचित्र</translation>
     </message>
     <message>
         <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
@@ -2983,12 +2991,12 @@
         <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
     </message>
     <message>
-        <source>Firm ground: %1.</source>
-        <translation>ठोस जगह: %1।</translation>
+        <source>Stiffness map: %1.</source>
+        <translation>कठोरता मानचित्र: %1।</translation>
     </message>
     <message>
-        <source>Firm ground: %1. Set Not measured below 100 % to feel it.</source>
-        <translation>ठोस जगह: %1। इसे महसूस करने के लिए “मापा नहीं गया” को 100 % से कम रखें।</translation>
+        <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
+        <translation>कठोरता मानचित्र: %1। इसे महसूस करने के लिए “मापा नहीं गया” को 100 % से कम रखें।</translation>
     </message>
     <message>
         <source>The recording has ended early.</source>
@@ -3057,8 +3065,8 @@
         <translation>विवरण दृश्य</translation>
     </message>
     <message>
-        <source>Reference view</source>
-        <translation>संदर्भ दृश्य</translation>
+        <source>Overview</source>
+        <translation>अवलोकन</translation>
     </message>
     <message>
         <source>Whole window</source>
@@ -3148,32 +3156,32 @@
         <translation>विवरण दृश्य: पहिया</translation>
     </message>
     <message>
-        <source>Reference view: drag</source>
-        <translation>संदर्भ दृश्य: खींचना</translation>
+        <source>Overview: drag</source>
+        <translation>अवलोकन: खींचना</translation>
     </message>
     <message>
         <source>Draw, move or resize the window</source>
         <translation>विंडो बनाएँ, खिसकाएँ या आकार बदलें</translation>
     </message>
     <message>
-        <source>Reference view: arrows, Shift+arrows</source>
-        <translation>संदर्भ दृश्य: तीर, Shift+तीर</translation>
+        <source>Overview: arrows, Shift+arrows</source>
+        <translation>अवलोकन: तीर, Shift+तीर</translation>
     </message>
     <message>
         <source>Move, resize the window</source>
         <translation>विंडो खिसकाएँ, आकार बदलें</translation>
     </message>
     <message>
-        <source>Reference view: Space, arrows, Enter</source>
-        <translation>संदर्भ दृश्य: Space, तीर, Enter</translation>
+        <source>Overview: Space, arrows, Enter</source>
+        <translation>अवलोकन: Space, तीर, Enter</translation>
     </message>
     <message>
         <source>Draw a window</source>
         <translation>विंडो बनाएँ</translation>
     </message>
     <message>
-        <source>Reference view: +, −, wheel</source>
-        <translation>संदर्भ दृश्य: +, −, पहिया</translation>
+        <source>Overview: +, −, wheel</source>
+        <translation>अवलोकन: +, −, पहिया</translation>
     </message>
     <message>
         <source>Finer, coarser</source>
@@ -3309,8 +3317,8 @@
         <translation>सहेजें (&amp;S)…</translation>
     </message>
     <message>
-        <source>&amp;Lit stone</source>
-        <translation>प्रकाशित पत्थर (&amp;L)</translation>
+        <source>Shaded re&amp;lief</source>
+        <translation>छायांकित उभार (&amp;L)</translation>
     </message>
     <message>
         <source>Matt stone under lamps</source>
@@ -3441,7 +3449,7 @@
         <translation>सतह (&amp;S)</translation>
     </message>
     <message>
-        <source>Depth &amp;engine</source>
+        <source>Depth m&amp;ethod</source>
         <translation>गहराई विधि (&amp;E)</translation>
     </message>
     <message>
@@ -3884,16 +3892,16 @@
         <translation>घुमाए गए विवरण दृश्य की दिशा से उभार फिर बनाएँ</translation>
     </message>
     <message>
-        <source>&amp;Processor</source>
-        <translation>प्रोसेसर (&amp;P)</translation>
+        <source>&amp;CPU</source>
+        <translation>&amp;CPU</translation>
     </message>
     <message>
         <source>Make the depth map on the processor</source>
         <translation>गहराई मानचित्र प्रोसेसर से बनाएँ</translation>
     </message>
     <message>
-        <source>&amp;Depth buffer</source>
-        <translation>गहराई बफ़र (&amp;D)</translation>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
     </message>
     <message>
         <source>Make the depth map by the graphics card&apos;s depth buffer</source>
@@ -3916,16 +3924,16 @@
         <translation>लाल-सियान चश्मे के लिए एनाग्लिफ़</translation>
     </message>
     <message>
-        <source>Side &amp;panels</source>
-        <translation>पार्श्व पटल (&amp;P)</translation>
+        <source>Side pa&amp;nels</source>
+        <translation>पार्श्व पटल (&amp;N)</translation>
     </message>
     <message>
         <source>Show or hide the side panels</source>
         <translation>पार्श्व पटल दिखाएँ या छिपाएँ</translation>
     </message>
     <message>
-        <source>Refere&amp;nce view</source>
-        <translation>संदर्भ दृश्य (&amp;N)</translation>
+        <source>Over&amp;view</source>
+        <translation>अवलोकन (&amp;V)</translation>
     </message>
     <message>
         <source>Show or hide the whole object</source>
@@ -3952,8 +3960,8 @@
         <translation>दूसरा दृश्य (&amp;W)</translation>
     </message>
     <message>
-        <source>Move the focus between the reference view and the detail view</source>
-        <translation>फ़ोकस को संदर्भ दृश्य और विवरण दृश्य के बीच बदलें</translation>
+        <source>Move the focus between the overview and the detail view</source>
+        <translation>फ़ोकस को अवलोकन और विवरण दृश्य के बीच बदलें</translation>
     </message>
     <message>
         <source>Ne&amp;xt part</source>
@@ -3964,8 +3972,8 @@
         <translation>फ़ोकस खिड़की के अगले भाग पर ले जाएँ</translation>
     </message>
     <message>
-        <source>Pre&amp;vious part</source>
-        <translation>पिछला भाग (&amp;V)</translation>
+        <source>&amp;Previous part</source>
+        <translation>पिछला भाग (&amp;P)</translation>
     </message>
     <message>
         <source>Move the focus to the part before</source>
@@ -4004,16 +4012,16 @@
         <translation>दबाने की गहराई हाथ के %1 mm</translation>
     </message>
     <message>
-        <source>REFERENCE</source>
-        <translation>संदर्भ</translation>
+        <source>OVERVIEW</source>
+        <translation>अवलोकन</translation>
     </message>
     <message>
         <source>DETAIL %1 of %2</source>
         <translation>विवरण %2 में से %1</translation>
     </message>
     <message>
-        <source>1 mm of hand = %1 mm</source>
-        <translation>हाथ का 1 mm = %1 mm</translation>
+        <source>hand scale 1 : %1</source>
+        <translation>हाथ का पैमाना 1 : %1</translation>
     </message>
     <message>
         <source>heights × %1   |   </source>
@@ -4188,8 +4196,8 @@
         <translation>बल चालू हैं: पुनर्प्रदर्शन बंद किया गया।</translation>
     </message>
     <message>
-        <source>&amp;Video…</source>
-        <translation>वीडियो (&amp;V)…</translation>
+        <source>Save &amp;video…</source>
+        <translation>वीडियो सहेजें… (&amp;V)</translation>
     </message>
     <message>
         <source>A video of the replay, or of the camera path, frame by frame</source>
@@ -4417,8 +4425,8 @@
         <translation>कॉपी किया गया दृश्य दिखाया गया। विवरण %2 में से %1</translation>
     </message>
     <message>
-        <source>Pac&amp;kage for citation…</source>
-        <translation>उद्धरण के लिए पैकेज… (&amp;K)</translation>
+        <source>Export archive pac&amp;kage…</source>
+        <translation>संग्रह पैकेज निर्यात… (&amp;K)</translation>
     </message>
     <message>
         <source>One zip with project, scan, recordings, figures and checksums</source>
@@ -4568,12 +4576,12 @@
         <translation>इस चित्र का %1 % गहरा लाल या सियान है, जो चश्मे से एक आँख को काला दिखता है। धूसर स्टीरियो दोनों को दिखाता है</translation>
     </message>
     <message>
-        <source>This scan has no colours; it is shown as lit stone</source>
-        <translation>इस स्कैन में रंग नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
+        <source>This scan has no colours; it is shown as shaded relief</source>
+        <translation>इस स्कैन में रंग नहीं हैं; यह छायांकित उभार के रूप में दिखता है</translation>
     </message>
     <message>
-        <source>This scan has no intensities; it is shown as lit stone</source>
-        <translation>इस स्कैन में तीव्रताएँ नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
+        <source>This scan has no intensities; it is shown as shaded relief</source>
+        <translation>इस स्कैन में तीव्रताएँ नहीं हैं; यह छायांकित उभार के रूप में दिखता है</translation>
     </message>
     <message>
         <source>E&amp;xport…</source>
@@ -8216,8 +8224,8 @@
 <context>
     <name>relievo::PackageDialog</name>
     <message>
-        <source>Package for citation</source>
-        <translation>उद्धरण के लिए पैकेज</translation>
+        <source>Export archive package</source>
+        <translation>संग्रह पैकेज निर्यात</translation>
     </message>
     <message>
         <source>One zip with this work as a project, what is ticked here, a README, and the checksum of each file. Recordings bring the rasters along that they need to be repeated.</source>
@@ -9330,8 +9338,8 @@
         <translation>विंडो का आकार बदलें</translation>
     </message>
     <message>
-        <source>Reference view</source>
-        <translation>संदर्भ दृश्य</translation>
+        <source>Overview</source>
+        <translation>अवलोकन</translation>
     </message>
     <message>
         <source>The whole object. The pink window is what the detail view shows: drag inside it to move it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the detail. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window.</source>
@@ -9381,16 +9389,16 @@
         <translation>विंडो में कौन-सा विवरण है</translation>
     </message>
     <message>
-        <source>Gai&amp;n</source>
-        <translation>गुणक (&amp;N)</translation>
+        <source>Exaggeratio&amp;n</source>
+        <translation>अतिरंजन (&amp;N)</translation>
     </message>
     <message>
         <source>Heights are multiplied by this; 1 is true to scale</source>
         <translation>ऊँचाइयाँ इससे गुणा होती हैं; 1 वास्तविक पैमाना है</translation>
     </message>
     <message>
-        <source>Height gain</source>
-        <translation>ऊँचाई का गुणक</translation>
+        <source>Vertical exaggeration</source>
+        <translation>ऊर्ध्व अतिरंजन</translation>
     </message>
     <message>
         <source>Heights are multiplied by this; the middle is true to scale</source>
@@ -9401,8 +9409,8 @@
         <translation>हाथ का पैमाना</translation>
     </message>
     <message>
-        <source>1 mm of hand = %1 mm on the object</source>
-        <translation>हाथ का 1 mm = वस्तु पर %1 mm</translation>
+        <source>Hand scale 1 : %1</source>
+        <translation>हाथ का पैमाना 1 : %1</translation>
     </message>
     <message>
         <source>%1 of %2, level 0</source>
@@ -10311,22 +10319,6 @@
     <message>
         <source>Length unit of the file&apos;s coordinates</source>
         <translation>फ़ाइल के निर्देशांकों की लंबाई इकाई</translation>
-    </message>
-    <message>
-        <source>En&amp;gine</source>
-        <translation>विधि (&amp;G)</translation>
-    </message>
-    <message>
-        <source>How the depth map is made from points and triangles</source>
-        <translation>बिंदुओं और त्रिभुजों से गहराई मानचित्र कैसे बनता है</translation>
-    </message>
-    <message>
-        <source>Processor</source>
-        <translation>प्रोसेसर</translation>
-    </message>
-    <message>
-        <source>Depth buffer</source>
-        <translation>गहराई बफ़र</translation>
     </message>
     <message>
         <source>%1 × %2, %3 apart</source>

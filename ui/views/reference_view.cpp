@@ -91,7 +91,7 @@ ReferenceView::ReferenceView(Document& document, QuietTurns& turns, QWidget* par
       suggested_(new SuggestionFrames(this, [this](double x, double y) { return pointOf(x, y); })),
       pink_(new PinkOverlay(this)) {
   setObjectName(QStringLiteral("reference_view"));
-  setAccessibleName(tr("Reference view"));
+  setAccessibleName(tr("Overview"));
   setToolTip({});
   setWhatsThis(
       tr("The whole object. The pink window is what the detail view shows: drag inside it to move "

@@ -356,7 +356,7 @@ void MainWindow::showSurface() {
   whole_shown_.high_mm = heights.max_mm;
   view_panel_->showView(QString::fromStdString(surface.view_name));
   showTitle();
-  reference_title_->setText(tr("REFERENCE"));
+  reference_title_->setText(tr("OVERVIEW"));
   reference_note_->setText(sizeText({surface.ladder.width_mm, surface.ladder.height_mm}));
 }
 
@@ -372,7 +372,7 @@ void MainWindow::showWindow() {
   const double scale = handMapping(*window).objectMmPerHandMm();
   const QString scale_text = mmText(scale, scale / 10);
   QString note = QStringLiteral("%1   |   %2")
-                     .arg(sizeText({side, side}), tr("1 mm of hand = %1 mm").arg(scale_text));
+                     .arg(sizeText({side, side}), tr("hand scale 1 : %1").arg(scale_text));
   if (window->gain != 1) {
     note.prepend(tr("heights \u00d7 %1   |   ").arg(numberText(window->gain, 2)));
   }

@@ -323,14 +323,14 @@ void MainWindow::makeSurfaceCommands() {
         [this] { useThisView(); },
         {}});
   make({"engine_cpu",
-        tr("&Processor"),
+        tr("&CPU"),
         {},
         tr("Make the depth map on the processor"),
         [this] { document_.setEngine(QStringLiteral("cpu")); },
         {},
         true});
   make({"engine_depthbuffer",
-        tr("&Depth buffer"),
+        tr("&OpenGL"),
         {},
         tr("Make the depth map by the graphics card's depth buffer"),
         [this] { document_.setEngine(QStringLiteral("depthbuffer")); },
@@ -354,16 +354,11 @@ void MainWindow::makeWindowCommands() {
                        true});
   connect(stereo, &QAction::toggled, this, [this](bool on) { stereo_panel_->setOn(on); });
   auto* panels = make(
-      {"show_panels", tr("Side &panels"), {}, tr("Show or hide the side panels"), {}, {}, true});
+      {"show_panels", tr("Side pa&nels"), {}, tr("Show or hide the side panels"), {}, {}, true});
   panels->setChecked(true);
   connect(panels, &QAction::toggled, panels_, &QWidget::setVisible);
-  auto* reference = make({"show_reference",
-                          tr("Refere&nce view"),
-                          {},
-                          tr("Show or hide the whole object"),
-                          {},
-                          {},
-                          true});
+  auto* reference = make(
+      {"show_reference", tr("Over&view"), {}, tr("Show or hide the whole object"), {}, {}, true});
   reference->setChecked(true);
   connect(reference, &QAction::toggled, reference_box_, &QWidget::setVisible);
   auto* plots = make({"show_plots",
@@ -384,7 +379,7 @@ void MainWindow::makeWindowCommands() {
   make({"swap_views",
         tr("Other vie&w"),
         {QKeySequence("Ctrl+L")},
-        tr("Move the focus between the reference view and the detail view"),
+        tr("Move the focus between the overview and the detail view"),
         [this] {
           QWidget* to = detail_->hasFocus() ? static_cast<QWidget*>(reference_) : detail_;
           to->setFocus(Qt::ShortcutFocusReason);
@@ -397,7 +392,7 @@ void MainWindow::makeWindowCommands() {
                      [this] { focusNextPart(1); },
                      {}});
   auto* previous = make({"previous_part",
-                         tr("Pre&vious part"),
+                         tr("&Previous part"),
                          {QKeySequence("Shift+F6")},
                          tr("Move the focus to the part before"),
                          [this] { focusNextPart(-1); },

@@ -67,7 +67,7 @@ void MainWindow::makeReliefCommands() {
     QString text, tip;
   };
   const std::array<Entry, kReliefKindNames.size()> entries{
-      {{ReliefKind::lit, tr("&Lit stone"), tr("Matt stone under lamps")},
+      {{ReliefKind::lit, tr("Shaded re&lief"), tr("Matt stone under lamps")},
        {ReliefKind::height, tr("&Height in colour"), tr("Lit, with a colour for each height")},
        {ReliefKind::hillshade, tr("H&illshade"), tr("Brightness under one light")},
        {ReliefKind::multi_hillshade, tr("Hillshade, &four lights"),

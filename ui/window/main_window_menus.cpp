@@ -89,7 +89,7 @@ void MainWindow::makeMenus() {
   add(surface, {"finer", "coarser", "whole", "-", "move_left", "move_right", "move_up", "move_down",
                 "type_window", "suggest_windows", "-", "name_place", "next_place", "previous_place",
                 "beacon", "-", "prepare", "depth_map", "units"});
-  QMenu* engine = surface->addMenu(tr("Depth &engine"));
+  QMenu* engine = surface->addMenu(tr("Depth m&ethod"));
   engine->menuAction()->setToolTip(tr("How the depth map is made"));
   add(engine, {"engine_cpu", "engine_depthbuffer"});
   add(menu(QStringLiteral("measure"), tr("&Measure")),

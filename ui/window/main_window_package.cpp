@@ -52,7 +52,7 @@ void MainWindow::setCompanions(CompanionsOf companions) {
 
 void MainWindow::makePackageCommand() {
   make({"package",
-        tr("Pac&kage for citation\u2026"),
+        tr("Export archive pac&kage\u2026"),
         {},
         tr("One zip with project, scan, recordings, figures and checksums"),
         [this] { choosePackage(); },

@@ -13,8 +13,8 @@ namespace relievo {
 
 void MainWindow::tellLookRefused(ReliefKind wanted) {
   announce(wanted == ReliefKind::natural
-               ? tr("This scan has no colours; it is shown as lit stone")
-               : tr("This scan has no intensities; it is shown as lit stone"));
+               ? tr("This scan has no colours; it is shown as shaded relief")
+               : tr("This scan has no intensities; it is shown as shaded relief"));
 }
 
 void MainWindow::chooseLook(const QString& name, const std::function<void(ReliefLook&)>& change,

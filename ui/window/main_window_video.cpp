@@ -43,7 +43,7 @@ QString videoFolder() {
 
 void MainWindow::makeVideoCommands() {
   make({"video",
-        tr("&Video\u2026"),
+        tr("Save &video\u2026"),
         {QKeySequence("Ctrl+Alt+V")},
         tr("A video of the replay, or of the camera path, frame by frame"),
         [this] { chooseVideo(); },

@@ -349,10 +349,10 @@ void TutorialTest::light() {
   EXPECT_EQ(document().project().look.light, LightOptions{});
   page_.says(
       "*View > Relief image > Openness* paints ridges bright and hollows dark in place of "
-      "*View > Relief image > Lit stone*");
+      "*View > Relief image > Shaded relief*");
   choose("View > Relief image > Openness");
   EXPECT_EQ(document().project().look.kind, ReliefKind::openness);
-  choose("View > Relief image > Lit stone");
+  choose("View > Relief image > Shaded relief");
   EXPECT_EQ(document().project().look.kind, ReliefKind::lit);
 }
 
@@ -427,8 +427,8 @@ void TutorialTest::keep() {
   EXPECT_FALSE(window().hasUnsavedWork());
   page_.says("What was recorded in the window on this scan belongs to it.");
   EXPECT_EQ(document().stored().recordings.size(), 1U);
-  page_.says("*File > Package for citation...* makes one zip that can be cited");
-  choose("File > Package for citation...");
+  page_.says("*File > Export archive package...* makes one zip that can be cited");
+  choose("File > Export archive package...");
   closeDialog(shown<QDialog>("package_dialog"));
   page_.says(
       "*Edit > Copy view as text* puts where you look into the clipboard, to be sent to "
