@@ -115,26 +115,40 @@ HapticsPanel::HapticsPanel(QWidget* parent) : QWidget(parent) {
   buildReadouts();
   connectControls();
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 0, 0, 2);
   column->addLayout(rows());
-  column->addStretch(1);
+  advanced_ = new QWidget(this);
+  advanced_->setObjectName(QStringLiteral("touchAdvanced"));
+  advanced_->setProperty("foldedAtFirst", true);  // As the window knows it.
+  advanced_->setLayout(advancedRows());
+  column->addWidget(advanced_);
   setSettings({});
 }
 
 QFormLayout* HapticsPanel::rows() {
   auto* form = new QFormLayout;
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  form->setVerticalSpacing(3);
   auto* strength_row = new QHBoxLayout;
   strength_row->addWidget(strength_, 1);
   strength_row->addWidget(strength_value_);
   form->addRow(forces_);
   form->addRow(state_);
   form->addRow(change_);
-  const auto labelled = [form](const QString& text, QWidget* buddy, auto* field) {
+  auto* label = new QLabel(tr("St&rength"));
+  label->setBuddy(strength_);
+  form->addRow(label, strength_row);
+  return form;
+}
+
+QFormLayout* HapticsPanel::advancedRows() {
+  auto* form = new QFormLayout;
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  const auto labelled = [form](const QString& text, QWidget* buddy, QWidget* field) {
     auto* label = new QLabel(text);
     label->setBuddy(buddy);
     form->addRow(label, field);
   };
-  labelled(tr("St&rength"), strength_, strength_row);
   labelled(tr("S&urface"), preset_, preset_);
   labelled(tr("Sh&ape"), surface_, surface_);
   labelled(tr("Prox&y"), proxy_, proxy_);
@@ -143,14 +157,14 @@ QFormLayout* HapticsPanel::rows() {
   labelled(tr("Fr&iction"), friction_, friction_);
   labelled(tr("Dam&ping"), damping_, damping_);
   labelled(tr("Not measure&d"), soft_, soft_);
-  labelled(tr("Fi&rm ground"), firmness_choose_, firmness_name_);
+  labelled(tr("Stiffness &map"), firmness_choose_, firmness_name_);
   auto* firmness_row = new QHBoxLayout;  // Of its own: beside them a name has no room.
   firmness_row->addWidget(firmness_choose_);
   firmness_row->addWidget(firmness_none_);
   form->addRow(firmness_row);
-  labelled(tr("Tic&k there"), tick_, tick_);
+  labelled(tr("Edge &cue"), tick_, tick_);
   labelled(tr("Te&xture"), texture_, texture_);
-  labelled(tr("K&nock"), knock_, knock_);
+  labelled(tr("Co&ntact impulse"), knock_, knock_);
   labelled(tr("Ma&gnet"), magnet_, magnet_);
   form->addRow(tr("Pressed in"), depth_);
   labelled(tr("&Device"), device_, device_);
@@ -242,17 +256,17 @@ void HapticsPanel::buildFields() {
   firmness_none_ = named(new QPushButton(tr("No&ne")), "firmnessNone",
                          tr("No raster: firm where it was measured"));
   firmness_none_->setToolTip(tr("The ground is firm where it was measured."));
-  tick_ =
-      numberBox({"crossingTick", tr("Tick at the border of measured ground, in newtons"), tr(" N"),
-                 tr("A faint tick on the way from measured ground to other ground, and "
-                    "back. 0: none."),
-                 0, kMostCrossingN, 0.02, 2});
+  tick_ = numberBox({"crossingTick", tr("Edge cue at the border of measured ground, in newtons"),
+                     tr(" N"),
+                     tr("A faint tick on the way from measured ground to other ground, and "
+                        "back. 0: none."),
+                     0, kMostCrossingN, 0.02, 2});
   texture_ = numberBox({"texture", tr("Texture of the next finer level, in micrometres of hand"),
                         tr(" µm"),
                         tr("How much of the next finer level is felt, at most, on top of the level "
                            "that is touched. 0: none."),
                         0, kUmPerMm * kMostTextureMm, 5, 0});
-  knock_ = numberBox({"contactKnock", tr("Knock of a new contact, in newtons at most"), tr(" N"),
+  knock_ = numberBox({"contactKnock", tr("Contact impulse, in newtons at most"), tr(" N"),
                       tr("A short knock as hard as the hand comes. 0: none."), 0, kMostContactN,
                       0.05, 2});
   magnet_ =
@@ -422,7 +436,7 @@ TouchSettings HapticsPanel::settings() const {
 }
 
 void HapticsPanel::askFirmness() {
-  auto* dialog = new QFileDialog(this, tr("Raster of firm ground"),
+  auto* dialog = new QFileDialog(this, tr("Stiffness map"),
                                  QFileInfo(QFile::decodeName(firmness_.c_str())).absolutePath(),
                                  tr("Rasters (*.tif *.tiff *.asc *.png);;All files (*)"));
   dialog->setObjectName(QStringLiteral("firmness_dialog"));

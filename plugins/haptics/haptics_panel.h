@@ -24,6 +24,8 @@ class HapticsPanel : public QWidget {
  public:
   explicit HapticsPanel(QWidget* parent = nullptr);
 
+  /// All but on, off and strength. Stands elsewhere; belongs to whoever lays it out.
+  QWidget* advanced() const { return advanced_; }
   void setSettings(const TouchSettings& settings);
   TouchSettings settings() const;
   void setForcesAsked(bool on);
@@ -54,12 +56,14 @@ class HapticsPanel : public QWidget {
   void chooseDevice(const QString& id);
   void buildReadouts();
   QFormLayout* rows();
+  QFormLayout* advancedRows();
   void showDetails();
   void showScope();
   void askFirmness();
   void showFirmness();
   void changed();
 
+  QWidget* advanced_ = nullptr;
   QCheckBox* forces_ = nullptr;
   QSlider* strength_ = nullptr;
   QLabel* strength_value_ = nullptr;

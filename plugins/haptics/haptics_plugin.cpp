@@ -38,6 +38,7 @@ void HapticsPlugin::attach(Host& host) {
   panel_ = new HapticsPanel;  // The host owns it from addPanel on.
   panel_->setSettings(settings_);
   host.controls.addPanel(tr("Touch"), panel_);
+  host.controls.addPanel(tr("Touch: advanced"), panel_->advanced());
   actions_ = addTouchActions(host);
   buttons_ = makeDeviceButtons(host);
   buttons_panel_ = new ButtonsPanel;  // The host owns it from addPanel on.

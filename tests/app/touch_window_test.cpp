@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
@@ -14,12 +15,14 @@
 #include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QtTest/QTest>
 
 #include "app/host.h"
 #include "app/plugin_loader.h"
 #include "core/region/hand.h"
 #include "tests/ui/gui_fixture.h"
+#include "ui/frame/side_panels.h"
 #include "ui/panels/replay_panel.h"
 #include "ui/views/reference_view.h"
 #include "ui/work/file_names.h"
@@ -158,6 +161,34 @@ TEST_F(TouchWindowTest, AModuleThatIsNoPluginIsSkippedAndNamed) {
   ASSERT_EQ(plugins->problems().size(), 1);
   EXPECT_TRUE(plugins->problems().front().contains("broken.so"));
   EXPECT_FALSE(plugins->has("broken"));
+}
+
+TEST_F(TouchWindowTest, WhatEverybodyNeedsFitsBesideAWindowOf900Pixels) {
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics_plugin")) << plugins->problems().join(' ').toStdString();
+  window().resize(1440, 900);
+  openRelief();
+  QApplication::processEvents();
+  auto& panels = *child<SidePanels>("side_panels");
+  EXPECT_EQ(panels.titles().mid(4, 3), QStringList({"Measure", "Touch", "Touch: advanced"}));
+  EXPECT_TRUE(child<QWidget>("strengthSlider")->isVisible());
+  EXPECT_FALSE(child<QWidget>("stiffness")->isVisible());
+  EXPECT_EQ(panels.verticalScrollBar()->maximum(), 0)
+      << panels.widget()->sizeHint().height() << " of " << panels.viewport()->height();
+}
+
+TEST_F(TouchWindowTest, ADialogThatTakesTheReleaseEndsThePressAndTheForce) {
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics_plugin")) << plugins->problems().join(' ').toStdString();
+  openRelief();
+  touchMiddle();
+  QDialog dialog(&window());
+  dialog.open();
+  ASSERT_TRUE(waitFor([this] {
+    const auto& probe = window().detailView().sceneState().probe;
+    return probe && !probe->touching && norm(probe->force) == 0;
+  }));
+  EXPECT_TRUE(action("forces")->isChecked()) << "they are on for the next press";
 }
 
 TEST_F(TouchWindowTest, PressingWithTheMouseIsAnsweredByAForceThatEscapeStops) {

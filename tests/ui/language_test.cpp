@@ -416,8 +416,8 @@ TEST(Translations, AreInTheProgramAndTheWindowSpeaksThem) {
   QTranslator german, hindi;
   ASSERT_TRUE(german.load(":/translations/relievo_de.qm"));
   ASSERT_TRUE(hindi.load(":/translations/relievo_hi.qm"));
-  EXPECT_EQ(german.translate("relievo::WorkArea", "Surface"), QString("Oberfläche"));
-  EXPECT_EQ(hindi.translate("relievo::WorkArea", "Surface"), QString("सतह"));
+  EXPECT_EQ(german.translate("relievo::WorkArea", "Window"), QString("Ausschnitt"));
+  EXPECT_EQ(hindi.translate("relievo::WorkArea", "Window"), QString("विंडो"));
   QTranslator english;
   ASSERT_TRUE(english.load(":/translations/relievo_en.qm"));
   for (const int n : {1, 2}) {

@@ -220,7 +220,7 @@ TEST_F(WindowTest, AViewsAccessibleValueSaysWhereOneIs) {
   openRelief();
   QAccessibleInterface* view = QAccessible::queryAccessibleInterface(&window().referenceView());
   ASSERT_NE(view, nullptr);
-  EXPECT_EQ(view->text(QAccessible::Name), "Reference view");
+  EXPECT_EQ(view->text(QAccessible::Name), "Overview");
   EXPECT_TRUE(view->text(QAccessible::Value).contains("Detail 1 of 3"));
 }
 

@@ -21,7 +21,8 @@ namespace {
 constexpr double kLightStepDeg = 5;
 constexpr double kRakingDeg = 10;
 // Of steps that merge while a slider is dragged; the document's own ids are below.
-constexpr int kMergeStereo = 101, kMergeLight = 102, kMergeShading = 103, kMergeDraggedLight = 104;
+constexpr int kMergeStereo = 101, kMergeLight = 102, kMergeShading = 103;
+constexpr int kMergeDraggedLight = 1000;  // By keys; a drag adds its number.
 
 }  // namespace
 
@@ -42,8 +43,9 @@ LookController::LookController(const ControllerParts& parts, DetailView& detail,
     choose(
         tr("Shading of colours"), [&](ReliefLook& look) { look.shading = shading; }, kMergeShading);
   });
-  connect(light_ball_, &LightBall::dragged, this,
-          [this](const LightOptions& light) { chooseLight(light, kMergeDraggedLight); });
+  connect(light_ball_, &LightBall::dragged, this, [this](const LightOptions& light, int drag) {
+    chooseLight(light, kMergeDraggedLight + drag);
+  });
   connect(light_ball_, &LightBall::stepped, this, &LookController::stepLight);
   connect(&detail_, &SurfaceView::sized, light_ball_, &LightBall::place);
   connect(&stereo_panel_, &StereoPanel::changed, this, &LookController::chooseStereo);
@@ -118,8 +120,8 @@ void LookController::makeLightCommands() {
 
 void LookController::tellRefused(ReliefKind wanted) {
   announce(wanted == ReliefKind::natural
-               ? tr("This scan has no colours; it is shown as lit stone")
-               : tr("This scan has no intensities; it is shown as lit stone"));
+               ? tr("This scan has no colours; it is shown as shaded relief")
+               : tr("This scan has no intensities; it is shown as shaded relief"));
 }
 
 void LookController::choose(const QString& name, const std::function<void(ReliefLook&)>& change,

@@ -77,9 +77,7 @@ void PlaceController::connectSuggestions(ReferenceView& reference) {
   SuggestPanel& suggestions = panels_.suggestions;
   connect(&suggestions, &SuggestPanel::said, &messages_, &WindowMessages::announce);
   messages_.follow(suggestions);
-  connect(&messages_, &WindowMessages::cancelAsked, this, [this] {
-    if (panels_.suggestions.cancel()) announce(tr("Cancelled. Nothing was suggested."));
-  });
+  connect(&messages_, &WindowMessages::cancelAsked, &suggestions, &SuggestPanel::cancel);
   connect(&suggestions, &SuggestPanel::shownChanged, &reference, [&suggestions, &reference] {
     std::vector<SuggestedFrame> frames;
     if (suggestions.overlayWanted()) {

@@ -74,6 +74,13 @@ void PointerController::show(PointerMode mode) {
 void PointerController::showBindings() {
   const PointerBindings now = bindings();
   detail_.setBindings(now);
+  for (const auto& [command, mode] : {std::pair{Command::pointer_look, PointerMode::look},
+                                      std::pair{Command::pointer_touch, PointerMode::touch}}) {
+    const QString told = bindingsText(mode, now);
+    commands_[command].setToolTip(told);
+    commands_[command].setStatusTip(told);
+    commands_[command].setWhatsThis(told);
+  }
   messages_.set(StatusField::pointer,
                 document_.isOpen() ? bindingsText(detail_.pointerMode(), now) : QString(),
                 tr("What the mouse does in the detail view; F7 changes between look and touch, "

@@ -20,9 +20,9 @@ class PointerController : public Controller {
   /// Touches while forces are on, if the pointer carries the hand.
   void follow(const TouchReadout& readout);
   void touchWhileForcesAreOn(bool on);
+  PointerBindings bindings() const;  ///< As preferences say.
 
  private:
-  PointerBindings bindings() const;
   void choose(PointerMode mode);
   void show(PointerMode mode);
 

@@ -88,6 +88,7 @@ void ReplayController::makeCommands() {
 
 void ReplayController::noteRecording(const QString& file) {
   askForFolder();
+  Q_EMIT recordingNoted(file);
   if (!document_.isOpen()) return;
   const auto known = std::make_shared<InputFile>();
   const QString scan = document_.fileSha256();

@@ -23,6 +23,7 @@ class ReplayController : public Controller {
                    TouchController& touch, OpenController& opening);
 
   ReplayControl& control() { return replay_; }
+  WorkQueue& noting() { return work_; }  ///< Where saved recordings are added to the work.
   /// Who reads recordings in place of core's readRecording.
   void setReader(RecordingReader reader);
   /// Shows a recording on the open map, or offers to open the one it was made on.
@@ -37,6 +38,8 @@ class ReplayController : public Controller {
  Q_SIGNALS:
   /// A recording is shown, or no longer; before the focus moves.
   void shownChanged(bool shown);
+  /// A recording is on the disk; its place in the work is noted next.
+  void recordingNoted(const QString& file);
 
  private:
   void makeCommands();

@@ -921,10 +921,6 @@
         <translation>&amp;Oberfläche</translation>
     </message>
     <message>
-        <source>Depth &amp;engine</source>
-        <translation>&amp;Verfahren</translation>
-    </message>
-    <message>
         <source>How the depth map is made</source>
         <translation>Wie die Tiefenkarte gemacht wird</translation>
     </message>
@@ -1007,10 +1003,6 @@
     <message>
         <source>A map, mesh, picture, profile or section for other programs</source>
         <translation>Eine Karte, ein Netz, ein Bild, ein Profil oder ein Schnitt für andere Programme</translation>
-    </message>
-    <message>
-        <source>Pac&amp;kage for citation…</source>
-        <translation>&amp;Paket zum Zitieren…</translation>
     </message>
     <message>
         <source>One zip with project, scan, recordings, figures and checksums</source>
@@ -1205,16 +1197,8 @@
         <translation>Stereo</translation>
     </message>
     <message>
-        <source>Refere&amp;nce view</source>
-        <translation>Üb&amp;ersicht</translation>
-    </message>
-    <message>
         <source>Show or hide the whole object</source>
         <translation>Das ganze Objekt zeigen oder verbergen</translation>
-    </message>
-    <message>
-        <source>Side &amp;panels</source>
-        <translation>&amp;Seitenfelder</translation>
     </message>
     <message>
         <source>Show or hide the side panels</source>
@@ -1227,10 +1211,6 @@
     <message>
         <source>Show or hide the plots of height and force</source>
         <translation>Die Kurven von Höhe und Kraft zeigen oder verbergen</translation>
-    </message>
-    <message>
-        <source>&amp;Lit stone</source>
-        <translation>&amp;Beleuchteter Stein</translation>
     </message>
     <message>
         <source>Matt stone under lamps</source>
@@ -1449,20 +1429,12 @@
         <translation>&amp;Andere Ansicht</translation>
     </message>
     <message>
-        <source>Move the focus between the reference view and the detail view</source>
-        <translation>Den Fokus zwischen Übersicht und Detailansicht wechseln</translation>
-    </message>
-    <message>
         <source>Ne&amp;xt part</source>
         <translation>&amp;Nächster Teil</translation>
     </message>
     <message>
         <source>Move the focus to the next part of the window</source>
         <translation>Den Fokus zum nächsten Teil des Fensters bewegen</translation>
-    </message>
-    <message>
-        <source>Pre&amp;vious part</source>
-        <translation>Vori&amp;ger Teil</translation>
     </message>
     <message>
         <source>Move the focus to the part before</source>
@@ -1589,16 +1561,8 @@
         <translation>Angeben, welche Längeneinheit die Koordinaten der Datei haben; gilt für ihren Ordner</translation>
     </message>
     <message>
-        <source>&amp;Processor</source>
-        <translation>&amp;Prozessor</translation>
-    </message>
-    <message>
         <source>Make the depth map on the processor</source>
         <translation>Die Tiefenkarte mit dem Prozessor machen</translation>
-    </message>
-    <message>
-        <source>&amp;Depth buffer</source>
-        <translation>&amp;Tiefenpuffer</translation>
     </message>
     <message>
         <source>Make the depth map by the graphics card&apos;s depth buffer</source>
@@ -1757,10 +1721,6 @@
         <translation>Zurück zum Ausschnitt von vorher</translation>
     </message>
     <message>
-        <source>&amp;Video…</source>
-        <translation>V&amp;ideo…</translation>
-    </message>
-    <message>
         <source>A video of the replay, or of the camera path, frame by frame</source>
         <translation>Ein Video der Wiedergabe oder des Kamerawegs, Bild für Bild</translation>
     </message>
@@ -1835,6 +1795,46 @@
     <message>
         <source>Version and licence</source>
         <translation>Version und Lizenz</translation>
+    </message>
+    <message>
+        <source>Depth m&amp;ethod</source>
+        <translation>&amp;Verfahren</translation>
+    </message>
+    <message>
+        <source>Export archive pac&amp;kage…</source>
+        <translation>Archiv&amp;paket exportieren…</translation>
+    </message>
+    <message>
+        <source>Over&amp;view</source>
+        <translation>Üb&amp;ersicht</translation>
+    </message>
+    <message>
+        <source>Side pa&amp;nels</source>
+        <translation>&amp;Seitenfelder</translation>
+    </message>
+    <message>
+        <source>Shaded re&amp;lief</source>
+        <translation>&amp;Beleuchtetes Relief</translation>
+    </message>
+    <message>
+        <source>Move the focus between the overview and the detail view</source>
+        <translation>Den Fokus zwischen Übersicht und Detailansicht wechseln</translation>
+    </message>
+    <message>
+        <source>&amp;Previous part</source>
+        <translation>Vori&amp;ger Teil</translation>
+    </message>
+    <message>
+        <source>&amp;CPU</source>
+        <translation>&amp;CPU</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>Save &amp;video…</source>
+        <translation>V&amp;ideo speichern…</translation>
     </message>
 </context>
 <context>
@@ -2146,24 +2146,8 @@
         <translation>Rechtshändig, um die Achsen der Ansicht, zuerst x</translation>
     </message>
     <message>
-        <source>&amp;Engine</source>
-        <translation>&amp;Verfahren</translation>
-    </message>
-    <message>
         <source>The processor, or the graphics card&apos;s depth buffer as in the paper</source>
         <translation>Der Prozessor, oder der Tiefenpuffer der Grafikkarte wie im Aufsatz</translation>
-    </message>
-    <message>
-        <source>Processor</source>
-        <translation>Prozessor</translation>
-    </message>
-    <message>
-        <source>Depth buffer</source>
-        <translation>Tiefenpuffer</translation>
-    </message>
-    <message>
-        <source>&amp;Rule</source>
-        <translation>&amp;Regel</translation>
     </message>
     <message>
         <source>Which height a cell gets from the points in it</source>
@@ -2204,10 +2188,6 @@
     <message>
         <source>Distance of neighbouring cells</source>
         <translation>Abstand benachbarter Zellen</translation>
-    </message>
-    <message>
-        <source>&amp;M between levels</source>
-        <translation>&amp;M zwischen den Ebenen</translation>
     </message>
     <message>
         <source>How much coarser each level of the pyramid is; 2 in the paper</source>
@@ -2305,6 +2285,26 @@
         <source>Leave out, groups too</source>
         <translation>Weglassen, auch Gruppen</translation>
     </message>
+    <message>
+        <source>M&amp;ethod</source>
+        <translation>&amp;Verfahren</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Height pe&amp;r cell</source>
+        <translation>Höhe je &amp;Zelle</translation>
+    </message>
+    <message>
+        <source>Pyra&amp;mid factor</source>
+        <translation>Pyra&amp;midenfaktor</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DepthMapPreview</name>
@@ -2336,8 +2336,8 @@
         <translation>Ausschnitt verschieben</translation>
     </message>
     <message>
-        <source>The part inside the pink window. The pointer carries the hand just above the surface. To look, drag with the left button to turn; to touch (F7), hold it to press in, and turn the wheel meanwhile to press deeper. Right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
-        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche. Zum Betrachten drehen Sie mit gezogener linker Taste; zum Fühlen (F7) drückt sie ein, solange sie gehalten wird, und das Rad währenddessen tiefer. Ziehen mit rechts verschiebt den Ausschnitt, das Rad zoomt. Tasten: Pfeile, Bild ab, Bild auf.</translation>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface. What dragging does, F7 changes between the two: %1. %2; the wheel meanwhile presses deeper. Keys: arrows, Page Down, Page Up.</source>
+        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche. Was Ziehen bewirkt, F7 wechselt zwischen beiden: %1. %2; das Rad drückt währenddessen tiefer. Tasten: Pfeile, Bild ab, Bild auf.</translation>
     </message>
 </context>
 <context>
@@ -2615,10 +2615,6 @@
         <translation>Ansicht %1 → %2</translation>
     </message>
     <message>
-        <source>Depth engine → %1</source>
-        <translation>Verfahren → %1</translation>
-    </message>
-    <message>
         <source>Unit %1 → %2</source>
         <translation>Einheit %1 → %2</translation>
     </message>
@@ -2633,10 +2629,6 @@
     <message>
         <source>Choose window</source>
         <translation>Ausschnitt wählen</translation>
-    </message>
-    <message>
-        <source>Height gain</source>
-        <translation>Überhöhung</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -2673,6 +2665,22 @@
     <message>
         <source>Smaller window</source>
         <translation>Kleineres Fenster</translation>
+    </message>
+    <message>
+        <source>Depth method → %1</source>
+        <translation>Verfahren → %1</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration</source>
+        <translation>Überhöhung</translation>
     </message>
 </context>
 <context>
@@ -2885,10 +2893,6 @@
     <message>
         <source>With force plots of a recording</source>
         <translation>Mit Kraftkurven einer Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Lit stone</source>
-        <translation>Beleuchteter Stein</translation>
     </message>
     <message>
         <source>Height in colour</source>
@@ -3446,6 +3450,10 @@
         <source>Of the neighbourhood that this relief image looks at</source>
         <translation>Der Nachbarschaft, die dieses Reliefbild betrachtet</translation>
     </message>
+    <message>
+        <source>Shaded relief</source>
+        <translation>Beleuchtetes Relief</translation>
+    </message>
 </context>
 <context>
     <name>relievo::FirstViewCard</name>
@@ -3787,14 +3795,6 @@
         <translation>Nicht &amp;gemessen</translation>
     </message>
     <message>
-        <source>Tic&amp;k there</source>
-        <translation>&amp;Tick dort</translation>
-    </message>
-    <message>
-        <source>K&amp;nock</source>
-        <translation>An&amp;klopfen</translation>
-    </message>
-    <message>
         <source>Ma&amp;gnet</source>
         <translation>Ma&amp;gnet</translation>
     </message>
@@ -3815,10 +3815,6 @@
         <translation>Wie steif gefüllte Lücken und die Grundebene sind, als Teil der Steifigkeit gemessener Stellen. 100 %: kein Unterschied.</translation>
     </message>
     <message>
-        <source>Tick at the border of measured ground, in newtons</source>
-        <translation>Tick am Rand des Gemessenen, in Newton</translation>
-    </message>
-    <message>
         <source> N</source>
         <translation> N</translation>
     </message>
@@ -3837,10 +3833,6 @@
     <message>
         <source>How much of the next finer level is felt, at most, on top of the level that is touched. 0: none.</source>
         <translation>Wieviel von der nächstfeineren Ebene höchstens zusätzlich zur getasteten zu fühlen ist. 0: nichts.</translation>
-    </message>
-    <message>
-        <source>Knock of a new contact, in newtons at most</source>
-        <translation>Anklopfen bei neuer Berührung, höchstens in Newton</translation>
     </message>
     <message>
         <source>A short knock as hard as the hand comes. 0: none.</source>
@@ -3865,10 +3857,6 @@
     <message>
         <source>Pause, zoom, read values, and save as SVG or CSV.</source>
         <translation>Anhalten, vergrößern, Werte ablesen und als SVG oder CSV speichern.</translation>
-    </message>
-    <message>
-        <source>Fi&amp;rm ground</source>
-        <translation>F&amp;ester Grund</translation>
     </message>
     <message>
         <source>What says where the ground is firm</source>
@@ -3897,10 +3885,6 @@
     <message>
         <source>The ground is firm where it was measured.</source>
         <translation>Der Grund ist fest, wo gemessen wurde.</translation>
-    </message>
-    <message>
-        <source>Raster of firm ground</source>
-        <translation>Raster des festen Grunds</translation>
     </message>
     <message>
         <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
@@ -3949,6 +3933,30 @@
     <message>
         <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
         <translation>Solange die Kräfte an sind, hält das Gerät seinen Griff selbst, so schwer, wie die Kalibrierung ihn fand. Nichts geschieht, wo nicht kalibriert wurde oder das Gerät es von sich aus tut.</translation>
+    </message>
+    <message>
+        <source>Stiffness &amp;map</source>
+        <translation>St&amp;eifigkeitskarte</translation>
+    </message>
+    <message>
+        <source>Edge &amp;cue</source>
+        <translation>&amp;Tastmarke am Rand</translation>
+    </message>
+    <message>
+        <source>Co&amp;ntact impulse</source>
+        <translation>Ko&amp;ntaktimpuls</translation>
+    </message>
+    <message>
+        <source>Edge cue at the border of measured ground, in newtons</source>
+        <translation>Tastmarke am Rand des Gemessenen, in Newton</translation>
+    </message>
+    <message>
+        <source>Contact impulse, in newtons at most</source>
+        <translation>Kontaktimpuls, höchstens in Newton</translation>
+    </message>
+    <message>
+        <source>Stiffness map</source>
+        <translation>Steifigkeitskarte</translation>
     </message>
 </context>
 <context>
@@ -4038,14 +4046,6 @@
         <translation>Der Grund ist fest, wo gemessen wurde.</translation>
     </message>
     <message>
-        <source>Firm ground: %1.</source>
-        <translation>Fester Grund: %1.</translation>
-    </message>
-    <message>
-        <source>Firm ground: %1. Set Not measured below 100 % to feel it.</source>
-        <translation>Fester Grund: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um ihn zu fühlen.</translation>
-    </message>
-    <message>
         <source>The recording has ended early.</source>
         <translation>Die Aufzeichnung endete vorzeitig.</translation>
     </message>
@@ -4060,6 +4060,18 @@
     <message>
         <source>Surface made softer to stay steady.</source>
         <translation>Oberfläche weicher gemacht, damit sie ruhig bleibt.</translation>
+    </message>
+    <message>
+        <source>Touch: advanced</source>
+        <translation>Fühlen: erweitert</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1.</source>
+        <translation>Steifigkeitskarte: %1.</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
+        <translation>Steifigkeitskarte: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um sie zu fühlen.</translation>
     </message>
 </context>
 <context>
@@ -4108,10 +4120,6 @@
         <translation>Detailansicht</translation>
     </message>
     <message>
-        <source>Reference view</source>
-        <translation>Übersicht</translation>
-    </message>
-    <message>
         <source>Whole window</source>
         <translation>Ganzes Fenster</translation>
     </message>
@@ -4150,6 +4158,10 @@
     <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>Übersicht</translation>
     </message>
 </context>
 <context>
@@ -4199,44 +4211,16 @@
         <translation>Detailansicht: Rad</translation>
     </message>
     <message>
-        <source>Zoom about the pointer</source>
-        <translation>Um den Zeiger vergrößern</translation>
-    </message>
-    <message>
-        <source>Detail view: middle, right button</source>
-        <translation>Detailansicht: mittlere, rechte Maustaste</translation>
-    </message>
-    <message>
-        <source>Turn the view, move the window</source>
-        <translation>Die Ansicht drehen, den Ausschnitt verschieben</translation>
-    </message>
-    <message>
-        <source>Reference view: drag</source>
-        <translation>Übersicht: Ziehen</translation>
-    </message>
-    <message>
         <source>Draw, move or resize the window</source>
         <translation>Den Ausschnitt zeichnen, verschieben oder in der Größe ändern</translation>
-    </message>
-    <message>
-        <source>Reference view: arrows, Shift+arrows</source>
-        <translation>Übersicht: Pfeile, Umschalt+Pfeile</translation>
     </message>
     <message>
         <source>Move, resize the window</source>
         <translation>Den Ausschnitt verschieben, in der Größe ändern</translation>
     </message>
     <message>
-        <source>Reference view: Space, arrows, Enter</source>
-        <translation>Übersicht: Leertaste, Pfeile, Eingabe</translation>
-    </message>
-    <message>
         <source>Draw a window</source>
         <translation>Einen Ausschnitt zeichnen</translation>
-    </message>
-    <message>
-        <source>Reference view: +, −, wheel</source>
-        <translation>Übersicht: +, −, Rad</translation>
     </message>
     <message>
         <source>Finer, coarser</source>
@@ -4249,10 +4233,6 @@
     <message>
         <source>What they do</source>
         <translation>Was sie tun</translation>
-    </message>
-    <message>
-        <source>To look: turn the view; to touch: press the hand in</source>
-        <translation>Betrachten: Ansicht drehen; Fühlen: Hand eindrücken</translation>
     </message>
     <message>
         <source>Other commands</source>
@@ -4273,6 +4253,46 @@
     <message>
         <source>No key has these words. Ctrl+K finds commands without a key, too.</source>
         <translation>Keine Taste hat diese Wörter. Strg+K findet auch Befehle ohne Taste.</translation>
+    </message>
+    <message>
+        <source>Look: %1. Touch: %2</source>
+        <translation>Betrachten: %1. Fühlen: %2</translation>
+    </message>
+    <message>
+        <source>press the hand in</source>
+        <translation>die Hand eindrücken</translation>
+    </message>
+    <message>
+        <source>Detail view: middle button</source>
+        <translation>Detailansicht: mittlere Maustaste</translation>
+    </message>
+    <message>
+        <source>Detail view: right button</source>
+        <translation>Detailansicht: rechte Maustaste</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer; away from you is closer</source>
+        <translation>Um den Zeiger vergrößern; von Ihnen weg ist näher</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer; towards you is closer</source>
+        <translation>Um den Zeiger vergrößern; zu Ihnen hin ist näher</translation>
+    </message>
+    <message>
+        <source>Overview: drag</source>
+        <translation>Übersicht: Ziehen</translation>
+    </message>
+    <message>
+        <source>Overview: arrows, Shift+arrows</source>
+        <translation>Übersicht: Pfeile, Umschalt+Pfeile</translation>
+    </message>
+    <message>
+        <source>Overview: Space, arrows, Enter</source>
+        <translation>Übersicht: Leertaste, Pfeile, Eingabe</translation>
+    </message>
+    <message>
+        <source>Overview: +, −, wheel</source>
+        <translation>Übersicht: +, −, Rad</translation>
     </message>
 </context>
 <context>
@@ -4309,14 +4329,6 @@
         <translation>Nicht gemessene Zellen</translation>
     </message>
     <message>
-        <source>This scan has no colours; it is shown as lit stone</source>
-        <translation>Dieser Scan hat keine Farben; er wird als beleuchteter Stein gezeigt</translation>
-    </message>
-    <message>
-        <source>This scan has no intensities; it is shown as lit stone</source>
-        <translation>Dieser Scan hat keine Intensitäten; er wird als beleuchteter Stein gezeigt</translation>
-    </message>
-    <message>
         <source>Stereo</source>
         <translation>Stereo</translation>
     </message>
@@ -4327,6 +4339,14 @@
     <message>
         <source>%1 % of this picture is a strong red or cyan, which one eye sees dark through the glasses. Grey stereo shows it to both</source>
         <translation>%1 % dieses Bildes sind ein kräftiges Rot oder Cyan, das ein Auge durch die Brille dunkel sieht. Graues Stereo zeigt es beiden</translation>
+    </message>
+    <message>
+        <source>This scan has no colours; it is shown as shaded relief</source>
+        <translation>Dieser Scan hat keine Farben; er wird als beleuchtetes Relief gezeigt</translation>
+    </message>
+    <message>
+        <source>This scan has no intensities; it is shown as shaded relief</source>
+        <translation>Dieser Scan hat keine Intensitäten; er wird als beleuchtetes Relief gezeigt</translation>
     </message>
 </context>
 <context>
@@ -4429,6 +4449,14 @@
     <message>
         <source>%1 is closed</source>
         <translation>%1 ist geschlossen</translation>
+    </message>
+    <message>
+        <source>%1 is closed when the recording is saved</source>
+        <translation>%1 wird geschlossen, wenn die Aufnahme gesichert ist</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
     </message>
 </context>
 <context>
@@ -7773,10 +7801,6 @@
 <context>
     <name>relievo::PackageDialog</name>
     <message>
-        <source>Package for citation</source>
-        <translation>Paket zum Zitieren</translation>
-    </message>
-    <message>
         <source>One zip with this work as a project, what is ticked here, a README, and the checksum of each file. Recordings bring the rasters along that they need to be repeated.</source>
         <translation>Eine Zip-Datei mit dieser Arbeit als Projekt, dem hier Angekreuzten, einer README und der Prüfsumme jeder Datei. Aufzeichnungen bringen die Raster mit, die sie zur Wiederholung brauchen.</translation>
     </message>
@@ -7852,6 +7876,10 @@
         <source>Packages (*.zip)</source>
         <translation>Pakete (*.zip)</translation>
     </message>
+    <message>
+        <source>Export archive package</source>
+        <translation>Archivpaket exportieren</translation>
+    </message>
 </context>
 <context>
     <name>relievo::PictureController</name>
@@ -7873,10 +7901,6 @@
     <message>
         <source>Beacon %1</source>
         <translation>Leuchtfeuer %1</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was suggested.</source>
-        <translation>Abgebrochen. Nichts wurde vorgeschlagen.</translation>
     </message>
     <message>
         <source>%1 removed.</source>
@@ -8043,6 +8067,22 @@
     <message>
         <source>Touch</source>
         <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>turn the view</source>
+        <translation>die Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>move the window</source>
+        <translation>den Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>vergrößern</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
     </message>
 </context>
 <context>
@@ -9001,6 +9041,13 @@
     </message>
 </context>
 <context>
+    <name>relievo::RecordingsEnd</name>
+    <message>
+        <source>Recording saved: %1</source>
+        <translation>Aufnahme gesichert: %1</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ReferenceView</name>
     <message>
         <source>Draw window</source>
@@ -9015,10 +9062,6 @@
         <translation>Größe des Ausschnitts ändern</translation>
     </message>
     <message>
-        <source>Reference view</source>
-        <translation>Übersicht</translation>
-    </message>
-    <message>
         <source>The whole object. The pink window is what the detail view shows: drag inside it to move it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the detail. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window.</source>
         <translation>Das ganze Objekt. Der rosa Ausschnitt ist, was die Detailansicht zeigt: Ziehen darin verschiebt ihn, Ziehen an den Rändern ändert seine Größe, Ziehen außerhalb zeichnet einen neuen. Das Rad wechselt das Detail. Tasten: Pfeile, Umschalt+Pfeile, + und -; Leertaste, Pfeile und Eingabe zeichnen einen Ausschnitt.</translation>
     </message>
@@ -9029,6 +9072,10 @@
     <message>
         <source>Drawing a window from x %1, y %2. Arrows carry the other corner, Enter ends, Escape returns</source>
         <translation>Ausschnitt ab x %1, y %2. Pfeile führen die andere Ecke, Eingabe beendet, Esc kehrt zurück</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>Übersicht</translation>
     </message>
 </context>
 <context>
@@ -9066,16 +9113,8 @@
         <translation>Welches Detail den Ausschnitt speist</translation>
     </message>
     <message>
-        <source>Gai&amp;n</source>
-        <translation>Übe&amp;rhöhung</translation>
-    </message>
-    <message>
         <source>Heights are multiplied by this; 1 is true to scale</source>
         <translation>Höhen werden damit vervielfacht; 1 ist maßstabsgetreu</translation>
-    </message>
-    <message>
-        <source>Height gain</source>
-        <translation>Überhöhung</translation>
     </message>
     <message>
         <source>Heights are multiplied by this; the middle is true to scale</source>
@@ -9086,16 +9125,24 @@
         <translation>Maßstab der Hand</translation>
     </message>
     <message>
-        <source>1 mm of hand = %1 mm on the object</source>
-        <translation>1 mm der Hand = %1 mm auf dem Objekt</translation>
-    </message>
-    <message>
         <source>%1 of %2, level 0</source>
         <translation>%1/%2, Ebene 0</translation>
     </message>
     <message>
         <source>%1 of %2, level %3, σ %4</source>
         <translation>%1/%2, Ebene %3, σ %4</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration</source>
+        <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>Exaggeratio&amp;n</source>
+        <translation>Übe&amp;rhöhung</translation>
+    </message>
+    <message>
+        <source>Hand scale 1 : %1</source>
+        <translation>Maßstab der Hand 1 : %1</translation>
     </message>
 </context>
 <context>
@@ -9496,6 +9543,14 @@
     <message>
         <source>%1 panel</source>
         <translation>Feld %1</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>zugeklappt</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>aufgeklappt</translation>
     </message>
 </context>
 <context>
@@ -10056,6 +10111,10 @@
         <source>Windows: %1, the best first</source>
         <translation>Ausschnitte: %1, der beste zuerst</translation>
     </message>
+    <message>
+        <source>Cancelled. Nothing was suggested.</source>
+        <translation>Abgebrochen. Nichts wurde vorgeschlagen.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::SurfaceController</name>
@@ -10158,22 +10217,6 @@
     <message>
         <source>Length unit of the file&apos;s coordinates</source>
         <translation>Längeneinheit der Koordinaten in der Datei</translation>
-    </message>
-    <message>
-        <source>En&amp;gine</source>
-        <translation>&amp;Verfahren</translation>
-    </message>
-    <message>
-        <source>How the depth map is made from points and triangles</source>
-        <translation>Wie die Tiefenkarte aus Punkten und Dreiecken gemacht wird</translation>
-    </message>
-    <message>
-        <source>Processor</source>
-        <translation>Prozessor</translation>
-    </message>
-    <message>
-        <source>Depth buffer</source>
-        <translation>Tiefenpuffer</translation>
     </message>
     <message>
         <source>%1 × %2, %3 apart</source>
@@ -10928,10 +10971,6 @@
 <context>
     <name>relievo::WorkArea</name>
     <message>
-        <source>Surface</source>
-        <translation>Oberfläche</translation>
-    </message>
-    <message>
         <source>Window</source>
         <translation>Ausschnitt</translation>
     </message>
@@ -10956,20 +10995,28 @@
         <translation>Vorschläge</translation>
     </message>
     <message>
-        <source>REFERENCE</source>
-        <translation>ÜBERSICHT</translation>
-    </message>
-    <message>
         <source>DETAIL %1 of %2</source>
         <translation>DETAIL %1 von %2</translation>
     </message>
     <message>
-        <source>1 mm of hand = %1 mm</source>
-        <translation>1 mm der Hand = %1 mm</translation>
-    </message>
-    <message>
         <source>heights × %1   |   </source>
         <translation>Höhen × %1   |   </translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>OVERVIEW</source>
+        <translation>ÜBERSICHT</translation>
+    </message>
+    <message>
+        <source>hand scale 1 : %1</source>
+        <translation>Maßstab der Hand 1 : %1</translation>
     </message>
 </context>
 </TS>

@@ -921,10 +921,6 @@
         <translation>सतह (&amp;S)</translation>
     </message>
     <message>
-        <source>Depth &amp;engine</source>
-        <translation>गहराई विधि (&amp;E)</translation>
-    </message>
-    <message>
         <source>How the depth map is made</source>
         <translation>गहराई मानचित्र कैसे बनता है</translation>
     </message>
@@ -1007,10 +1003,6 @@
     <message>
         <source>A map, mesh, picture, profile or section for other programs</source>
         <translation>दूसरे कार्यक्रमों के लिए मानचित्र, जाल, चित्र, प्रोफ़ाइल या काट</translation>
-    </message>
-    <message>
-        <source>Pac&amp;kage for citation…</source>
-        <translation>उद्धरण के लिए पैकेज… (&amp;K)</translation>
     </message>
     <message>
         <source>One zip with project, scan, recordings, figures and checksums</source>
@@ -1205,16 +1197,8 @@
         <translation>स्टीरियो</translation>
     </message>
     <message>
-        <source>Refere&amp;nce view</source>
-        <translation>संदर्भ दृश्य (&amp;N)</translation>
-    </message>
-    <message>
         <source>Show or hide the whole object</source>
         <translation>पूरी वस्तु दिखाएँ या छिपाएँ</translation>
-    </message>
-    <message>
-        <source>Side &amp;panels</source>
-        <translation>पार्श्व पटल (&amp;P)</translation>
     </message>
     <message>
         <source>Show or hide the side panels</source>
@@ -1227,10 +1211,6 @@
     <message>
         <source>Show or hide the plots of height and force</source>
         <translation>ऊँचाई और बल के आलेख दिखाएँ या छिपाएँ</translation>
-    </message>
-    <message>
-        <source>&amp;Lit stone</source>
-        <translation>प्रकाशित पत्थर (&amp;L)</translation>
     </message>
     <message>
         <source>Matt stone under lamps</source>
@@ -1449,20 +1429,12 @@
         <translation>दूसरा दृश्य (&amp;W)</translation>
     </message>
     <message>
-        <source>Move the focus between the reference view and the detail view</source>
-        <translation>फ़ोकस को संदर्भ दृश्य और विवरण दृश्य के बीच बदलें</translation>
-    </message>
-    <message>
         <source>Ne&amp;xt part</source>
         <translation>अगला भाग (&amp;X)</translation>
     </message>
     <message>
         <source>Move the focus to the next part of the window</source>
         <translation>फ़ोकस खिड़की के अगले भाग पर ले जाएँ</translation>
-    </message>
-    <message>
-        <source>Pre&amp;vious part</source>
-        <translation>पिछला भाग (&amp;V)</translation>
     </message>
     <message>
         <source>Move the focus to the part before</source>
@@ -1589,16 +1561,8 @@
         <translation>बताएँ कि फ़ाइल के निर्देशांक किस इकाई में हैं; उसके फ़ोल्डर के लिए याद रहता है</translation>
     </message>
     <message>
-        <source>&amp;Processor</source>
-        <translation>प्रोसेसर (&amp;P)</translation>
-    </message>
-    <message>
         <source>Make the depth map on the processor</source>
         <translation>गहराई मानचित्र प्रोसेसर से बनाएँ</translation>
-    </message>
-    <message>
-        <source>&amp;Depth buffer</source>
-        <translation>गहराई बफ़र (&amp;D)</translation>
     </message>
     <message>
         <source>Make the depth map by the graphics card&apos;s depth buffer</source>
@@ -1757,10 +1721,6 @@
         <translation>पहले वाली विंडो पर वापस</translation>
     </message>
     <message>
-        <source>&amp;Video…</source>
-        <translation>वीडियो (&amp;V)…</translation>
-    </message>
-    <message>
         <source>A video of the replay, or of the camera path, frame by frame</source>
         <translation>पुनर्प्रदर्शन या कैमरा पथ का वीडियो, फ़्रेम दर फ़्रेम</translation>
     </message>
@@ -1835,6 +1795,46 @@
     <message>
         <source>Version and licence</source>
         <translation>संस्करण और लाइसेंस</translation>
+    </message>
+    <message>
+        <source>Depth m&amp;ethod</source>
+        <translation>गहराई विधि (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Export archive pac&amp;kage…</source>
+        <translation>संग्रह पैकेज निर्यात… (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Over&amp;view</source>
+        <translation>अवलोकन (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Side pa&amp;nels</source>
+        <translation>पार्श्व पटल (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Shaded re&amp;lief</source>
+        <translation>छायांकित उभार (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Move the focus between the overview and the detail view</source>
+        <translation>फ़ोकस को अवलोकन और विवरण दृश्य के बीच बदलें</translation>
+    </message>
+    <message>
+        <source>&amp;Previous part</source>
+        <translation>पिछला भाग (&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;CPU</source>
+        <translation>&amp;CPU</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>Save &amp;video…</source>
+        <translation>वीडियो सहेजें… (&amp;V)</translation>
     </message>
 </context>
 <context>
@@ -2146,24 +2146,8 @@
         <translation>दाहिने हाथ का नियम, दृश्य के अपने अक्षों पर, पहले x</translation>
     </message>
     <message>
-        <source>&amp;Engine</source>
-        <translation>विधि (&amp;E)</translation>
-    </message>
-    <message>
         <source>The processor, or the graphics card&apos;s depth buffer as in the paper</source>
         <translation>प्रोसेसर, या लेख की तरह ग्राफ़िक्स कार्ड का गहराई बफ़र</translation>
-    </message>
-    <message>
-        <source>Processor</source>
-        <translation>प्रोसेसर</translation>
-    </message>
-    <message>
-        <source>Depth buffer</source>
-        <translation>गहराई बफ़र</translation>
-    </message>
-    <message>
-        <source>&amp;Rule</source>
-        <translation>नियम (&amp;R)</translation>
     </message>
     <message>
         <source>Which height a cell gets from the points in it</source>
@@ -2204,10 +2188,6 @@
     <message>
         <source>Distance of neighbouring cells</source>
         <translation>पड़ोसी सेलों की दूरी</translation>
-    </message>
-    <message>
-        <source>&amp;M between levels</source>
-        <translation>स्तरों के बीच M (&amp;M)</translation>
     </message>
     <message>
         <source>How much coarser each level of the pyramid is; 2 in the paper</source>
@@ -2305,6 +2285,26 @@
         <source>Leave out, groups too</source>
         <translation>छोड़ दें, समूह भी</translation>
     </message>
+    <message>
+        <source>M&amp;ethod</source>
+        <translation>विधि (&amp;E)</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Height pe&amp;r cell</source>
+        <translation>प्रति कोष्ठ ऊँचाई (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Pyra&amp;mid factor</source>
+        <translation>पिरामिड गुणक (&amp;M)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DepthMapPreview</name>
@@ -2336,8 +2336,8 @@
         <translation>विंडो खिसकाएँ</translation>
     </message>
     <message>
-        <source>The part inside the pink window. The pointer carries the hand just above the surface. To look, drag with the left button to turn; to touch (F7), hold it to press in, and turn the wheel meanwhile to press deeper. Right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
-        <translation>गुलाबी विंडो के भीतर का भाग। सूचक हाथ को सतह के ठीक ऊपर ले जाता है। देखने के लिए बाएँ बटन से खींचकर घुमाएँ; स्पर्श के लिए (F7) उसे दबाए रखकर भीतर दबाएँ, और उस समय पहिया घुमाकर और गहरा। दाएँ से खींचना विंडो को खिसकाता है, पहिया पास-दूर करता है। कुंजियाँ: तीर, Page Down, Page Up।</translation>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface. What dragging does, F7 changes between the two: %1. %2; the wheel meanwhile presses deeper. Keys: arrows, Page Down, Page Up.</source>
+        <translation>गुलाबी विंडो के भीतर का भाग। सूचक हाथ को सतह के ठीक ऊपर ले जाता है। खींचने से क्या होता है, F7 दोनों के बीच बदलता है: %1। %2; उस समय पहिया और गहरा दबाता है। कुंजियाँ: तीर, Page Down, Page Up।</translation>
     </message>
 </context>
 <context>
@@ -2615,10 +2615,6 @@
         <translation>दृश्य %1 → %2</translation>
     </message>
     <message>
-        <source>Depth engine → %1</source>
-        <translation>विधि → %1</translation>
-    </message>
-    <message>
         <source>Unit %1 → %2</source>
         <translation>इकाई %1 → %2</translation>
     </message>
@@ -2633,10 +2629,6 @@
     <message>
         <source>Choose window</source>
         <translation>विंडो चुनें</translation>
-    </message>
-    <message>
-        <source>Height gain</source>
-        <translation>ऊँचाई का गुणक</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -2673,6 +2665,22 @@
     <message>
         <source>Smaller window</source>
         <translation>छोटी खिड़की</translation>
+    </message>
+    <message>
+        <source>Depth method → %1</source>
+        <translation>विधि → %1</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration</source>
+        <translation>ऊर्ध्व अतिरंजन</translation>
     </message>
 </context>
 <context>
@@ -2885,10 +2893,6 @@
     <message>
         <source>With force plots of a recording</source>
         <translation>रिकॉर्डिंग के बल आलेखों के साथ</translation>
-    </message>
-    <message>
-        <source>Lit stone</source>
-        <translation>प्रकाशित पत्थर</translation>
     </message>
     <message>
         <source>Height in colour</source>
@@ -3446,6 +3450,10 @@
         <source>Of the neighbourhood that this relief image looks at</source>
         <translation>उस पड़ोस का, जिसे यह उभार-चित्र देखता है</translation>
     </message>
+    <message>
+        <source>Shaded relief</source>
+        <translation>छायांकित उभार</translation>
+    </message>
 </context>
 <context>
     <name>relievo::FirstViewCard</name>
@@ -3787,14 +3795,6 @@
         <translation>मापा नहीं गया (&amp;D)</translation>
     </message>
     <message>
-        <source>Tic&amp;k there</source>
-        <translation>वहाँ टिक (&amp;K)</translation>
-    </message>
-    <message>
-        <source>K&amp;nock</source>
-        <translation>ठोकर (&amp;N)</translation>
-    </message>
-    <message>
         <source>Ma&amp;gnet</source>
         <translation>चुंबक (&amp;G)</translation>
     </message>
@@ -3815,10 +3815,6 @@
         <translation>भरे अंतराल और आधार तल कितने कठोर हैं, मापी जगह की कठोरता के अंश में। 100 %: कोई अंतर नहीं।</translation>
     </message>
     <message>
-        <source>Tick at the border of measured ground, in newtons</source>
-        <translation>मापी जगह की सीमा पर टिक, न्यूटन में</translation>
-    </message>
-    <message>
         <source> N</source>
         <translation> N</translation>
     </message>
@@ -3837,10 +3833,6 @@
     <message>
         <source>How much of the next finer level is felt, at most, on top of the level that is touched. 0: none.</source>
         <translation>छुए जा रहे स्तर के ऊपर अगला बारीक स्तर अधिकतम कितना महसूस हो। 0: कुछ नहीं।</translation>
-    </message>
-    <message>
-        <source>Knock of a new contact, in newtons at most</source>
-        <translation>नए स्पर्श की ठोकर, अधिकतम न्यूटन में</translation>
     </message>
     <message>
         <source>A short knock as hard as the hand comes. 0: none.</source>
@@ -3865,10 +3857,6 @@
     <message>
         <source>Pause, zoom, read values, and save as SVG or CSV.</source>
         <translation>रोकें, पास लाएँ, मान पढ़ें और SVG या CSV में सहेजें।</translation>
-    </message>
-    <message>
-        <source>Fi&amp;rm ground</source>
-        <translation>ठोस जगह (&amp;R)</translation>
     </message>
     <message>
         <source>What says where the ground is firm</source>
@@ -3897,10 +3885,6 @@
     <message>
         <source>The ground is firm where it was measured.</source>
         <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
-    </message>
-    <message>
-        <source>Raster of firm ground</source>
-        <translation>ठोस जगह का ग्रिड</translation>
     </message>
     <message>
         <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
@@ -3949,6 +3933,30 @@
     <message>
         <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
         <translation>जब तक बल चालू हैं, उपकरण अपनी ग्रिप को उतने भार से थामता है जितना अंशांकन ने पाया। जहाँ अंशांकन नहीं हुआ या उपकरण स्वयं ऐसा करता है वहाँ कुछ नहीं होता।</translation>
+    </message>
+    <message>
+        <source>Stiffness &amp;map</source>
+        <translation>कठोरता मानचित्र (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Edge &amp;cue</source>
+        <translation>किनारे का संकेत (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Co&amp;ntact impulse</source>
+        <translation>स्पर्श का आवेग (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Edge cue at the border of measured ground, in newtons</source>
+        <translation>मापी जगह के किनारे का संकेत, न्यूटन में</translation>
+    </message>
+    <message>
+        <source>Contact impulse, in newtons at most</source>
+        <translation>स्पर्श का आवेग, अधिकतम न्यूटन में</translation>
+    </message>
+    <message>
+        <source>Stiffness map</source>
+        <translation>कठोरता मानचित्र</translation>
     </message>
 </context>
 <context>
@@ -4038,14 +4046,6 @@
         <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
     </message>
     <message>
-        <source>Firm ground: %1.</source>
-        <translation>ठोस जगह: %1।</translation>
-    </message>
-    <message>
-        <source>Firm ground: %1. Set Not measured below 100 % to feel it.</source>
-        <translation>ठोस जगह: %1। इसे महसूस करने के लिए “मापा नहीं गया” को 100 % से कम रखें।</translation>
-    </message>
-    <message>
         <source>The recording has ended early.</source>
         <translation>रिकॉर्डिंग समय से पहले समाप्त हुई।</translation>
     </message>
@@ -4060,6 +4060,18 @@
     <message>
         <source>Surface made softer to stay steady.</source>
         <translation>सतह स्थिर रखने के लिए नरम की गई।</translation>
+    </message>
+    <message>
+        <source>Touch: advanced</source>
+        <translation>स्पर्श: उन्नत</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1.</source>
+        <translation>कठोरता मानचित्र: %1।</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
+        <translation>कठोरता मानचित्र: %1। इसे महसूस करने के लिए “मापा नहीं गया” को 100 % से कम रखें।</translation>
     </message>
 </context>
 <context>
@@ -4108,10 +4120,6 @@
         <translation>विवरण दृश्य</translation>
     </message>
     <message>
-        <source>Reference view</source>
-        <translation>संदर्भ दृश्य</translation>
-    </message>
-    <message>
         <source>Whole window</source>
         <translation>पूरी खिड़की</translation>
     </message>
@@ -4150,6 +4158,10 @@
     <message>
         <source>&amp;File</source>
         <translation>फ़ाइल (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>अवलोकन</translation>
     </message>
 </context>
 <context>
@@ -4199,44 +4211,16 @@
         <translation>विवरण दृश्य: पहिया</translation>
     </message>
     <message>
-        <source>Zoom about the pointer</source>
-        <translation>सूचक के पास लाएँ</translation>
-    </message>
-    <message>
-        <source>Detail view: middle, right button</source>
-        <translation>विवरण दृश्य: बीच का, दायाँ बटन</translation>
-    </message>
-    <message>
-        <source>Turn the view, move the window</source>
-        <translation>दृश्य घुमाएँ, विंडो खिसकाएँ</translation>
-    </message>
-    <message>
-        <source>Reference view: drag</source>
-        <translation>संदर्भ दृश्य: खींचना</translation>
-    </message>
-    <message>
         <source>Draw, move or resize the window</source>
         <translation>विंडो बनाएँ, खिसकाएँ या आकार बदलें</translation>
-    </message>
-    <message>
-        <source>Reference view: arrows, Shift+arrows</source>
-        <translation>संदर्भ दृश्य: तीर, Shift+तीर</translation>
     </message>
     <message>
         <source>Move, resize the window</source>
         <translation>विंडो खिसकाएँ, आकार बदलें</translation>
     </message>
     <message>
-        <source>Reference view: Space, arrows, Enter</source>
-        <translation>संदर्भ दृश्य: Space, तीर, Enter</translation>
-    </message>
-    <message>
         <source>Draw a window</source>
         <translation>विंडो बनाएँ</translation>
-    </message>
-    <message>
-        <source>Reference view: +, −, wheel</source>
-        <translation>संदर्भ दृश्य: +, −, पहिया</translation>
     </message>
     <message>
         <source>Finer, coarser</source>
@@ -4249,10 +4233,6 @@
     <message>
         <source>What they do</source>
         <translation>वे क्या करती हैं</translation>
-    </message>
-    <message>
-        <source>To look: turn the view; to touch: press the hand in</source>
-        <translation>देखना: दृश्य घुमाएँ; स्पर्श: हाथ भीतर दबाएँ</translation>
     </message>
     <message>
         <source>Other commands</source>
@@ -4273,6 +4253,46 @@
     <message>
         <source>No key has these words. Ctrl+K finds commands without a key, too.</source>
         <translation>किसी कुंजी में ये शब्द नहीं। Ctrl+K बिना कुंजी के आदेश भी खोजता है।</translation>
+    </message>
+    <message>
+        <source>Look: %1. Touch: %2</source>
+        <translation>देखना: %1। स्पर्श: %2</translation>
+    </message>
+    <message>
+        <source>press the hand in</source>
+        <translation>हाथ भीतर दबाएँ</translation>
+    </message>
+    <message>
+        <source>Detail view: middle button</source>
+        <translation>विवरण दृश्य: बीच का बटन</translation>
+    </message>
+    <message>
+        <source>Detail view: right button</source>
+        <translation>विवरण दृश्य: दायाँ बटन</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer; away from you is closer</source>
+        <translation>सूचक के पास लाएँ; आपसे दूर घुमाना पास लाता है</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer; towards you is closer</source>
+        <translation>सूचक के पास लाएँ; आपकी ओर घुमाना पास लाता है</translation>
+    </message>
+    <message>
+        <source>Overview: drag</source>
+        <translation>अवलोकन: खींचना</translation>
+    </message>
+    <message>
+        <source>Overview: arrows, Shift+arrows</source>
+        <translation>अवलोकन: तीर, Shift+तीर</translation>
+    </message>
+    <message>
+        <source>Overview: Space, arrows, Enter</source>
+        <translation>अवलोकन: Space, तीर, Enter</translation>
+    </message>
+    <message>
+        <source>Overview: +, −, wheel</source>
+        <translation>अवलोकन: +, −, पहिया</translation>
     </message>
 </context>
 <context>
@@ -4309,14 +4329,6 @@
         <translation>बिना मापी कोशिकाएँ</translation>
     </message>
     <message>
-        <source>This scan has no colours; it is shown as lit stone</source>
-        <translation>इस स्कैन में रंग नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
-    </message>
-    <message>
-        <source>This scan has no intensities; it is shown as lit stone</source>
-        <translation>इस स्कैन में तीव्रताएँ नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
-    </message>
-    <message>
         <source>Stereo</source>
         <translation>स्टीरियो</translation>
     </message>
@@ -4327,6 +4339,14 @@
     <message>
         <source>%1 % of this picture is a strong red or cyan, which one eye sees dark through the glasses. Grey stereo shows it to both</source>
         <translation>इस चित्र का %1 % गहरा लाल या सियान है, जो चश्मे से एक आँख को काला दिखता है। धूसर स्टीरियो दोनों को दिखाता है</translation>
+    </message>
+    <message>
+        <source>This scan has no colours; it is shown as shaded relief</source>
+        <translation>इस स्कैन में रंग नहीं हैं; यह छायांकित उभार के रूप में दिखता है</translation>
+    </message>
+    <message>
+        <source>This scan has no intensities; it is shown as shaded relief</source>
+        <translation>इस स्कैन में तीव्रताएँ नहीं हैं; यह छायांकित उभार के रूप में दिखता है</translation>
     </message>
 </context>
 <context>
@@ -4429,6 +4449,14 @@
     <message>
         <source>%1 is closed</source>
         <translation>%1 बंद है</translation>
+    </message>
+    <message>
+        <source>%1 is closed when the recording is saved</source>
+        <translation>रिकॉर्डिंग सहेजी जाने पर %1 बंद होगा</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1। %2</translation>
     </message>
 </context>
 <context>
@@ -7773,10 +7801,6 @@
 <context>
     <name>relievo::PackageDialog</name>
     <message>
-        <source>Package for citation</source>
-        <translation>उद्धरण के लिए पैकेज</translation>
-    </message>
-    <message>
         <source>One zip with this work as a project, what is ticked here, a README, and the checksum of each file. Recordings bring the rasters along that they need to be repeated.</source>
         <translation>एक zip फ़ाइल: यह काम परियोजना के रूप में, यहाँ चुना हुआ, एक README और हर फ़ाइल का जाँच-योग। रिकॉर्डिंग अपने साथ वे रास्टर लाती हैं जो दोहराने के लिए चाहिए।</translation>
     </message>
@@ -7852,6 +7876,10 @@
         <source>Packages (*.zip)</source>
         <translation>पैकेज (*.zip)</translation>
     </message>
+    <message>
+        <source>Export archive package</source>
+        <translation>संग्रह पैकेज निर्यात</translation>
+    </message>
 </context>
 <context>
     <name>relievo::PictureController</name>
@@ -7873,10 +7901,6 @@
     <message>
         <source>Beacon %1</source>
         <translation>संकेतक %1</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was suggested.</source>
-        <translation>रद्द। कुछ सुझाया नहीं गया।</translation>
     </message>
     <message>
         <source>%1 removed.</source>
@@ -8043,6 +8067,22 @@
     <message>
         <source>Touch</source>
         <translation>स्पर्श</translation>
+    </message>
+    <message>
+        <source>turn the view</source>
+        <translation>दृश्य घुमाएँ</translation>
+    </message>
+    <message>
+        <source>move the window</source>
+        <translation>विंडो खिसकाएँ</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>पास-दूर करें</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>कुछ नहीं</translation>
     </message>
 </context>
 <context>
@@ -9001,6 +9041,13 @@
     </message>
 </context>
 <context>
+    <name>relievo::RecordingsEnd</name>
+    <message>
+        <source>Recording saved: %1</source>
+        <translation>रिकॉर्डिंग सहेजी गई: %1</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ReferenceView</name>
     <message>
         <source>Draw window</source>
@@ -9015,10 +9062,6 @@
         <translation>विंडो का आकार बदलें</translation>
     </message>
     <message>
-        <source>Reference view</source>
-        <translation>संदर्भ दृश्य</translation>
-    </message>
-    <message>
         <source>The whole object. The pink window is what the detail view shows: drag inside it to move it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the detail. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window.</source>
         <translation>पूरी वस्तु। गुलाबी विंडो वही है जो विवरण दृश्य दिखाता है: भीतर खींचने से खिसकती है, किनारे खींचने से आकार बदलता है, बाहर खींचने से नई बनती है। पहिया विवरण बदलता है। कुंजियाँ: तीर, Shift+तीर, + और -; Space, तीर और Enter विंडो बनाते हैं।</translation>
     </message>
@@ -9029,6 +9072,10 @@
     <message>
         <source>Drawing a window from x %1, y %2. Arrows carry the other corner, Enter ends, Escape returns</source>
         <translation>x %1, y %2 से विंडो बन रही है। तीर दूसरा कोना ले जाते हैं, Enter पूरा करता है, Escape लौटाता है</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>अवलोकन</translation>
     </message>
 </context>
 <context>
@@ -9066,16 +9113,8 @@
         <translation>विंडो में कौन-सा विवरण है</translation>
     </message>
     <message>
-        <source>Gai&amp;n</source>
-        <translation>गुणक (&amp;N)</translation>
-    </message>
-    <message>
         <source>Heights are multiplied by this; 1 is true to scale</source>
         <translation>ऊँचाइयाँ इससे गुणा होती हैं; 1 वास्तविक पैमाना है</translation>
-    </message>
-    <message>
-        <source>Height gain</source>
-        <translation>ऊँचाई का गुणक</translation>
     </message>
     <message>
         <source>Heights are multiplied by this; the middle is true to scale</source>
@@ -9086,16 +9125,24 @@
         <translation>हाथ का पैमाना</translation>
     </message>
     <message>
-        <source>1 mm of hand = %1 mm on the object</source>
-        <translation>हाथ का 1 mm = वस्तु पर %1 mm</translation>
-    </message>
-    <message>
         <source>%1 of %2, level 0</source>
         <translation>%2 में से %1, स्तर 0</translation>
     </message>
     <message>
         <source>%1 of %2, level %3, σ %4</source>
         <translation>%2 में से %1, स्तर %3, σ %4</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration</source>
+        <translation>ऊर्ध्व अतिरंजन</translation>
+    </message>
+    <message>
+        <source>Exaggeratio&amp;n</source>
+        <translation>अतिरंजन (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Hand scale 1 : %1</source>
+        <translation>हाथ का पैमाना 1 : %1</translation>
     </message>
 </context>
 <context>
@@ -9496,6 +9543,14 @@
     <message>
         <source>%1 panel</source>
         <translation>%1 पटल</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>मुड़ा हुआ</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>खुला</translation>
     </message>
 </context>
 <context>
@@ -10056,6 +10111,10 @@
         <source>Windows: %1, the best first</source>
         <translation>विंडो: %1, सबसे अच्छी पहले</translation>
     </message>
+    <message>
+        <source>Cancelled. Nothing was suggested.</source>
+        <translation>रद्द। कुछ सुझाया नहीं गया।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::SurfaceController</name>
@@ -10158,22 +10217,6 @@
     <message>
         <source>Length unit of the file&apos;s coordinates</source>
         <translation>फ़ाइल के निर्देशांकों की लंबाई इकाई</translation>
-    </message>
-    <message>
-        <source>En&amp;gine</source>
-        <translation>विधि (&amp;G)</translation>
-    </message>
-    <message>
-        <source>How the depth map is made from points and triangles</source>
-        <translation>बिंदुओं और त्रिभुजों से गहराई मानचित्र कैसे बनता है</translation>
-    </message>
-    <message>
-        <source>Processor</source>
-        <translation>प्रोसेसर</translation>
-    </message>
-    <message>
-        <source>Depth buffer</source>
-        <translation>गहराई बफ़र</translation>
     </message>
     <message>
         <source>%1 × %2, %3 apart</source>
@@ -10928,10 +10971,6 @@
 <context>
     <name>relievo::WorkArea</name>
     <message>
-        <source>Surface</source>
-        <translation>सतह</translation>
-    </message>
-    <message>
         <source>Window</source>
         <translation>विंडो</translation>
     </message>
@@ -10956,20 +10995,28 @@
         <translation>सुझाव</translation>
     </message>
     <message>
-        <source>REFERENCE</source>
-        <translation>संदर्भ</translation>
-    </message>
-    <message>
         <source>DETAIL %1 of %2</source>
         <translation>विवरण %2 में से %1</translation>
     </message>
     <message>
-        <source>1 mm of hand = %1 mm</source>
-        <translation>हाथ का 1 mm = %1 mm</translation>
-    </message>
-    <message>
         <source>heights × %1   |   </source>
         <translation>ऊँचाइयाँ × %1   |   </translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>स्कैन</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>प्रकाश</translation>
+    </message>
+    <message>
+        <source>OVERVIEW</source>
+        <translation>अवलोकन</translation>
+    </message>
+    <message>
+        <source>hand scale 1 : %1</source>
+        <translation>हाथ का पैमाना 1 : %1</translation>
     </message>
 </context>
 </TS>

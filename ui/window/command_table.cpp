@@ -121,7 +121,7 @@ void CommandTable::makeMenus() {
       {Menu::theme, Menu::view, nullptr, QT_TR_NOOP("Lig&ht or dark"),
        QT_TR_NOOP("Colours of the window")},
       {Menu::surface, Menu::surface, "surface", QT_TR_NOOP("&Surface")},
-      {Menu::engine, Menu::surface, nullptr, QT_TR_NOOP("Depth &engine"),
+      {Menu::engine, Menu::surface, nullptr, QT_TR_NOOP("Depth m&ethod"),
        QT_TR_NOOP("How the depth map is made")},
       {Menu::measure, Menu::measure, "measure", QT_TR_NOOP("&Measure")},
       {Menu::touch, Menu::touch, "touch", QT_TR_NOOP("&Touch")},

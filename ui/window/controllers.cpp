@@ -11,6 +11,7 @@
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"
 #include "ui/window/work_area.h"
+#include "ui/work/file_names.h"
 
 namespace relievo {
 
@@ -26,6 +27,7 @@ Controllers::Controllers(const ControllerParts& parts, WorkArea& area)
              area.reference(), look, touch),
       replays(parts, area.replay(), area.detail(), touch, opening),
       videos(parts, area.detail(), area.plot(), area.replay()),
+      recordings_end(videos.control(), replays.noting(), nullptr),
       pictures(parts, area.detail(), area.reference(), foreign),
       exports(parts, {area.detail(), area.reference(), *area.panels().measure, pictures}),
       questions(parts),
@@ -36,6 +38,10 @@ Controllers::Controllers(const ControllerParts& parts, WorkArea& area)
   QObject::connect(&opening, &OpenController::begun, &replays.control(),
                    &ReplayControl::forgetWaiting);
   QObject::connect(&touch, &TouchController::readoutShown, &pointer, &PointerController::follow);
+  QObject::connect(&touch, &TouchController::readoutShown, &recordings_end,
+                   [this](const TouchReadout& now) { recordings_end.noteRunning(now.recording); });
+  QObject::connect(&replays, &ReplayController::recordingNoted, &recordings_end,
+                   [this](const QString& file) { recordings_end.noteSaved(shownName(file)); });
   QObject::connect(area.panels().surface, &SurfacePanel::unitChosen, &questions,
                    &QuestionController::chooseUnit);
   ViewPanel* view = area.panels().view;

@@ -16,6 +16,7 @@
 #include "ui/control/surface_controller.h"
 #include "ui/control/touch_controller.h"
 #include "ui/control/video_controller.h"
+#include "ui/work/recordings_end.h"
 
 namespace relievo {
 
@@ -35,6 +36,7 @@ struct Controllers {
   PlaceController places;
   ReplayController replays;
   VideoController videos;
+  RecordingsEnd recordings_end;
   PictureController pictures;
   ExportController exports;
   QuestionController questions;

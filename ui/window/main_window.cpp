@@ -225,11 +225,15 @@ void MainWindow::showWindow() {
 
 void MainWindow::closeDocument() {
   if (!document_.isOpen()) return;
-  controllers_->saving.whenNothingIsUnsaved([this] {
+  RecordingsEnd& ending = controllers_->recordings_end;
+  const QString name = shownName(document_.file());
+  if (ending.endFirst(commands_.named(QStringLiteral("record")), [this] { closeDocument(); })) {
+    messages_->announce(tr("%1 is closed when the recording is saved").arg(name));
+    return;
+  }
+  controllers_->saving.whenNothingIsUnsaved([this, name, saved = ending.takeWords()] {
     Controllers& c = *controllers_;
-    const QString name = shownName(document_.file());
     c.touch.stopForces();
-    if (c.videos.control().live()) c.videos.control().stopLive();
     c.videos.preview().stop();
     if (area_->replay().showing()) area_->replay().close();
     area_->replay().forgetWaiting();
@@ -248,7 +252,8 @@ void MainWindow::closeDocument() {
     setWindowTitle(QStringLiteral("relievo"));
     setWindowModified(false);
     start_->setFocus();
-    messages_->announce(tr("%1 is closed").arg(name));
+    const QString closed = tr("%1 is closed").arg(name);
+    messages_->announce(saved.isEmpty() ? closed : tr("%1. %2").arg(saved, closed));
   });
 }
 
@@ -299,6 +304,7 @@ bool MainWindow::escape() {
   ReplayControl& replay = area_->replay();
   MeasurePanel& measure = *area_->panels().measure;
   if (c.touch.stopForces()) return true;
+  if (area_->panels().suggestions->cancel()) return true;
   if (c.foreign.cancel()) return true;
   if (document_.busy()) {
     c.opening.cancel();

@@ -34,7 +34,7 @@ void MainWindow::makeCommands() {
   commands_.on(Command::quit, this, [this] { close(); });
   commands_.on(Command::answer, this, [this] { strip_->takeOffer(); });
   commands_.on(Command::keys, this, [this] {
-    auto* sheet = new KeysSheet(findChildren<QAction*>(), this);
+    auto* sheet = new KeysSheet(findChildren<QAction*>(), controllers_->pointer.bindings(), this);
     sheet->setAttribute(Qt::WA_DeleteOnClose);
     sheet->show();
   });
@@ -228,8 +228,7 @@ void MainWindow::showAbout() {
 }
 
 void MainWindow::addPanel(const QString& title, QWidget* panel) {
-  constexpr int kAfterWindow = 2;  // What is touched with stands beside what is touched.
-  area_->panels().all->insert(kAfterWindow, title, panel);
+  area_->panels().all->addAtPlace(title, panel);
 }
 
 void MainWindow::removePanel(QWidget* panel) {

@@ -109,11 +109,14 @@ void WorkArea::makePanels(Document& document) {
   panels_.measure = new MeasurePanel(document);
   panels_.places = new PlacesPanel(document);
   panels_.suggestions = new SuggestPanel(document);
-  panels_.all->add(tr("Surface"), panels_.surface);
-  panels_.all->add(tr("Window"), panels_.region);
+  // What everybody needs first; then what modules add, and what is opened when it is wanted.
+  panels_.all->add(tr("Scan"), panels_.surface);
   panels_.all->add(tr("View"), panels_.view);
-  panels_.all->add(tr("Stereo"), panels_.stereo);
+  panels_.all->add(tr("Window"), panels_.region);
+  panels_.all->add(tr("Light"), panels_.view->lightPart());
   panels_.all->add(tr("Measure"), panels_.measure);
+  panels_.all->keepPlaceHere();
+  panels_.all->add(tr("Stereo"), panels_.stereo);
   panels_.all->add(tr("Places"), panels_.places);
   panels_.all->add(tr("Suggestions"), panels_.suggestions);
 }
@@ -124,7 +127,7 @@ const QObject* WorkArea::rows() const {
 
 void WorkArea::showMapTitle() {
   const DetailLadder& ladder = document_.surface()->ladder;
-  reference_title_->setText(tr("REFERENCE"));
+  reference_title_->setText(tr("OVERVIEW"));
   reference_note_->setText(sizeText({ladder.width_mm, ladder.height_mm}));
 }
 
@@ -135,7 +138,7 @@ void WorkArea::showWindowTitle() {
   const double scale = handMapping(*window).objectMmPerHandMm();
   const QString scale_text = mmText(scale, scale / 10);
   QString note = QStringLiteral("%1   |   %2")
-                     .arg(sizeText({side, side}), tr("1 mm of hand = %1 mm").arg(scale_text));
+                     .arg(sizeText({side, side}), tr("hand scale 1 : %1").arg(scale_text));
   if (window->gain != 1) {
     note.prepend(tr("heights \u00d7 %1   |   ").arg(numberText(window->gain, 2)));
   }
@@ -178,11 +181,13 @@ void WorkArea::takeColours() {
 void WorkArea::saveTo(Settings& settings) const {
   settings.setLayout(QStringLiteral("views"), views_->saveState());
   settings.setLayout(QStringLiteral("rows"), rows_->saveState());
+  settings.setLayout(QStringLiteral("folds"), panels_.all->folds());
 }
 
 void WorkArea::restoreFrom(const Settings& settings) {
   views_->restoreState(settings.layout(QStringLiteral("views")).toByteArray());
   rows_->restoreState(settings.layout(QStringLiteral("rows")).toByteArray());
+  panels_.all->setFolds(settings.layout(QStringLiteral("folds")).toStringList());
 }
 
 }  // namespace relievo
