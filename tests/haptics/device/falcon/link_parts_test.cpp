@@ -6,10 +6,10 @@
 #include <initializer_list>
 #include <vector>
 
-#include "haptics/device/falcon/answer_times.h"
-#include "haptics/device/falcon/button_debounce.h"
-#include "haptics/device/falcon/homing.h"
-#include "haptics/device/falcon/silence.h"
+#include "haptics/device/falcon/link/answer_times.h"
+#include "haptics/device/falcon/link/button_debounce.h"
+#include "haptics/device/falcon/link/homing.h"
+#include "haptics/device/falcon/link/silence.h"
 
 namespace relievo::falcon {
 namespace {

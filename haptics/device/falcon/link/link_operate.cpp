@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "haptics/device/falcon/link.h"
+#include "haptics/device/falcon/link/link.h"
 
 namespace relievo::falcon {
 

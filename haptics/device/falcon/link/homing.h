@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "haptics/device/falcon/kinematics.h"
-#include "haptics/device/falcon/link_status.h"
+#include "haptics/device/falcon/link/link_status.h"
 
 namespace relievo::falcon {
 

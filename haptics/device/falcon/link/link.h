@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "haptics/device/device.h"
-#include "haptics/device/falcon/answer_times.h"
-#include "haptics/device/falcon/button_debounce.h"
-#include "haptics/device/falcon/homing.h"
 #include "haptics/device/falcon/kinematics.h"
-#include "haptics/device/falcon/link_status.h"
+#include "haptics/device/falcon/link/answer_times.h"
+#include "haptics/device/falcon/link/button_debounce.h"
+#include "haptics/device/falcon/link/homing.h"
+#include "haptics/device/falcon/link/link_status.h"
+#include "haptics/device/falcon/link/pose_gate.h"
+#include "haptics/device/falcon/link/silence.h"
 #include "haptics/device/falcon/port.h"
-#include "haptics/device/falcon/pose_gate.h"
-#include "haptics/device/falcon/silence.h"
 #include "haptics/device/link/force_gate.h"
 #include "haptics/device/link/mailbox.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/device/falcon/link.h"
+#include "haptics/device/falcon/link/link.h"
 
 #include <algorithm>
 #include <utility>
