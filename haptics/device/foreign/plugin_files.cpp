@@ -197,8 +197,12 @@ std::unique_ptr<Device> makePluginDevice(const std::string& id, const PluginPlac
     if (plugin.name != name) continue;
     std::string shown = own_id;
     shown.append(" (plug-in ").append(name).append(")");
-    return std::make_unique<ForeignDevice>(trustedImage(plugin, places), own_id, id,
-                                           std::move(shown));
+    try {
+      return std::make_unique<ForeignDevice>(trustedImage(plugin, places), own_id, id,
+                                             std::move(shown));
+    } catch (const FileError& error) {  // It went, or changed its rights, a moment ago.
+      throw DeviceError(messageOf(error));
+    }
   }
   throw failure<MessageId::device_plugin_missing>(name);
 }

@@ -23,35 +23,35 @@ double triangle(double part) {
   return std::max(0.0, 1 - std::abs(2 * part - 1));
 }
 
-/// A device may be silent for a moment, as on a busy computer: then the force is off, and rises
-/// anew from zero. Any other fault ends it.
+/// A device may be silent for a moment, as on a busy computer: then the force is off, and rises anew
+/// from zero. Any other fault ends it. It goes by orders and not by the clock: of a computer that
+/// is busy there are as many, later.
 /// @return why it ended before its time; empty: it did not
 std::string push(ForeignDevice& device, double most_n, double seconds, const Task& task) {
-  const double whole_s = std::max(seconds, 2 * most_n / kMostNPerS);
+  constexpr double kOrdersPerS = 1000;
+  const double orders = kOrdersPerS * std::max(seconds, 2 * most_n / kMostNPerS);
   const std::int64_t give_up_ns = monotonicNs() + kReadyNs;
   bool began = false;
-  for (std::int64_t since_ns = 0;;) {  // Of the rise; 0: it waits for the device.
+  for (double order = 0; order < orders;) {
     task.check();
     const std::int64_t now_ns = monotonicNs();
     const DeviceFault fault = device.read(now_ns).fault;
     if (fault == DeviceFault::none) {
       began = true;
-      if (since_ns == 0) since_ns = now_ns;
-      const double part = 1e-9 * static_cast<double>(now_ns - since_ns) / whole_s;
-      if (part >= 1) return {};
-      device.send({most_n * triangle(part), 0, 0}, now_ns);
+      device.send({most_n * triangle(order++ / orders), 0, 0}, now_ns);
     } else {
       device.send({}, now_ns);
-      since_ns = 0;
+      order = 0;
       const bool waits =
           fault == DeviceFault::timeout || (fault == DeviceFault::not_ready && !began);
       if (!waits || device.isLost()) {
         return "while the force rose or fell: " + std::string(describe(fault));
       }
     }
-    if (since_ns == 0 && now_ns > give_up_ns) return "it is not ready for a whole minute";
+    if (order == 0 && now_ns > give_up_ns) return "it is not ready for a whole minute";
     sleepUntil(now_ns + kMs);
   }
+  return {};
 }
 }  // namespace
 

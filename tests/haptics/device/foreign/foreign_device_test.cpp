@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdio>
 #include <fstream>
+#include <optional>
 #include <utility>
 
 #include "core/base/error.h"
@@ -109,13 +110,11 @@ TEST_F(ForeignDeviceTest, ClosingSendsZeroAndTheHostGoes) {
 TEST_F(ForeignDeviceTest, MotorsThatWarmGetLess) {
   const auto device = deviceOf("warms");
   device->open();
-  const auto isWarm = [&](const DeviceReading&) {
-    const auto heat = device->heat();
+  std::optional<HeatReport> heat;
+  exchangeUntil(*device, {0, 0, 6}, [&](const DeviceReading&) {
+    heat = device->heat();
     return heat && heat->used > 0.75;
-  };
-  exchangeUntil(*device, {0, 0, 6}, isWarm);
-  const auto heat = device->heat();
-  ASSERT_TRUE(heat);
+  });
   EXPECT_LT(heat->allowed_n, 4);
   EXPECT_GE(heat->allowed_n, 1);
   EXPECT_LT(log().back().force_n, 4);
