@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -16,6 +17,7 @@
 #include <QSlider>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "core/base/error.h"
 #include "haptics/device_catalog.h"
@@ -168,6 +170,8 @@ QFormLayout* HapticsPanel::advancedRows() {
   labelled(tr("Ma&gnet"), magnet_, magnet_);
   form->addRow(tr("Pressed in"), depth_);
   labelled(tr("&Device"), device_, device_);
+  form->addRow(tried_);
+  form->addRow(heat_);
   form->addRow(QString(), holds_grip_);
   form->addRow(tr("Force loop"), health_);
   form->addRow(QString(), details_);
@@ -201,6 +205,10 @@ void HapticsPanel::buildControls() {
   device_->setToolTip(
       tr("What the hand holds. A virtual hand is moved by the mouse and pushed by "
          "the force, as a real one is."));
+  device_->installEventFilter(this);
+  tried_ = readout("triedOnHardware", tr("Whether somebody has tried such a device"));
+  heat_ = readout("motorHeat", tr("How warm the motors are"));
+  heat_->hide();
   holds_grip_ = named(new QCheckBox(tr("Hold the grip's weig&ht")), "holdsGrip",
                       tr("Hold the grip's weight"));
   holds_grip_->setToolTip(tr(
@@ -309,7 +317,36 @@ void HapticsPanel::listDevices() {
                        QString::fromStdString(id));
     }
   }
+  for (const PluginDevice& device : plugin_devices_) device_->addItem(device.name, device.id);
   if (!chosen.isEmpty()) chooseDevice(chosen);
+}
+
+void HapticsPanel::setPluginDevices(std::vector<PluginDevice> devices) {
+  plugin_devices_ = std::move(devices);
+  listDevices();
+}
+
+/// Plug-ins are asked when somebody wants to choose, and not before.
+bool HapticsPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool turned_to =
+      event->type() == QEvent::FocusIn || event->type() == QEvent::MouseButtonPress;
+  if (watched == device_ && turned_to) Q_EMIT devicesWanted();
+  return QWidget::eventFilter(watched, event);
+}
+
+/// What the catalogue of devices says of the chosen one's kind.
+void HapticsPanel::showTried() {
+  const std::string id = device_->currentData().toString().toStdString();
+  QString text =
+      isPluginDevice(id) ? tr("Tried on hardware: ask who made the plug-in.") : QString();
+  for (const DeviceDriver& driver : deviceCatalog()) {
+    if (driver.tried_on_hardware.empty() || id.substr(0, id.find(':')) != driver.kind) continue;
+    text = driver.tried_on_hardware == "never"
+               ? tr("Tried on hardware: never.")
+               : tr("Tried on hardware: %1.").arg(QString::fromStdString(driver.tried_on_hardware));
+  }
+  setTextIfNew(tried_, text);
+  tried_->setVisible(!text.isEmpty());
 }
 
 void HapticsPanel::chooseDevice(const QString& id) {
@@ -320,9 +357,12 @@ void HapticsPanel::chooseDevice(const QString& id) {
     } catch (const Error&) {
       // Known to no driver: its id must do.
     }
-    device_->addItem(tr("%1 (not here now)").arg(name), id);
+    // Whether one of a plug-in is here, nobody has asked yet.
+    device_->addItem(isPluginDevice(id.toStdString()) ? name : tr("%1 (not here now)").arg(name),
+                     id);
   }
   device_->setCurrentIndex(device_->findData(id));
+  showTried();
 }
 
 void HapticsPanel::buildReadouts() {
@@ -343,6 +383,7 @@ void HapticsPanel::changed() {
   strength_value_->setText(tr("%1 %").arg(strength_->value()));
   friction_->setEnabled(proxy_->currentIndex() == static_cast<int>(ProxyKind::converged));
   showPreset();
+  showTried();
   Q_EMIT settingsChanged();
 }
 
@@ -506,6 +547,8 @@ void HapticsPanel::show(const LoopReport& report) {
   setTextIfNew(depth_, sample.contact
                            ? tr("%1 mm of hand").arg(norm(sample.proxy - sample.hip), 0, 'f', 2)
                            : tr("not touching"));
+  setTextIfNew(heat_, report.heat);
+  heat_->setVisible(!report.heat.isEmpty());
   const bool another_level = report.sample.detail != report_.sample.detail;
   report_ = report;
   if (another_level && by_detail_->isChecked()) showStiffness();

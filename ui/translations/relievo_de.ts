@@ -3958,6 +3958,26 @@
         <source>Stiffness map</source>
         <translation>Steifigkeitskarte</translation>
     </message>
+    <message>
+        <source>Whether somebody has tried such a device</source>
+        <translation>Ob jemand ein solches Gerät erprobt hat</translation>
+    </message>
+    <message>
+        <source>How warm the motors are</source>
+        <translation>Wie warm die Motoren sind</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: ask who made the plug-in.</source>
+        <translation>An einem echten Gerät erprobt: Fragen Sie, wer das Plug-in gemacht hat.</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: never.</source>
+        <translation>An einem echten Gerät erprobt: nie.</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: %1.</source>
+        <translation>An einem echten Gerät erprobt: %1.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::HapticsPlugin</name>
@@ -4072,6 +4092,14 @@
     <message>
         <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
         <translation>Steifigkeitskarte: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um sie zu fühlen.</translation>
+    </message>
+    <message>
+        <source>The device %1 is being opened. The mouse is the hand meanwhile.</source>
+        <translation>Das Gerät %1 wird geöffnet. Solange ist die Maus die Hand.</translation>
+    </message>
+    <message>
+        <source>Motors: %1 % of what they can take for good; forces stay below %2 N.</source>
+        <translation>Motoren: %1 % dessen, was sie auf Dauer vertragen; Kräfte bleiben unter %2 N.</translation>
     </message>
 </context>
 <context>
@@ -7608,6 +7636,10 @@
     <message>
         <source>Measured here, but too steep to trust.</source>
         <translation>Hier gemessen, aber zu steil, um dem zu trauen.</translation>
+    </message>
+    <message>
+        <source>The plug-in %1 is not run: others may change %2. Take that right from them (&apos;chmod go-w&apos;), or keep the plug-in where only you write, then try again.</source>
+        <translation>Das Plug-in %1 wird nicht ausgeführt: Andere können %2 ändern. Nehmen Sie ihnen dieses Recht („chmod go-w“), oder legen Sie das Plug-in dorthin, wo nur Sie schreiben, und versuchen Sie es noch einmal.</translation>
     </message>
 </context>
 <context>

@@ -3958,6 +3958,26 @@
         <source>Stiffness map</source>
         <translation>कठोरता मानचित्र</translation>
     </message>
+    <message>
+        <source>Whether somebody has tried such a device</source>
+        <translation>क्या किसी ने ऐसा उपकरण आज़माया है</translation>
+    </message>
+    <message>
+        <source>How warm the motors are</source>
+        <translation>मोटर कितनी गरम हैं</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: ask who made the plug-in.</source>
+        <translation>वास्तविक उपकरण पर आज़माया गया: जिसने प्लग-इन बनाया, उससे पूछें।</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: never.</source>
+        <translation>वास्तविक उपकरण पर आज़माया गया: कभी नहीं।</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: %1.</source>
+        <translation>वास्तविक उपकरण पर आज़माया गया: %1।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::HapticsPlugin</name>
@@ -4072,6 +4092,14 @@
     <message>
         <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
         <translation>कठोरता मानचित्र: %1। इसे महसूस करने के लिए “मापा नहीं गया” को 100 % से कम रखें।</translation>
+    </message>
+    <message>
+        <source>The device %1 is being opened. The mouse is the hand meanwhile.</source>
+        <translation>उपकरण %1 खोला जा रहा है। तब तक माउस हाथ है।</translation>
+    </message>
+    <message>
+        <source>Motors: %1 % of what they can take for good; forces stay below %2 N.</source>
+        <translation>मोटर: जितना वे लगातार सह सकती हैं उसका %1 %; बल %2 N से कम रहते हैं।</translation>
     </message>
 </context>
 <context>
@@ -7608,6 +7636,10 @@
     <message>
         <source>Measured here, but too steep to trust.</source>
         <translation>यहाँ मापा गया, पर भरोसे के लिए बहुत खड़ा है।</translation>
+    </message>
+    <message>
+        <source>The plug-in %1 is not run: others may change %2. Take that right from them (&apos;chmod go-w&apos;), or keep the plug-in where only you write, then try again.</source>
+        <translation>प्लग-इन %1 नहीं चलाया जाता: दूसरे %2 को बदल सकते हैं। उनसे यह अधिकार हटाएँ (&apos;chmod go-w&apos;), या प्लग-इन को वहाँ रखें जहाँ केवल आप लिखते हैं, फिर दोबारा प्रयास करें।</translation>
     </message>
 </context>
 <context>

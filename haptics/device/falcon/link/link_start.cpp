@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/failure.h"
-#include "haptics/device/falcon/link.h"
+#include "haptics/device/falcon/link/link.h"
 
 namespace relievo::falcon {
 

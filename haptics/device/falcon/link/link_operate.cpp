@@ -4,15 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "haptics/device/falcon/link.h"
+#include "haptics/device/falcon/link/link.h"
 
 namespace relievo::falcon {
 
 namespace {
 constexpr std::int64_t kMs = 1'000'000;
-constexpr double kPulledOutMm = 170 - kCentre.z;
-constexpr int kSureFrames = 3;  // In a row, before arms count as homed or a button as pressed.
-constexpr std::int64_t kHomingHintNs = 20'000 * kMs;
 /// While no loop asks: the chip's longest latency and a question now and then, so that nobody is
 /// woken for nothing; a look ten times a second whether the loop asks again.
 constexpr std::int64_t kRestAfterNs = 1000 * kMs, kRestNs = 500 * kMs, kRestLookNs = 100 * kMs;
@@ -20,25 +17,19 @@ constexpr std::int64_t kRestPatienceNs = 2 * kRestNs;
 constexpr std::uint8_t kRestLatencyMs = 255;
 constexpr int kMostFailedReads = 3;              // In a row; then it is opened anew.
 constexpr std::int64_t kHealthyNs = 2000 * kMs;  // So long: failures before it are over.
-
-/// Measures against silence: after 5, 10 and 15 ms, then one every 20 ms. All ask again, with zero
-/// force: a bad line gets many chances before the processor is taken for dead.
-constexpr std::int64_t kFirstMeasureNs = 5 * kMs, kNextMeasureNs = 20 * kMs;
-constexpr int kStall = 3;                       // At 20 ms.
-constexpr int kPurgeEvery = 25, kGiveUp = 100;  // Of 20 ms: 500 ms, 2 s.
-constexpr std::int64_t measureAfter(int step) {
-  return step < kStall ? (step + 1) * kFirstMeasureNs : (step - kStall + 1) * kNextMeasureNs;
-}
+constexpr int kPurgeEvery = 25, kGiveUp = 100;   // Measures of 20 ms: 500 ms, 2 s.
 }  // namespace
 
 Link::Leave Link::operate(const std::stop_token& stop) {
   std::int64_t now = bus_.now();
-  last_answer_ns_ = rate_mark_ns_ = operates_since_ns_ = now;
+  operates_since_ns_ = now;
   force_gate_.shut(now);
   malformed_seen_ = reader_.malformed();
-  rate_frames_ = status_.counts.frames;
-  under_way_ = silence_step_ = homed_frames_ = failed_reads_ = 0;
-  seen_unhomed_ = resting_ = doubtful_ = false;
+  times_.restart(now, status_);
+  silence_ = {};
+  silence_.restart(now);
+  homing_.restart();
+  resting_ = false;
   gate_.reset();
   status_.homed = 0;
   forgetButtons();
@@ -78,12 +69,12 @@ Link::Leave Link::operate(const std::stop_token& stop) {
     const bool wanted = isWanted(now);
     measureAnewIfAsked();
     if (wanted && resting_) wake();
-    if (under_way_ > 0) {
+    if (silence_.isUnderWay()) {
       if (now < silentAt()) continue;
       if (const auto leave = watch(now)) return *leave;
     } else if (!wanted && !resting_) {
       if (!rest(now)) return Leave::gone;
-    } else if (!resting_ || now - asked_ns_ >= kRestNs) {
+    } else if (!resting_ || now - silence_.askedNs() >= kRestNs) {
       if (!ask(bus_.now(), false)) return Leave::gone;
     }
   }
@@ -94,7 +85,8 @@ Link::Leave Link::operate(const std::stop_token& stop) {
 /// did not run: it was halted, or the processor was not its own. The loop may step as slowly as it
 /// likes: only answers count, and they come by themselves.
 bool Link::wasPaused(std::int64_t now_ns) const {
-  return !resting_ && silence_step_ <= kStall && now_ns - last_answer_ns_ >= measureAfter(kStall);
+  return !resting_ && silence_.step() <= Silence::kStall &&
+         now_ns - silence_.lastAnswerNs() >= Silence::measureAfter(Silence::kStall);
 }
 
 /// What came meanwhile tells where the hand was. Zero first; the answer to it has the new place,
@@ -104,9 +96,7 @@ bool Link::takePause(std::int64_t now_ns) {
   ++reading_.epoch;  // The loop learns it with the new place.
   port_->discardInput();
   reader_.reset();
-  last_answer_ns_ = now_ns;
-  under_way_ = silence_step_ = 0;
-  doubtful_ = false;
+  silence_.restart(now_ns);
   return ask(now_ns, true);
 }
 
@@ -116,11 +106,11 @@ bool Link::takeFailure(std::int64_t now_ns) {
   ++status_.counts.failed_reads;
   zero_next_ = true;
   force_gate_.shut(now_ns);
-  if (++failed_reads_ > kMostFailedReads) lost_ = PortResult::failed;
-  if (failed_reads_ > 1) return lost_ == PortResult::ok;
+  const int failed = silence_.failRead();
+  if (failed > kMostFailedReads) lost_ = PortResult::failed;
+  if (failed > 1) return lost_ == PortResult::ok;
   if (!ask(now_ns, true)) return false;
-  doubtful_ = under_way_ > 1;
-  under_way_ = doubtful_ ? 2 : 1;
+  silence_.askedAgain(silence_.underWay() > 1);
   return true;
 }
 
@@ -133,27 +123,21 @@ void Link::takeDamage(std::int64_t now_ns) {
 }
 
 void Link::takeReport(const Report& report, std::int64_t now_ns) {
-  under_way_ = std::max(0, under_way_ - 1);
-  if (under_way_ == 0) doubtful_ = false;
-  countFrame(now_ns);
+  silence_.answer();
+  times_.count({.now_ns = now_ns,
+                .gap_ns = now_ns - silence_.lastAnswerNs(),
+                .asked_ns = silence_.askedNs(),
+                .at_rest = resting_ || silence_.askedAtRest()},
+               status_);
   if (status_.state == LinkState::silent) setState(LinkState::homing);
-  last_answer_ns_ = now_ns;
-  silence_step_ = failed_reads_ = 0;
+  silence_.heard(now_ns);
   if (now_ns - operates_since_ns_ > kHealthyNs) status_.failed_openings = 0;
   if (!follow(report, now_ns)) return;
-  homed_frames_ = report.homed == kAllHomed ? std::min(homed_frames_ + 1, kSureFrames) : 0;
   status_.homed = report.homed;
   status_.encoders = report.encoders;
-  if (homed_frames_ == 0) {
-    seen_unhomed_ = true;
-    if (status_.state != LinkState::homing) setState(LinkState::homing);
-  } else if (homed_frames_ == kSureFrames && status_.state == LinkState::homing) {
-    // One that was homed before we came may be anywhere, and the loop waits until it is clear.
-    setState(seen_unhomed_ ? LinkState::pull_out : LinkState::ready);
-  } else if (status_.state == LinkState::pull_out && reading_.position.z > kPulledOutMm) {
-    setState(LinkState::ready);
-  }
-  debounce(report.buttons);
+  const LinkState state = homing_.after(status_.state, report.homed, reading_.position.z);
+  if (state != status_.state) setState(state);
+  reading_.buttons = buttons_.take(report.buttons);
   const bool ready = status_.state == LinkState::ready;
   if (ready) reading_.fault = DeviceFault::none;
   status_.position = reading_.position;
@@ -161,8 +145,7 @@ void Link::takeReport(const Report& report, std::int64_t now_ns) {
   publishReading(now_ns);
   if (now_ns - published_ns_ > 20 * kMs) {
     published_ns_ = now_ns;
-    status_.homing_is_long =
-        status_.state == LinkState::homing && now_ns - homing_since_ns_ > kHomingHintNs;
+    status_.homing_is_long = status_.state == LinkState::homing && homing_.isLong(now_ns);
     publishStatus();
   }
 }
@@ -183,7 +166,7 @@ bool Link::follow(const Report& report, std::int64_t now_ns) {
   const bool believed = status_.state != LinkState::ready || report.homed != kAllHomed ||
                         reading_.fault != DeviceFault::none;
   if (believed) gate_.reset();
-  if (!gate_.takes(place, {asked_ns_, now_ns})) {
+  if (!gate_.takes(place, {silence_.askedNs(), now_ns})) {
     ++status_.counts.held_poses;
     if (gate_.held() > PoseGate::kMostHeld) {
       gate_.reset();
@@ -196,78 +179,36 @@ bool Link::follow(const Report& report, std::int64_t now_ns) {
   return true;
 }
 
-void Link::debounce(std::uint8_t raw) {
-  for (std::size_t i = 0; i < button_frames_.size(); ++i) {
-    const std::uint32_t bit = 1U << i;
-    const bool held_over = (held_over_ & bit) != 0;
-    const bool differs = held_over ? (raw & bit) == 0 : (raw & bit) != (reading_.buttons & bit);
-    button_frames_[i] = differs ? static_cast<std::uint8_t>(button_frames_[i] + 1) : 0;
-    if (button_frames_[i] < kSureFrames) continue;
-    (held_over ? held_over_ : reading_.buttons) ^= bit;
-    button_frames_[i] = 0;
-  }
-}
-
 /// After more than a short interruption nobody knows what was done with them meanwhile.
 void Link::forgetButtons() {
-  reading_.buttons = status_.buttons = 0;
-  held_over_ = kAllButtons;
-  button_frames_ = {};
-}
-
-void Link::countFrame(std::int64_t now_ns) {
-  LinkCounts& counts = status_.counts;
-  const std::int64_t gap = now_ns - last_answer_ns_;
-  if (!resting_ && !asked_at_rest_) {
-    std::size_t bin = 0;
-    while (bin < LinkCounts::kGapEdgesNs.size() && gap > LinkCounts::kGapEdgesNs[bin]) ++bin;
-    ++counts.gaps[bin];
-    counts.worst_gap_ns = std::max(counts.worst_gap_ns, gap);
-    const double answer_ms = 1e-6 * static_cast<double>(now_ns - asked_ns_);
-    answer_sum_ms_ += answer_ms;
-    status_.mean_answer_ms = answer_sum_ms_ / static_cast<double>(++answers_timed_);
-    status_.worst_answer_ms = std::max(status_.worst_answer_ms, answer_ms);
-  }
-  ++counts.frames;
-  constexpr std::uint64_t kFramesPerRate = 256;
-  const std::uint64_t frames = counts.frames - rate_frames_;
-  if (frames >= kFramesPerRate && now_ns > rate_mark_ns_) {
-    status_.rate_hz =
-        1e9 * static_cast<double>(frames) / static_cast<double>(now_ns - rate_mark_ns_);
-    rate_frames_ = counts.frames;
-    rate_mark_ns_ = now_ns;
-  }
+  buttons_.forget();
+  reading_.buttons = status_.buttons = buttons_.down();
 }
 
 void Link::measureAnewIfAsked() {
   const std::uint32_t asked = mailbox_.wishes.front().measurements;
-  if (std::exchange(measurements_seen_, asked) == asked) return;
-  status_.counts.worst_gap_ns = 0;
-  status_.mean_answer_ms = status_.worst_answer_ms = answer_sum_ms_ = 0;
-  answers_timed_ = 0;
+  if (std::exchange(seen_.measurements, asked) == asked) return;
+  times_.measureAnew(status_);
 }
 
 std::int64_t Link::silentAt() const {
-  return last_answer_ns_ + (resting_ ? kRestPatienceNs : 0) + measureAfter(silence_step_);
+  return silence_.lastAnswerNs() + (resting_ ? kRestPatienceNs : 0) +
+         Silence::measureAfter(silence_.step());
 }
 
 std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
-  // A write that waits for the bridge takes longer than several measures.
-  while (silence_step_ < kStall && now_ns - last_answer_ns_ >= measureAfter(silence_step_ + 1)) {
-    ++silence_step_;
-  }
-  const int step = silence_step_++;
+  const int step = silence_.nextMeasure(now_ns);
   zero_next_ = true;
   force_gate_.shut(now_ns);
-  if (step < kStall) {
+  if (step < Silence::kStall) {
     ++status_.counts.hiccups;
   } else {
-    if (step == kStall) ++status_.counts.stalls;
+    if (step == Silence::kStall) ++status_.counts.stalls;
     interrupt(DeviceFault::timeout, now_ns);
     port_->discardInput();  // Too late to tell where the hand is.
     reader_.reset();
   }
-  const int stalled = step - kStall + 1;
+  const int stalled = step - Silence::kStall + 1;
   if (stalled >= kGiveUp) return Leave::silent;
   if (stalled > 0 && stalled % kPurgeEvery == 0) {
     ++status_.counts.purges;
@@ -279,10 +220,7 @@ std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
     reader_.reset();
   }
   if (!ask(now_ns, true)) return Leave::gone;
-  // The first time the answer may only be late, and two will come; else one would stay queued for
-  // ever. If only one comes, the next silence settles it.
-  doubtful_ = step == 0 && !doubtful_;
-  under_way_ = doubtful_ ? 2 : 1;
+  silence_.askedAgain(step == 0 && !silence_.isDoubtful());  // The first time it may only be late.
   return std::nullopt;
 }
 
@@ -300,12 +238,8 @@ bool Link::ask(std::int64_t now_ns, bool neutral) {
   }
   zero_next_ = false;
   if (write(encode(command)) == PortResult::gone) return false;
-  if (under_way_ == 0) {  // Else the answer is waited for since the first of them.
-    asked_ns_ = now_ns;
-    asked_at_rest_ = resting_;
-  }
   // What the device did not take counts as under way: silence is noticed, and zero sent.
-  ++under_way_;
+  silence_.ask(now_ns, resting_);
   return true;
 }
 
@@ -344,10 +278,9 @@ bool Link::isWanted(std::int64_t now_ns) {
 void Link::wake() {
   request(latencyTimer(1));
   resting_ = false;
-  silence_step_ = 0;
   zero_next_ = true;  // The place that is known is as old as the rest.
-  last_answer_ns_ = rate_mark_ns_ = bus_.now();
-  rate_frames_ = status_.counts.frames;
+  silence_.wake(bus_.now());
+  times_.restart(silence_.lastAnswerNs(), status_);
 }
 
 bool Link::rest(std::int64_t now_ns) {

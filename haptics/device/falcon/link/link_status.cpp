@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/device/falcon/link_status.h"
+#include "haptics/device/falcon/link/link_status.h"
 
 #include <utility>
 #include <vector>

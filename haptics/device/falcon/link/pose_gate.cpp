@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/device/falcon/pose_gate.h"
+#include "haptics/device/falcon/link/pose_gate.h"
 
 #include <algorithm>
 

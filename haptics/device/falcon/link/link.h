@@ -11,9 +11,13 @@
 
 #include "haptics/device/device.h"
 #include "haptics/device/falcon/kinematics.h"
-#include "haptics/device/falcon/link_status.h"
+#include "haptics/device/falcon/link/answer_times.h"
+#include "haptics/device/falcon/link/button_debounce.h"
+#include "haptics/device/falcon/link/homing.h"
+#include "haptics/device/falcon/link/link_status.h"
+#include "haptics/device/falcon/link/pose_gate.h"
+#include "haptics/device/falcon/link/silence.h"
 #include "haptics/device/falcon/port.h"
-#include "haptics/device/falcon/pose_gate.h"
 #include "haptics/device/link/force_gate.h"
 #include "haptics/device/link/mailbox.h"
 
@@ -27,8 +31,6 @@ struct LinkWish {
   bool show_lights = false;  ///< `lights` instead of those that tell the state.
   std::uint8_t lights = lights_off;
 };
-
-inline constexpr std::uint32_t kAllButtons = 0b1111;
 
 using LinkMailbox = relievo::LinkMailbox<LinkWish, LinkStatus>;
 
@@ -81,12 +83,10 @@ class Link {
   void takeReport(const Report& report, std::int64_t now_ns);
   bool follow(const Report& report, std::int64_t now_ns);
   void takeDamage(std::int64_t now_ns);
-  void debounce(std::uint8_t raw);
   void forgetButtons();
   bool takeFailure(std::int64_t now_ns);
   bool wasPaused(std::int64_t now_ns) const;
   bool takePause(std::int64_t now_ns);
-  void countFrame(std::int64_t now_ns);
   void measureAnewIfAsked();
   std::int64_t silentAt() const;
   std::optional<Leave> watch(std::int64_t now_ns);
@@ -116,29 +116,20 @@ class Link {
   ReportReader reader_;
   LinkStatus status_;
   LinkReading reading_;
-  std::uint32_t retries_seen_ = 0, measurements_seen_ = 0;
+  AnswerTimes times_;
+  Silence silence_;
+  Homing homing_;
+  ButtonDebounce buttons_;
+  LinkWish seen_;  // Of wishes, what was done.
   std::int64_t slept_ = 0;
 
   // Of operate().
   PoseGate gate_;
   std::optional<AngleJacobian> jacobian_;  // Nothing: no force in this pose.
-  std::int64_t last_answer_ns_ = 0, asked_ns_ = 0, force_ns_ = 0;
-  std::int64_t published_ns_ = 0, rate_mark_ns_ = 0, homing_since_ns_ = 0, operates_since_ns_ = 0;
-  std::uint64_t rate_frames_ = 0, malformed_seen_ = 0;
-  double answer_sum_ms_ = 0;
-  std::uint64_t answers_timed_ = 0;
-  int under_way_ = 0;     // Questions without an answer.
-  int silence_step_ = 0;  // How far the measures against silence have gone.
-  int homed_frames_ = 0;  // In a row, with all arms homed.
-  int failed_reads_ = 0;  // In a row.
-  bool seen_unhomed_ = false;
+  std::int64_t force_ns_ = 0, published_ns_ = 0, operates_since_ns_ = 0;
+  std::uint64_t malformed_seen_ = 0;
   bool zero_next_ = false;
   bool resting_ = false;
-  bool asked_at_rest_ = false;  // At `asked_ns_`: the answer tells nothing of the pace.
-  bool doubtful_ = false;       // One of the questions under way may have lost its answer.
-  std::array<std::uint8_t, 4> button_frames_{};
-  std::uint32_t held_over_ =
-      kAllButtons;  // Whether pressed before is unknown: no press until let go.
 };
 
 }  // namespace relievo::falcon

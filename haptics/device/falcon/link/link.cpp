@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/device/falcon/link.h"
+#include "haptics/device/falcon/link/link.h"
 
 #include <algorithm>
 #include <utility>
@@ -82,8 +82,8 @@ bool Link::pause(const std::stop_token& stop, std::int64_t most_ns) {
     const std::int64_t now = bus_.now();
     if (now - began_ns >= (changed ? std::min(kLeastPauseNs, most_ns) : most_ns)) return true;
     mailbox_.wishes.update();
-    if (mailbox_.wishes.front().retries != retries_seen_) {
-      retries_seen_ = mailbox_.wishes.front().retries;
+    if (mailbox_.wishes.front().retries != seen_.retries) {
+      seen_.retries = mailbox_.wishes.front().retries;
       status_.failed_openings = 0;
       changed = true;
     }
@@ -206,8 +206,8 @@ bool Link::waitForRetry(const std::stop_token& stop, std::int64_t most_ns) {
       if (!read(bytes, until, got)) return false;
     }
     mailbox_.wishes.update();
-    if (mailbox_.wishes.front().retries != retries_seen_) {
-      retries_seen_ = mailbox_.wishes.front().retries;
+    if (mailbox_.wishes.front().retries != seen_.retries) {
+      seen_.retries = mailbox_.wishes.front().retries;
       return true;
     }
   }
@@ -216,14 +216,14 @@ bool Link::waitForRetry(const std::stop_token& stop, std::int64_t most_ns) {
 
 void Link::interrupt(DeviceFault fault, std::int64_t now_ns) {
   reading_.interrupt(fault, now_ns);
-  button_frames_ = {};  // The buttons stay: a release is only what was read as one.
+  buttons_.interrupt();
   force_gate_.shut(now_ns);
   zero_next_ = true;
   mailbox_.readings.write(reading_);
 }
 
 void Link::setState(LinkState state, const std::optional<Message>& detail) {
-  if (state == LinkState::homing && status_.state != state) homing_since_ns_ = bus_.now();
+  if (state == LinkState::homing && status_.state != state) homing_.begin(bus_.now());
   if (state != LinkState::homing) status_.homing_is_long = false;
   status_.state = state;
   status_.detail_size = 0;
