@@ -299,6 +299,7 @@ void MainWindow::connectParts() {
   connectQuestions();
   strip_->setOfferKey(command("answer")->shortcut());
   command("answer")->setEnabled(strip_->hasOffer());
+  connect(strip_, &MessageStrip::shown, this, &MainWindow::tell);
   connect(strip_, &MessageStrip::offerChanged, command("answer"), &QAction::setEnabled);
   connect(reference_, &ReferenceView::left, detail_, [this] { detail_->setFocus(); });
 }

@@ -129,6 +129,8 @@ class MainWindow : public QMainWindow {
   /// Why there is no touch; the status bar says so.
   void showTouchMissing(const QString& reason);
   void announce(const QString& text);
+  /// To whoever does not look: by who speaks, else by the screen reader.
+  void tell(const QString& text);
   /// @param spoken  for the screen reader; empty: it was heard already
   void announceAs(const QString& text, const QString& spoken);
   /// Who is asked first to speak what is announced, and says whether it does.

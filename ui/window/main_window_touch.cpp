@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <QAccessible>
 #include <QAction>
 #include <QFile>
 #include <QFileInfo>
@@ -17,6 +16,7 @@
 #include "core/provenance/sha256.h"
 #include "ui/frame/side_panels.h"
 #include "ui/frame/status_fields.h"
+#include "ui/language/spoken_text.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/panels/replay_panel.h"
 #include "ui/plots/time_plot.h"
@@ -203,7 +203,13 @@ void MainWindow::showTouchMissing(const QString& reason) {
 }
 
 void MainWindow::announce(const QString& text) {
-  announceAs(text, speaker_ && speaker_(text) ? QString() : text);
+  status_->set(StatusField::message, text);
+  tell(text);
+}
+
+void MainWindow::tell(const QString& text) {
+  const QString spoken = forEars(text);
+  if (!speaker_ || !speaker_(spoken)) status_->tell(spoken);
 }
 
 void MainWindow::setSpeaker(std::function<bool(const QString& text)> speaker) {
@@ -212,10 +218,7 @@ void MainWindow::setSpeaker(std::function<bool(const QString& text)> speaker) {
 
 void MainWindow::announceAs(const QString& text, const QString& spoken) {
   status_->set(StatusField::message, text);
-  if (spoken.isEmpty() || !QAccessible::isActive()) return;
-  status_->firstField()->setAccessibleDescription(spoken);
-  QAccessibleEvent event(status_->firstField(), QAccessible::Alert);
-  QAccessible::updateAccessibility(&event);
+  if (!spoken.isEmpty()) status_->tell(forEars(spoken));
 }
 
 bool MainWindow::runCommand(const QString& name) {
