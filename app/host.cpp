@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QMenu>
+#include <QScopedValueRollback>
 #include <QStringList>
 #include <vector>
 
@@ -87,7 +88,8 @@ void WindowHost::showStatus(const TouchStatus& status) {
   window_.controllers().touch.show(readout);
 }
 
-void WindowHost::announce(const QString& text) {
+void WindowHost::announce(const QString& text, SaidBecause why) {
+  const QScopedValueRollback<SaidBecause> because(window_says_because_, why);
   window_.messages().announce(text);
 }
 
@@ -106,13 +108,16 @@ void WindowHost::hush() {
 void WindowHost::setVoice(Voice* voice) {
   voice_ = voice;
   // What the window itself has to say is heard of one voice, too.
-  window_.messages().setSpeaker(voice == nullptr ? std::function<bool(const QString&)>()
-                                                 : [voice](const QString& text) {
-                                                     return voice->speak(text, SaidBecause::asked);
-                                                   });
+  window_.messages().setSpeaker(voice == nullptr
+                                    ? std::function<bool(const QString&)>()
+                                    : [this, voice](const QString& text) {
+                                        return voice->speak(text, window_says_because_);
+                                      });
 }
 
 void WindowHost::showError(const QString& sentence, const QString& code) {
+  // A plugin fails by itself, not because somebody asked for it just now.
+  const QScopedValueRollback<SaidBecause> because(window_says_because_, SaidBecause::noticed);
   window_.messages().showError(sentence, code);
 }
 

@@ -30,7 +30,7 @@ class WindowHost : public ShownWindow,
   void showProbe(const Probe& probe) override;
   void plot(std::span<const ForcePoint> samples) override;
   void showStatus(const TouchStatus& status) override;
-  void announce(const QString& text) override;
+  void announce(const QString& text, SaidBecause why) override;
   void say(const std::vector<Message>& sentences, SaidBecause why) override;
   void hush() override;
   void setVoice(Voice* voice) override;
@@ -55,6 +55,7 @@ class WindowHost : public ShownWindow,
  private:
   MainWindow& window_;
   Voice* voice_ = nullptr;
+  SaidBecause window_says_because_ = SaidBecause::asked;
   Host parts_{*this, *this, *this, *this, *this};
   std::vector<QPointer<QWidget>> new_panels_;
   std::vector<QPointer<QAction>> new_actions_;

@@ -48,6 +48,7 @@ Verb projectVerb();
 Verb touchVerb(std::vector<std::string> words);
 Verb recordVerb(std::vector<std::string> words);
 Verb replayVerb();
+Verb soundVerb();
 
 /// All verbs, in the order in which --help lists them. `words`: the command line, which logs keep.
 std::vector<Verb> verbs(const std::vector<std::string>& words = {});

@@ -123,7 +123,10 @@ void findHighest(const HeightGrid& grid, const RegionWindow& whole, const Span& 
   const int cells = std::max(all.last_col - all.first_col, all.last_row - all.first_row);
   if (cells * grid.stepMm() > reach_mm) return;
   Description::Highest highest{
-      .x_mm = grid.xMm(all.col), .y_mm = grid.yMm(all.row), .height_mm = span.max_mm};
+      // The height that the range says: the finest cells reach above the samples of Detail 1.
+      .x_mm = grid.xMm(all.col),
+      .y_mm = grid.yMm(all.row),
+      .height_mm = d.heights.max_mm};
   highest.ninth = ninthOf(d.object, highest.x_mm, highest.y_mm);
   d.highest = highest;
 }

@@ -18,7 +18,7 @@ struct Word {
   std::string_view name;
   MessageId words;
 };
-constexpr std::array<Word, 21> kWords{{{"", MessageId::command_none},
+constexpr std::array<Word, 24> kWords{{{"", MessageId::command_none},
                                        {"finer", MessageId::command_finer},
                                        {"coarser", MessageId::command_coarser},
                                        {"whole", MessageId::command_whole},
@@ -38,16 +38,23 @@ constexpr std::array<Word, 21> kWords{{{"", MessageId::command_none},
                                        {"previous_place", MessageId::command_previous_place},
                                        {"beacon", MessageId::command_toggle_beacon},
                                        {"buttonHelp", MessageId::command_help},
-                                       {"introduction", MessageId::command_restart_introduction}}};
+                                       {"introduction", MessageId::command_restart_introduction},
+                                       {"repeatSpeech", MessageId::command_repeat},
+                                       {"louderSpeech", MessageId::command_louder},
+                                       {"softerSpeech", MessageId::command_softer}}};
 
-/// One-button scanning goes round in these; the last one stops forces.
-constexpr std::array<ButtonCommand, 5> kScan{ButtonCommand::where_am_i, ButtonCommand::finer,
-                                             ButtonCommand::coarser, ButtonCommand::begin_move,
-                                             ButtonCommand::toggle_forces};
+/// One-button scanning goes round in these: what is touched, then what is said (EN 301
+/// 549, 5.1.3.4, 5.1.3.11 and 5.9: repeat and volume by hand, and nothing that needs two buttons at
+/// once).
+constexpr std::array<ButtonCommand, 9> kScan{
+    ButtonCommand::where_am_i, ButtonCommand::finer,         ButtonCommand::coarser,
+    ButtonCommand::begin_move, ButtonCommand::toggle_forces, ButtonCommand::repeat,
+    ButtonCommand::louder,     ButtonCommand::softer,        ButtonCommand::help};
 /// The same in Move mode.
-constexpr std::array<ButtonCommand, 5> kScanMoving{
-    ButtonCommand::confirm_move, ButtonCommand::next_place, ButtonCommand::previous_place,
-    ButtonCommand::cancel_move, ButtonCommand::toggle_forces};
+constexpr std::array<ButtonCommand, 9> kScanMoving{
+    ButtonCommand::confirm_move, ButtonCommand::next_place,    ButtonCommand::previous_place,
+    ButtonCommand::cancel_move,  ButtonCommand::toggle_forces, ButtonCommand::repeat,
+    ButtonCommand::louder,       ButtonCommand::softer,        ButtonCommand::help};
 }  // namespace
 
 std::string_view commandName(ButtonCommand command) noexcept {
@@ -122,7 +129,15 @@ void ButtonCommands::run(ButtonCommand command) {
   outcomes_.push_back({ButtonOutcome::Kind::run, command});
 }
 
+void ButtonCommands::voicePress(std::size_t index, double time_s) {
+  constexpr std::array<ButtonCommand, kButtons> kVoice{
+      ButtonCommand::louder, ButtonCommand::none, ButtonCommand::repeat, ButtonCommand::softer};
+  helped_s_ = index == kForward ? -100 : time_s;
+  if (index != kForward) run(kVoice[index]);
+}
+
 void ButtonCommands::shortPress(std::size_t index, double time_s) {
+  if (time_s - helped_s_ <= kHelpLastsS) return voicePress(index, time_s);
   switch (index) {
     case kPlus:
       run(moving_ ? ButtonCommand::next_place : ButtonCommand::finer);
@@ -250,11 +265,14 @@ std::vector<ButtonOutcome> ButtonCommands::take(double now_s) {
   return std::exchange(outcomes_, {});
 }
 
-Message ButtonCommands::help() const {
+std::vector<Message> ButtonCommands::help(double now_s) {
   if (options_.one_button) {
-    return moving_ ? said<MessageId::one_button_help_moving>() : said<MessageId::one_button_help>();
+    return {moving_ ? said<MessageId::one_button_help_moving>()
+                    : said<MessageId::one_button_help>()};
   }
-  return moving_ ? said<MessageId::buttons_help_moving>() : said<MessageId::buttons_help>();
+  helped_s_ = now_s;
+  return {moving_ ? said<MessageId::buttons_help_moving>() : said<MessageId::buttons_help>(),
+          said<MessageId::buttons_help_speech>()};
 }
 
 }  // namespace relievo

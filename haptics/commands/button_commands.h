@@ -36,6 +36,9 @@ enum class ButtonCommand : std::uint8_t {
   toggle_beacon,
   help,
   restart_introduction,
+  repeat,
+  louder,
+  softer,
 };
 /// Object name of the window's command: "finer", "whereAmI".
 std::string_view commandName(ButtonCommand command) noexcept;
@@ -82,8 +85,11 @@ class ButtonCommands {
   bool moving() const noexcept { return moving_; }
   /// The loop has forces on; a held Centre then stops them, and never switches them on.
   void setForcesOn(bool on) { forces_on_ = on; }
-  /// What the buttons do now, in a sentence, for help.
-  Message help() const;
+  /// Begins help: what the buttons do now, in sentences. After it the four buttons are those of the
+  /// voice for kHelpLastsS: Plus louder, Minus softer, Centre repeats, Forward goes back. Each
+  /// press begins that time anew; long presses do what they always do.
+  std::vector<Message> help(double now_s);
+  static constexpr double kHelpLastsS = 20;
 
  private:
   struct Button {
@@ -99,6 +105,7 @@ class ButtonCommands {
   void held(std::size_t index, double held_s);
   void heldTogether(double held_s);
   void shortPress(std::size_t index, double time_s);
+  void voicePress(std::size_t index, double time_s);
   void longPress(std::size_t index);
   bool anyDown() const;
   void scan(double time_s);
@@ -113,6 +120,7 @@ class ButtonCommands {
   bool together_ = false;                                // Plus and minus; until both are up.
   int together_said_ = 0;
   double asked_where_s_ = -100;
+  double helped_s_ = -100;  // When help was asked for, or a button of the voice was pressed.
   std::optional<DeviceMm> move_from_;
   bool move_armed_ = true;
   int offered_ = -1;  // Of the scan; -1: none.

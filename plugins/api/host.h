@@ -134,7 +134,9 @@ class Voice {
 class Messages {
  public:
   virtual ~Messages() = default;
-  virtual void announce(const QString& text) = 0;  ///< Status text, accessible event, speech.
+  /// Status text, accessible event, speech. News that nobody asked for is `noticed`: it never cuts
+  /// in on an answer.
+  virtual void announce(const QString& text, SaidBecause why = SaidBecause::asked) = 0;
   /// Sentences of the catalogue: on the screen as for eyes, spoken as for ears.
   virtual void say(const std::vector<Message>& sentences, SaidBecause why = SaidBecause::asked) = 0;
   /// A button went down: the voice stops.

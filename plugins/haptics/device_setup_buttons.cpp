@@ -36,16 +36,19 @@ void DeviceButtons::readHid(double now_s) {
   }
   hid_->poll(news);
   for (const std::string& name : news.arrived) {
-    host_.messages.announce(tr("%1 connected.").arg(QString::fromStdString(name)));
+    host_.messages.announce(tr("%1 connected.").arg(QString::fromStdString(name)),
+                            SaidBecause::noticed);
   }
   for (const std::string& name : news.forbidden) {
     host_.messages.announce(
         tr("%1 is plugged in but this account may not use it. Install the rule that "
            "'relievo devices rule' prints, once, then replug.")
-            .arg(QString::fromStdString(name)));
+            .arg(QString::fromStdString(name)),
+        SaidBecause::noticed);
   }
   for (const std::string& name : news.left) {
-    host_.messages.announce(tr("%1 disconnected.").arg(QString::fromStdString(name)));
+    host_.messages.announce(tr("%1 disconnected.").arg(QString::fromStdString(name)),
+                            SaidBecause::noticed);
   }
   for (const hid::ButtonEdge& edge : news.edges) press(edge.button, edge.down, now_s);
   const double dt_s = std::clamp(now_s - polled_s_, 0.0, 0.1);
@@ -185,7 +188,7 @@ void DeviceButtons::saySituation(const Message& after) {
 }
 
 void DeviceButtons::sayHelp() {
-  host_.messages.say({commands_.help()});
+  host_.messages.say(commands_.help(1e-9 * static_cast<double>(monotonicNs())));
 }
 
 void DeviceButtons::toggleMoving() {

@@ -137,7 +137,8 @@ void HapticsPlugin::showStandIn(const Message& message, bool only_the_plug_helps
   const QString text = tr("%1 The mouse is the hand now.").arg(screenText(message));
   if (text == stand_in_) return;
   stand_in_ = text;
-  host_->messages.announce(tr("%1 The mouse is the hand now.").arg(spokenMessage(message)));
+  host_->messages.announce(tr("%1 The mouse is the hand now.").arg(spokenMessage(message)),
+                           SaidBecause::noticed);
 }
 
 void HapticsPlugin::changeDevice() {
@@ -376,7 +377,9 @@ void HapticsPlugin::watchDevice(LoopReport& report) {
   if (status == nullptr) return;
   report.device = spokenMessage(falcon::describe(*status));
   if (status->state != falcon::LinkState::ready) report.not_ready = windowText(*status);
-  for (const QString& words : news_.take(*status)) host_->messages.announce(words);
+  for (const QString& words : news_.take(*status)) {
+    host_->messages.announce(words, SaidBecause::noticed);
+  }
 }
 
 void HapticsPlugin::watchSleep(const HapticSample& sample) {
@@ -388,7 +391,8 @@ void HapticsPlugin::watchSleep(const HapticSample& sample) {
       break;
     case SleepWatch::News::woken:
       frames_at_zero_ = -1;
-      host_->messages.announce(tr("Forces are off after the sleep. Press F5 to switch them on."));
+      host_->messages.announce(tr("Forces are off after the sleep. Press F5 to switch them on."),
+                               SaidBecause::noticed);
       break;
     case SleepWatch::News::none:
       break;
@@ -424,8 +428,8 @@ void HapticsPlugin::watchPlugs() {
   if (here && falcon::falconChoice(wish_)) {
     lookAgain();
   } else if (here) {
-    host_->messages.announce(
-        tr("A Falcon was plugged in. Choose it in the panel Touch to use it."));
+    host_->messages.announce(tr("A Falcon was plugged in. Choose it in the panel Touch to use it."),
+                             SaidBecause::noticed);
   }
 }
 
@@ -433,7 +437,7 @@ void HapticsPlugin::watchSurface() {
   const std::string problem = session_->takeProblem();
   if (problem.empty()) return;
   setForces(false);
-  host_->messages.announce(QString::fromStdString(problem));
+  host_->messages.announce(QString::fromStdString(problem), SaidBecause::noticed);
 }
 
 void HapticsPlugin::watchFault(const HapticSample& sample) {
@@ -441,7 +445,8 @@ void HapticsPlugin::watchFault(const HapticSample& sample) {
   fault_ = sample.fault;
   if (fault_ == DeviceFault::none) return;
   setForces(false);
-  host_->messages.announce(tr("Forces off: %1.").arg(messageText(messageOf(fault_))));
+  host_->messages.announce(tr("Forces off: %1.").arg(messageText(messageOf(fault_))),
+                           SaidBecause::noticed);
 }
 
 /// The loop has ended the forces already; the window follows.
@@ -453,14 +458,16 @@ void HapticsPlugin::watchStop(const HapticSample& sample) {
     host_->messages.announce(
         tr("Forces went off, because the window did not answer for %1 s. Press F5 to "
            "switch them on.")
-            .arg(settings_.window_silence_s));
+            .arg(settings_.window_silence_s),
+        SaidBecause::noticed);
   }
 }
 
 void HapticsPlugin::watchEdge(const HapticSample& sample) {
   const bool at_edge = forces_asked_ && sample.frame != 0;
   if (at_edge && !at_edge_)
-    host_->messages.announce(tr("The hand pushes over the edge of the window."));
+    host_->messages.announce(tr("The hand pushes over the edge of the window."),
+                             SaidBecause::noticed);
   at_edge_ = at_edge;
 }
 
@@ -471,7 +478,7 @@ void HapticsPlugin::watchWaiting(const HapticSample& sample) {
     frames_waiting_ = 0;
   } else if (sample.engaged != EngagePhase::waiting) {
     if (std::exchange(frames_waiting_, 0) >= kFramesUntilSaid) {
-      host_->messages.announce(tr("The hand is clear: forces come on."));
+      host_->messages.announce(tr("The hand is clear: forces come on."), SaidBecause::noticed);
     }
   } else if (++frames_waiting_ == kFramesUntilSaid) {
     host_->messages.announce(session_->isSteered()
@@ -485,14 +492,15 @@ void HapticsPlugin::watchSoftening(const HapticSample& sample) {
   softened_ = sample.softened;
   if (!again) return;
   host_->messages.announce(tr("Softened to %1 N/mm: hand and surface had begun to swing.")
-                               .arg(sample.stiffness_n_per_mm, 0, 'f', 2));
+                               .arg(sample.stiffness_n_per_mm, 0, 'f', 2),
+                           SaidBecause::noticed);
 }
 
 /// E306, in the words for speech; the panel has the numbers.
 void HapticsPlugin::watchRate(const HapticSample& sample) {
   if (sample.engaged == EngagePhase::off) slow_ = false;
   if (sample.slow.rate_hz > 0 && !std::exchange(slow_, true)) {
-    host_->messages.announce(tr("Surface made softer to stay steady."));
+    host_->messages.announce(tr("Surface made softer to stay steady."), SaidBecause::noticed);
   }
 }
 

@@ -86,7 +86,8 @@ void HapticsPlugin::watchRecording() {
                                  ? tr("The last %1 before the fault are kept: %2")
                                        .arg(durationText(flight->samples))
                                        .arg(shownFilePath(QFile::decodeName(flight->file.c_str())))
-                                 : textOf(*flight));
+                                 : textOf(*flight),
+                             SaidBecause::noticed);
   }
   const std::optional<RecordingEnd> end = session_->recorder().ended();
   if (!end) return;
@@ -95,7 +96,7 @@ void HapticsPlugin::watchRecording() {
   actions_.note->setEnabled(false);
   if (note_) note_->accept();
   if (!end->error.empty()) {
-    host_->messages.announce(tr("The recording has ended early."));
+    host_->messages.announce(tr("The recording has ended early."), SaidBecause::noticed);
     host_->messages.showError(textOf(*end), QStringLiteral("E401"));
     host_->recordings.recordingSaved(
         QFile::decodeName(end->file.c_str()));  // What is there is complete.

@@ -41,7 +41,8 @@ SceneMaps HapticsPlugin::mapsUnder(const RegionWindow& window) {
     } catch (const Error& error) {
       firmness_fits_ = false;
       if (fitted)
-        host_->messages.announce(messageText(messageOf(error)));  // Once, not for every window.
+        host_->messages.announce(messageText(messageOf(error)),
+                                 SaidBecause::noticed);  // Once, not for every window.
     }
   }
   if (panel_) panel_->setFirmnessUsed(firmness_fits_);
@@ -50,7 +51,7 @@ SceneMaps HapticsPlugin::mapsUnder(const RegionWindow& window) {
 
 void HapticsPlugin::takeFiner(quint64 window_id, const std::vector<float>& finer_mm,
                               const QString& problem) {
-  if (!problem.isEmpty()) host_->messages.announce(problem);
+  if (!problem.isEmpty()) host_->messages.announce(problem, SaidBecause::noticed);
   const auto window = host_->view.shownWindow();
   if (!textured_ || finer_mm.empty() || !window || window->id != window_id) return;
   finer_mm_ = finer_mm;

@@ -3,8 +3,9 @@
 
 #include <memory>
 #include <QObject>
-#include <QProcess>
 #include <QStringList>
+#include <QTimer>
+#include <vector>
 
 #include "core/message/message.h"
 #include "plugins/voice/ssip.h"
@@ -17,7 +18,9 @@ struct SpeakingProgram {
   QStringList more = {};  ///< Arguments: tests let it write a file.
 };
 
-/// Says one text after the other by a child each, which is ended to be silent. [GUI thread]
+/// Says one text after the other by a child each, which is ended to be silent. The child is made
+/// without a copy of this process, whose pages the force loop would have to wait for otherwise, and
+/// nothing here waits for it. [GUI thread]
 class EspeakChild : public QObject {
   Q_OBJECT
  public:
@@ -34,10 +37,17 @@ class EspeakChild : public QObject {
   void failed(const relievo::Message& why);
 
  private:
-  void leave(QProcess& child);
+  struct Process;
+
+  void start(Process& process, const QStringList& arguments);
+  void hasEnded(const Process& process);
+  void reap();
 
   SpeakingProgram program_;
-  QProcess* child_ = nullptr;  // Of this, until it has ended.
+  std::unique_ptr<Process> child_;
+  /// Not yet buried: killed, or found to have ended a moment before the system says so.
+  std::vector<std::unique_ptr<Process>> leaving_;
+  QTimer burial_;
 };
 
 }  // namespace relievo

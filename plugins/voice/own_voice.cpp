@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <utility>
 
+#include "core/describe/spoken_units.h"
 #include "core/message/catalogue.h"
 #include "core/region/probe.h"
 #include "ui/translations/message_languages.h"
@@ -186,8 +187,8 @@ bool OwnVoice::isSpeaking() const {
 
 QString OwnVoice::textOf(const Speech& speech) const {
   if (speech.sentences.empty()) return speech.text;
-  return QString::fromStdString(
-      spokenIn(messageLanguage(styleOf(speech).language), speech.sentences));
+  const MessageLanguage& language = messageLanguage(styleOf(speech).language);
+  return QString::fromStdString(spokenUnits(language, spokenIn(language, speech.sentences)));
 }
 
 SpeechStyle OwnVoice::styleOf(const Speech& speech) const {

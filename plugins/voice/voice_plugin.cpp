@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/voice/voice_plugin.h"
 
+#include <algorithm>
 #include <QAction>
 #include <QApplication>
 #include <QEvent>
@@ -12,6 +13,10 @@
 
 namespace relievo {
 namespace {
+
+constexpr int kVolumeStep = 10;
+// By buttons it does not become silent: who does not look could not find the way back.
+constexpr int kLeastVolume = 10, kMostVolume = 100;
 
 /// Where the voice speaks; what somebody has set on the plugin's object before is taken instead.
 VoiceWays waysOf(const QObject& plugin) {
@@ -39,15 +44,21 @@ void VoicePlugin::attach(Host& host) {
   voice_ = std::make_unique<OwnVoice>(waysOf(*this));
   panel_ = new VoicePanel;
   host.controls.addPanel(tr("Voice"), panel_);  // The window owns it.
-  auto* repeat_action = new QAction(tr("&Repeat what was said"));
-  repeat_action->setObjectName(QStringLiteral("repeatSpeech"));
-  repeat_action->setShortcut(QKeySequence(QStringLiteral("Ctrl+Alt+S")));
-  repeat_action->setToolTip(tr("Say again what was said last (Ctrl+Alt+S)"));
-  repeat_action->setStatusTip(repeat_action->toolTip());
-  repeat_action->setWhatsThis(tr("In the voice's language of now; with a voice of its own."));
-  repeat_action_ = repeat_action;
-  connect(repeat_action, &QAction::triggered, this, &VoicePlugin::repeat);
-  host.controls.addAction(QStringLiteral("Touch"), repeat_action);
+  repeat_action_ = addCommand({.name = QStringLiteral("repeatSpeech"),
+                               .label = tr("&Repeat what was said"),
+                               .key = QStringLiteral("Ctrl+Alt+S"),
+                               .tip = tr("Say again what was said last (Ctrl+Alt+S)")});
+  connect(repeat_action_, &QAction::triggered, this, &VoicePlugin::repeat);
+  louder_action_ = addCommand({.name = QStringLiteral("louderSpeech"),
+                               .label = tr("&Louder speech"),
+                               .key = {},
+                               .tip = tr("Raise the volume of the voice by 10 percent")});
+  connect(louder_action_, &QAction::triggered, this, [this] { changeVolume(kVolumeStep); });
+  softer_action_ = addCommand({.name = QStringLiteral("softerSpeech"),
+                               .label = tr("Sof&ter speech"),
+                               .key = {},
+                               .tip = tr("Lower the volume of the voice by 10 percent")});
+  connect(softer_action_, &QAction::triggered, this, [this] { changeVolume(-kVolumeStep); });
   connect(panel_, &VoicePanel::settingsChanged, this, [this] {
     settings_ = panel_->settings();
     applySettings();
@@ -69,6 +80,17 @@ void VoicePlugin::attach(Host& host) {
   QCoreApplication::instance()->installEventFilter(this);
   host.messages.setVoice(voice_.get());
   applySettings();
+}
+
+QAction* VoicePlugin::addCommand(const Command& command) {
+  auto* action = new QAction(command.label);
+  action->setObjectName(command.name);
+  if (!command.key.isEmpty()) action->setShortcut(QKeySequence(command.key));
+  action->setToolTip(command.tip);
+  action->setStatusTip(command.tip);
+  action->setWhatsThis(tr("In the voice's language of now; with a voice of its own."));
+  host_->controls.addAction(QStringLiteral("Touch"), action);
+  return action;
 }
 
 void VoicePlugin::detach() noexcept {
@@ -94,12 +116,22 @@ void VoicePlugin::restoreState(const QByteArray& state) {
 void VoicePlugin::applySettings() {
   voice_->setSettings(settings_);
   // Without a voice of its own the screen reader repeats, if anyone.
-  if (repeat_action_) repeat_action_->setEnabled(settings_.own_voice);
+  for (QAction* action : {repeat_action_.data(), louder_action_.data(), softer_action_.data()}) {
+    if (action != nullptr) action->setEnabled(settings_.own_voice);
+  }
   if (panel_) panel_->showChannel(voice_->channel());
 }
 
 void VoicePlugin::repeat() {
   if (!voice_->repeat()) host_->messages.say({said<MessageId::voice_nothing_to_repeat>()});
+}
+
+void VoicePlugin::changeVolume(int percent) {
+  settings_.volume_percent =
+      std::clamp(settings_.volume_percent + percent, kLeastVolume, kMostVolume);
+  if (panel_) panel_->setSettings(settings_);
+  applySettings();
+  host_->messages.say({said<MessageId::voice_volume>(settings_.volume_percent)});
 }
 
 void VoicePlugin::handBack(const Speech& speech) {

@@ -12,7 +12,8 @@
 
 namespace relievo {
 
-/// Gives the program a voice of its own: the panel Voice, and a command that repeats. Tests set the
+/// Gives the program a voice of its own: the panel Voice, and commands that repeat and change the
+/// volume, for keys, menus and the device's buttons. Tests set the
 /// properties "speakingProgram" (instead of espeak-ng, with arguments), "answerMs" and "retryMs"
 /// before attach.
 class VoicePlugin : public QObject, public Plugin {
@@ -31,7 +32,12 @@ class VoicePlugin : public QObject, public Plugin {
 
  private:
   void applySettings();
+  struct Command {
+    QString name, label, key, tip;
+  };
+  QAction* addCommand(const Command& command);
   void repeat();
+  void changeVolume(int percent);
   /// The screen reader says what the voice could not.
   void handBack(const Speech& speech);
 
@@ -39,7 +45,7 @@ class VoicePlugin : public QObject, public Plugin {
   VoiceSettings settings_;
   std::unique_ptr<OwnVoice> voice_;
   QPointer<VoicePanel> panel_;
-  QPointer<QAction> repeat_action_;
+  QPointer<QAction> repeat_action_, louder_action_, softer_action_;
 };
 
 }  // namespace relievo

@@ -338,6 +338,7 @@ TEST_F(OneWayIn, WhatARecordingNames) {
                   .exit_code,
               0);
     expectNothingParsed({"replay", log}, file);
+    expectNothingParsed({"sound", log, "-o", path("touched.wav")}, file);
     expectNothingParsed({"video", log, "--frame", "0", "--size", "64x64", "-o", path("frame.png")},
                         file);
   }

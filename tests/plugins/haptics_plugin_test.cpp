@@ -71,7 +71,7 @@ TEST_F(HapticsPluginTest, SwitchesForcesOnGentlyAndOffAtOnce) {
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.touching; }));
   QAction* forces = host_.actions.at("forces");
   forces->trigger();
-  EXPECT_TRUE(host_.announcements.contains("Forces on."));
+  EXPECT_TRUE(host_.answers.contains("Forces on.")) << "the answer to a command";
   EXPECT_TRUE(inPanel<QCheckBox>("forcesBox")->isChecked());
   // The hand is in the surface: forces wait.
   ASSERT_TRUE(eventually([this] { return host_.status.forces_on; }));
@@ -146,6 +146,7 @@ TEST_F(HapticsPluginTest, SaysThatAWindowCannotBeFeltAndKeepsTheLastOne) {
     return !host_.announcements.isEmpty() &&
            host_.announcements.last().contains("not a finite number");
   }));
+  EXPECT_EQ(host_.noticed.size(), 1) << "nobody asked, and it cuts in on no answer";
   hover();
   EXPECT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 15; }));
 }

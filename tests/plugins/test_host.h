@@ -40,7 +40,10 @@ class TestHost : public ShownWindow,
     plotted.insert(plotted.end(), samples.begin(), samples.end());
   }
   void showStatus(const TouchStatus& new_status) override { status = new_status; }
-  void announce(const QString& text) override { announcements << text; }
+  void announce(const QString& text, SaidBecause why) override {
+    announcements << text;
+    (why == SaidBecause::noticed ? noticed : answers) << text;
+  }
   /// As for ears.
   void say(const std::vector<Message>& sentences, SaidBecause why) override {
     QStringList texts;
@@ -122,6 +125,7 @@ class TestHost : public ShownWindow,
   std::vector<ForcePoint> plotted;
   TouchStatus status;
   QStringList announcements, commands, recordings, errors;
+  QStringList answers, noticed;              ///< Of the announcements.
   std::vector<Region> regions;             ///< Asked to be shown.
   std::vector<std::uint64_t> finer_asked;  ///< Windows.
   std::map<QString, float> rasters;        ///< Names of files that can be read.

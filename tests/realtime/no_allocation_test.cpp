@@ -9,6 +9,7 @@
 #include "haptics/device/mouse_device.h"
 #include "haptics/loop/haptic_core.h"
 #include "haptics/loop/haptic_loop.h"
+#include "haptics/sound/synth.h"
 #include "tests/haptics/haptic_fixture.h"
 
 namespace {
@@ -59,6 +60,29 @@ TEST(NoAllocation, TheGuardSeesAPlantedAllocation) {
             }),
             1);
   EXPECT_EQ(allocationsIn([] {}), 0);
+}
+
+TEST(NoAllocation, SoundAllocatesNothing) {
+  sound::TouchEvents touch;
+  sound::Synth synth;
+  std::array<sound::Frame, 256> frames{};
+  float loudest = 0;
+  const long allocated = allocationsIn([&] {
+    for (int i = 0; i < 2000; ++i) {
+      const bool contact = i / 50 % 2 == 1;
+      synth.take(touch.next({.t_s = 0.001 * i,
+                             .hand = {0.1 * i, 0, contact ? 0.0 : 5.0},
+                             .proxy = {0.1 * i, 0, 0},
+                             .force_n = 2,
+                             .contact = contact,
+                             .origin = i % 70 > 35 ? Origin::interpolated : Origin::measured,
+                             .detail = i / 400 + 1}));
+      synth.render(frames);
+      loudest = std::max(loudest, std::abs(frames[0].left));
+    }
+  });
+  EXPECT_EQ(allocated, 0);
+  EXPECT_GT(loudest, 0.01F) << "it was not silent";
 }
 
 TEST(NoAllocation, ATickAllocatesNothingWithAnyProxyAndSurface) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/frame/message_strip.h"
 
-#include <QAccessible>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -112,8 +111,7 @@ void MessageStrip::show(const QString& text, const std::vector<Button>& buttons)
   showOfferKey();
   Q_EMIT offerChanged(hasOffer());
   setVisible(true);
-  QAccessibleEvent event(this, QAccessible::Alert);
-  QAccessible::updateAccessibility(&event);
+  Q_EMIT shown(accessibleDescription());
 }
 
 QString MessageStrip::text() const {

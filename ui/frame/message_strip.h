@@ -26,7 +26,7 @@ class MessageStrip : public QFrame {
   };
 
   explicit MessageStrip(QWidget* parent = nullptr);
-  /// Shows a message in place of the one before; assistive technology is alerted.
+  /// Shows a message in place of the one before.
   void show(const QString& text, const std::vector<Button>& buttons = {});
   QString text() const;
   void close();
@@ -39,6 +39,8 @@ class MessageStrip : public QFrame {
   QWidget* firstControl() const;
 
  Q_SIGNALS:
+  /// What is shown, with the button that a key presses: whoever does not look is to be told.
+  void shown(const QString& words);
   void offerChanged(bool has_offer);
   void dismissed();  ///< Closed by the user without an answer.
 

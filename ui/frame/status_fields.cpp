@@ -2,7 +2,6 @@
 #include "ui/frame/status_fields.h"
 
 #include <algorithm>
-#include <QAccessible>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -14,6 +13,7 @@
 #include <QToolButton>
 #include <utility>
 
+#include "ui/frame/announcer.h"
 #include "ui/frame/status_rows.h"
 #include "ui/language/core_words.h"
 
@@ -78,7 +78,8 @@ StatusFields::StatusFields(QStatusBar& bar)
       work_step_(new QLabel(work_)),
       work_bar_(new QProgressBar(work_)),
       cancel_(new QToolButton(work_)),
-      work_delay_(new QTimer(this)) {
+      work_delay_(new QTimer(this)),
+      announcer_(new Announcer(&bar)) {
   bar.setSizeGripEnabled(false);
   auto* fields = new QWidget(&bar);
   auto* rows = new StatusRows(fields);
@@ -138,6 +139,10 @@ QString StatusFields::text(StatusField field) const {
 
 QWidget* StatusFields::firstField() const {
   return labels_[0];
+}
+
+void StatusFields::tell(const QString& words) {
+  announcer_->say(words);
 }
 
 void StatusFields::beginWork() {

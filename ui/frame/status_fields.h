@@ -14,6 +14,7 @@ class QWidget;
 
 namespace relievo {
 
+class Announcer;
 class StatusRows;
 
 enum class StatusField { message, position, origin, detail, force, rate, recording, pointer };
@@ -30,6 +31,8 @@ class StatusFields : public QObject {
   void set(StatusField field, const QString& text, const QString& tip = {});
   QString text(StatusField field) const;
   QWidget* firstField() const;
+  /// To whoever does not look, by the screen reader.
+  void tell(const QString& words);
 
   /// A bar appears if the work lasts longer than 0.3 s.
   void beginWork();
@@ -49,6 +52,7 @@ class StatusFields : public QObject {
   QProgressBar* work_bar_;
   QToolButton* cancel_;
   QTimer* work_delay_;
+  Announcer* announcer_;        ///< Owned by the bar.
   StatusRows* rows_ = nullptr;  ///< Owned by the widget that it lays out.
 };
 

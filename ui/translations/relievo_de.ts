@@ -5946,14 +5946,6 @@
         <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächster Ort. Minus: voriger Ort. Vorwärts: fertig. Mitte: zurück; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
     </message>
     <message>
-        <source>One button. Press: I offer where am I, finer, coarser, move, forces. Press again to take what I said last. Hold for a second and a half: forces off.</source>
-        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, verschieben, Kräfte. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
-    </message>
-    <message>
-        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it. Hold for a second and a half: forces off.</source>
-        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächster Ort, voriger Ort, zurück, Kräfte. Noch einmal drücken nimmt es. Anderthalb Sekunden halten: Kräfte aus.</translation>
-    </message>
-    <message>
         <source>The Falcon is not in use.</source>
         <translation>Der Falcon wird nicht benutzt.</translation>
     </message>
@@ -7640,6 +7632,90 @@
     <message>
         <source>The plug-in %1 is not run: others may change %2. Take that right from them (&apos;chmod go-w&apos;), or keep the plug-in where only you write, then try again.</source>
         <translation>Das Plug-in %1 wird nicht ausgeführt: Andere können %2 ändern. Nehmen Sie ihnen dieses Recht („chmod go-w“), oder legen Sie das Plug-in dorthin, wo nur Sie schreiben, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>{1|%1 newton|%1 newtons}</source>
+        <translation>%1 Newton</translation>
+    </message>
+    <message>
+        <source>%1 newtons</source>
+        <translation>%1 Newton</translation>
+    </message>
+    <message>
+        <source>%1 newtons per millimetre</source>
+        <translation>%1 Newton je Millimeter</translation>
+    </message>
+    <message>
+        <source>{1|%1 second|%1 seconds}</source>
+        <translation>{1|%1 Sekunde|%1 Sekunden}</translation>
+    </message>
+    <message>
+        <source>%1 seconds</source>
+        <translation>%1 Sekunden</translation>
+    </message>
+    <message>
+        <source>{1|%1 degree|%1 degrees}</source>
+        <translation>%1 Grad</translation>
+    </message>
+    <message>
+        <source>%1 degrees</source>
+        <translation>%1 Grad</translation>
+    </message>
+    <message>
+        <source>%1 hertz</source>
+        <translation>%1 Hertz</translation>
+    </message>
+    <message>
+        <source>%1 square millimetres</source>
+        <translation>%1 Quadratmillimeter</translation>
+    </message>
+    <message>
+        <source>%1 cubic millimetres</source>
+        <translation>%1 Kubikmillimeter</translation>
+    </message>
+    <message>
+        <source>minus %1</source>
+        <translation>minus %1</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>mal</translation>
+    </message>
+    <message>
+        <source>Volume %1 percent.</source>
+        <translation>Lautstärke %1 Prozent.</translation>
+    </message>
+    <message>
+        <source>The sound is a WAV file, and &apos;%1&apos; does not end in .wav. Nothing was written. Choose another name.</source>
+        <translation>Der Klang ist eine WAV-Datei, und „%1“ endet nicht auf .wav. Nichts wurde geschrieben. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>A WAV file holds %1 hours of sound, and this would be %2. Nothing was written. Choose a part with --from and --to.</source>
+        <translation>Eine WAV-Datei fasst %1 Stunden Klang, und dies wären %2. Nichts wurde geschrieben. Wählen Sie einen Teil mit --from und --to.</translation>
+    </message>
+    <message>
+        <source>Say it again</source>
+        <translation>Noch einmal sagen</translation>
+    </message>
+    <message>
+        <source>Louder</source>
+        <translation>Lauter</translation>
+    </message>
+    <message>
+        <source>Softer</source>
+        <translation>Leiser</translation>
+    </message>
+    <message>
+        <source>Now, for 20 seconds: Plus: louder. Minus: softer. Centre: say it again. Forward: back.</source>
+        <translation>Jetzt, für 20 Sekunden: Plus: lauter. Minus: leiser. Mitte: noch einmal sagen. Vorwärts: zurück.</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, move, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
+        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, verschieben, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces, say it again, louder, softer, help. Press again to take it. Hold for a second and a half: forces off.</source>
+        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächster Ort, voriger Ort, zurück, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt es. Anderthalb Sekunden halten: Kräfte aus.</translation>
     </message>
 </context>
 <context>
@@ -10984,6 +11060,22 @@
     <message>
         <source>In the voice&apos;s language of now; with a voice of its own.</source>
         <translation>In der jetzigen Sprache der Stimme; mit einer eigenen Stimme.</translation>
+    </message>
+    <message>
+        <source>&amp;Louder speech</source>
+        <translation>La&amp;uter sprechen</translation>
+    </message>
+    <message>
+        <source>Raise the volume of the voice by 10 percent</source>
+        <translation>Erhöht die Lautstärke der Stimme um 10 Prozent</translation>
+    </message>
+    <message>
+        <source>Sof&amp;ter speech</source>
+        <translation>Leiser s&amp;prechen</translation>
+    </message>
+    <message>
+        <source>Lower the volume of the voice by 10 percent</source>
+        <translation>Verringert die Lautstärke der Stimme um 10 Prozent</translation>
     </message>
 </context>
 <context>

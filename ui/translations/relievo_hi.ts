@@ -5946,14 +5946,6 @@
         <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला स्थान। माइनस: पिछला स्थान। आगे: पूरा। बीच: वापस; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
     </message>
     <message>
-        <source>One button. Press: I offer where am I, finer, coarser, move, forces. Press again to take what I said last. Hold for a second and a half: forces off.</source>
-        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, खिसकाना, बल। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
-    </message>
-    <message>
-        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it. Hold for a second and a half: forces off.</source>
-        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला स्थान, पिछला स्थान, वापस, बल। उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
-    </message>
-    <message>
         <source>The Falcon is not in use.</source>
         <translation>Falcon उपयोग में नहीं है।</translation>
     </message>
@@ -7640,6 +7632,90 @@
     <message>
         <source>The plug-in %1 is not run: others may change %2. Take that right from them (&apos;chmod go-w&apos;), or keep the plug-in where only you write, then try again.</source>
         <translation>प्लग-इन %1 नहीं चलाया जाता: दूसरे %2 को बदल सकते हैं। उनसे यह अधिकार हटाएँ (&apos;chmod go-w&apos;), या प्लग-इन को वहाँ रखें जहाँ केवल आप लिखते हैं, फिर दोबारा प्रयास करें।</translation>
+    </message>
+    <message>
+        <source>{1|%1 newton|%1 newtons}</source>
+        <translation>%1 न्यूटन</translation>
+    </message>
+    <message>
+        <source>%1 newtons</source>
+        <translation>%1 न्यूटन</translation>
+    </message>
+    <message>
+        <source>%1 newtons per millimetre</source>
+        <translation>%1 न्यूटन प्रति मिलीमीटर</translation>
+    </message>
+    <message>
+        <source>{1|%1 second|%1 seconds}</source>
+        <translation>%1 सेकंड</translation>
+    </message>
+    <message>
+        <source>%1 seconds</source>
+        <translation>%1 सेकंड</translation>
+    </message>
+    <message>
+        <source>{1|%1 degree|%1 degrees}</source>
+        <translation>%1 डिग्री</translation>
+    </message>
+    <message>
+        <source>%1 degrees</source>
+        <translation>%1 डिग्री</translation>
+    </message>
+    <message>
+        <source>%1 hertz</source>
+        <translation>%1 हर्ट्ज़</translation>
+    </message>
+    <message>
+        <source>%1 square millimetres</source>
+        <translation>%1 वर्ग मिलीमीटर</translation>
+    </message>
+    <message>
+        <source>%1 cubic millimetres</source>
+        <translation>%1 घन मिलीमीटर</translation>
+    </message>
+    <message>
+        <source>minus %1</source>
+        <translation>ऋण %1</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>गुणा</translation>
+    </message>
+    <message>
+        <source>Volume %1 percent.</source>
+        <translation>आवाज़ %1 प्रतिशत।</translation>
+    </message>
+    <message>
+        <source>The sound is a WAV file, and &apos;%1&apos; does not end in .wav. Nothing was written. Choose another name.</source>
+        <translation>ध्वनि WAV फ़ाइल होती है, और &apos;%1&apos; .wav पर समाप्त नहीं होता। कुछ नहीं लिखा गया। दूसरा नाम चुनें।</translation>
+    </message>
+    <message>
+        <source>A WAV file holds %1 hours of sound, and this would be %2. Nothing was written. Choose a part with --from and --to.</source>
+        <translation>WAV फ़ाइल में %1 घंटे की ध्वनि समाती है, और यह %2 होती। कुछ नहीं लिखा गया। --from और --to से एक भाग चुनें।</translation>
+    </message>
+    <message>
+        <source>Say it again</source>
+        <translation>फिर से कहें</translation>
+    </message>
+    <message>
+        <source>Louder</source>
+        <translation>और तेज़</translation>
+    </message>
+    <message>
+        <source>Softer</source>
+        <translation>और धीमा</translation>
+    </message>
+    <message>
+        <source>Now, for 20 seconds: Plus: louder. Minus: softer. Centre: say it again. Forward: back.</source>
+        <translation>अब 20 सेकंड तक: प्लस: और तेज़। माइनस: और धीमा। बीच: फिर से कहें। आगे: वापस।</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, move, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
+        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, खिसकाना, बल, फिर से कहें, और तेज़, और धीमा, सहायता। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces, say it again, louder, softer, help. Press again to take it. Hold for a second and a half: forces off.</source>
+        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला स्थान, पिछला स्थान, वापस, बल, फिर से कहें, और तेज़, और धीमा, सहायता। उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
     </message>
 </context>
 <context>
@@ -10984,6 +11060,22 @@
     <message>
         <source>In the voice&apos;s language of now; with a voice of its own.</source>
         <translation>आवाज़ की अभी की भाषा में; अपनी आवाज़ होने पर।</translation>
+    </message>
+    <message>
+        <source>&amp;Louder speech</source>
+        <translation>और तेज़ बोलें (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Raise the volume of the voice by 10 percent</source>
+        <translation>आवाज़ 10 प्रतिशत बढ़ाता है</translation>
+    </message>
+    <message>
+        <source>Sof&amp;ter speech</source>
+        <translation>और धीमे बोलें (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Lower the volume of the voice by 10 percent</source>
+        <translation>आवाज़ 10 प्रतिशत घटाता है</translation>
     </message>
 </context>
 <context>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/window/window_messages.h"
 
-#include <QAccessible>
 #include <utility>
 
 #include "core/base/error.h"
 #include "ui/language/spoken_error.h"
+#include "ui/language/spoken_text.h"
 #include "ui/work/file_names.h"
 
 namespace relievo {
@@ -14,18 +14,22 @@ WindowMessages::WindowMessages(MessageStrip& strip, StatusFields& status)
     : strip_(strip), status_(status) {
   connect(&status_, &StatusFields::cancelAsked, this, &WindowMessages::cancelAsked);
   connect(&strip_, &MessageStrip::dismissed, this, &WindowMessages::dismissed);
+  connect(&strip_, &MessageStrip::shown, this, &WindowMessages::tell);
 }
 
 void WindowMessages::announce(const QString& text) {
-  announceAs(text, speaker_ && speaker_(text) ? QString() : text);
+  status_.set(StatusField::message, text);
+  tell(text);
+}
+
+void WindowMessages::tell(const QString& text) {
+  const QString spoken = forEars(text);
+  if (!speaker_ || !speaker_(spoken)) status_.tell(spoken);
 }
 
 void WindowMessages::announceAs(const QString& text, const QString& spoken) {
   status_.set(StatusField::message, text);
-  if (spoken.isEmpty() || !QAccessible::isActive()) return;
-  status_.firstField()->setAccessibleDescription(spoken);
-  QAccessibleEvent event(status_.firstField(), QAccessible::Alert);
-  QAccessible::updateAccessibility(&event);
+  if (!spoken.isEmpty()) status_.tell(forEars(spoken));
 }
 
 void WindowMessages::setSpeaker(std::function<bool(const QString& text)> speaker) {

@@ -18,6 +18,8 @@ class WindowMessages : public QObject {
 
   /// In the status bar, and heard.
   void announce(const QString& text);
+  /// To whoever does not look: by who speaks, else by the screen reader.
+  void tell(const QString& text);
   /// @param spoken  for the screen reader; empty: it was heard already
   void announceAs(const QString& text, const QString& spoken);
   /// Who is asked first to speak what is announced, and says whether it does.

@@ -95,6 +95,16 @@ TEST(Describe, ABumpHasItsPlaceSizeAndHeight) {
   EXPECT_THAT(spokenOf(d), Contains("Relief, 30 centimetres by 20 centimetres."));
 }
 
+TEST(Describe, TheHighestPlaceIsAsHighAsTheRangeOfHeights) {
+  // A point on the dome that Detail 1 smooths away: one value is said, not two.
+  const Description d = descriptionOf(mapOf(
+      [](double x, double y) { return dome(x, y, 60, 150, 40, 12) + dome(x, y, 60, 150, 1.2, 3); },
+      0.5));
+  ASSERT_TRUE(d.highest);
+  EXPECT_GT(d.heights.max_mm, 14);
+  EXPECT_DOUBLE_EQ(d.highest->height_mm, d.heights.max_mm);
+}
+
 TEST(Describe, APlateauHasItsOwnEdges) {
   const Description d = descriptionOf(mapOf([](double x, double y) {
     return x > 195 && x < 270 && y > 30 && y < 60 ? 5.0 : 1.0;  // 75 x 30 mm.

@@ -138,6 +138,29 @@ TEST_F(Buttons, PlusAndMinusTogetherHelpAndDoNothingElse) {
   EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(finer)) << "and then as before";
 }
 
+TEST_F(Buttons, AfterHelpTheyAreTheVoicesForAWhile) {
+  EXPECT_THAT(englishText(buttons_.help(now_)), testing::HasSubstr("Centre: say it again."));
+  EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(louder));
+  EXPECT_THAT(hold(kMinus, 0.2), ElementsAre(softer));
+  EXPECT_THAT(hold(kCentre, 0.2), ElementsAre(repeat));
+  pass(15);
+  EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(louder)) << "each press begins the time anew";
+  pass(15);
+  EXPECT_THAT(hold(kMinus, 0.2), ElementsAre(softer));
+  pass(21);
+  EXPECT_THAT(hold(kMinus, 0.2), ElementsAre(coarser));
+  EXPECT_THAT(hold(kCentre, 0.1), ElementsAre(where_am_i));
+}
+
+TEST_F(Buttons, ForwardEndsHelpAndAHeldCentreStillStopsForces) {
+  buttons_.help(now_);
+  EXPECT_THAT(hold(kForward, 0.2), IsEmpty());
+  EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(finer));
+  buttons_.help(now_);
+  buttons_.setForcesOn(true);
+  EXPECT_THAT(hold(kCentre, 1.6), ElementsAre(stop_forces));
+}
+
 class OneButton : public Buttons {
  protected:
   OneButton() { buttons_ = ButtonCommands({.one_button = true, .scan_s = 1}); }
@@ -152,10 +175,26 @@ TEST_F(OneButton, OffersOneAfterTheOtherAndTakesTheLast) {
   EXPECT_EQ(offers_.size(), 3U) << "the scan has ended";
 }
 
+TEST_F(OneButton, TakesRepeatAndVolumeInMoveModeToo) {
+  for (const bool moving : {false, true}) {
+    if (moving) buttons_.toggleMoving();
+    pass(20);
+    offers_.clear();
+    hold(kPlus, 0.2);
+    while (offers_.back() != repeat) pass(0.1);
+    EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(repeat));
+    hold(kPlus, 0.2);
+    while (offers_.back() != louder) pass(0.1);
+    EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(louder));
+  }
+}
+
 TEST_F(OneButton, AScanThatNobodyTakesEnds) {
   hold(kPlus, 0.2);
   EXPECT_THAT(pass(20), IsEmpty());
-  EXPECT_THAT(offers_, ElementsAre(where_am_i, finer, coarser, begin_move, toggle_forces));
+  EXPECT_THAT(offers_, ElementsAre(where_am_i, finer, coarser, begin_move, toggle_forces, repeat,
+                                   louder, softer, help))
+      << "all that four buttons do, and the voice's (EN 301 549, 5.9)";
 }
 
 TEST_F(OneButton, HeldForASecondAndAHalfStopsForcesAndTakesNoOffer) {
@@ -198,21 +237,21 @@ TEST_F(Buttons, HelpNamesEveryPressOfItsMode) {
       EXPECT_THAT(std::string(text), testing::HasSubstr(part));
     }
   };
-  all(englishText(buttons_.help()),
+  all(englishText(buttons_.help(now_)),
       {"Plus: finer; long: detail and scale.", "Minus: coarser; long: whole",
        "Forward: move; long: beacon.", "Centre: where am I; long: forces off or",
        "Plus and Minus for two seconds: help; for five: introduction."});
   buttons_.toggleMoving();
-  all(englishText(buttons_.help()),
+  all(englishText(buttons_.help(now_)),
       {"Plus: next place.", "Minus: previous place.", "Forward: done.",
        "Centre: back; long: forces off or on.", "Plus and Minus for two seconds"});
   buttons_.setOptions({.one_button = true});
-  all(englishText(buttons_.help()),
+  all(englishText(buttons_.help(now_)),
       {"next place, previous place", "Hold for a second and a half: forces off."});
 }
 
 TEST_F(Buttons, EveryCommandHasANameAndWords) {
-  for (int i = 1; i <= static_cast<int>(restart_introduction); ++i) {
+  for (int i = 1; i <= static_cast<int>(softer); ++i) {
     EXPECT_FALSE(commandName(static_cast<ButtonCommand>(i)).empty());
     EXPECT_FALSE(englishText(messageOf(static_cast<ButtonCommand>(i))).empty());
   }

@@ -28,6 +28,7 @@ BASES = {
     "record": ["map.tif", "--device", "virtual", "--seconds", "0.1", "-o", "out.csv"],
     "replay": ["log.csv", "-o", "out.csv"],
     "devices": ["selftest"],
+    "sound": ["log.csv", "-o", "out.wav"],
     "video": ["log.csv", "-o", "out.mp4", "--size", "64x64", "--fps", "5", "--to", "0.2"],
 }
 # Other options that this one only goes with.

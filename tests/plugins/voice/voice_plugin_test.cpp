@@ -81,6 +81,22 @@ TEST_F(VoicePluginTest, SpeaksWhatTheHandMeetsInItsOwnLanguageAndRepeats) {
   EXPECT_TRUE(server.said().last().endsWith("This is the voice of relievo."));
 }
 
+TEST_F(VoicePluginTest, LouderAndSofterHoldFromTheNextWordsOnAndAreSaid) {
+  load();
+  EXPECT_FALSE(host_.actions.at("louderSpeech")->isEnabled());
+  chooseOwnVoice();
+  host_.actions.at("softerSpeech")->trigger();
+  host_.actions.at("softerSpeech")->trigger();
+  EXPECT_EQ(inPanel<QSpinBox>("voiceVolume")->value(), 80);
+  host_.actions.at("louderSpeech")->trigger();
+  EXPECT_EQ(host_.announcements,
+            QStringList({"Volume 90 percent.", "Volume 80 percent.", "Volume 90 percent."}));
+  for (int i = 0; i < 20; ++i) host_.actions.at("softerSpeech")->trigger();
+  EXPECT_EQ(inPanel<QSpinBox>("voiceVolume")->value(), 10) << "who hears nothing finds no way back";
+  for (int i = 0; i < 20; ++i) host_.actions.at("louderSpeech")->trigger();
+  EXPECT_EQ(inPanel<QSpinBox>("voiceVolume")->value(), 100);
+}
+
 TEST_F(VoicePluginTest, AnyKeyCutsWhatIsBeingSaid) {
   RELIEVO_NEEDS_PROGRAM("speech-dispatcher");
   test::SpeechDispatcher server;

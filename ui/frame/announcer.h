@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+namespace relievo {
+
+/// Tells a screen reader what happened. Qt 5 sends alerts to nobody on Linux, so this is a child
+/// that is never drawn, whose role is that of a notification and whose name is the text: it is
+/// shown anew with each text, and so also with the same text twice (docs/adr/0167). [GUI thread]
+class Announcer : public QWidget {
+  Q_OBJECT
+ public:
+  explicit Announcer(QWidget* parent);
+  void say(const QString& text);
+  /// What was said last.
+  const QString& text() const { return text_; }
+
+ private:
+  QString text_;
+};
+
+}  // namespace relievo
