@@ -24,8 +24,8 @@ SidePanels::SidePanels(QWidget* parent) : QScrollArea(parent) {
   setFocusPolicy(Qt::NoFocus);
   auto* content = new QWidget(this);
   column_ = new QVBoxLayout(content);
-  column_->setContentsMargins(8, 2, 8, 2);
-  column_->setSpacing(1);
+  column_->setContentsMargins(4, 2, 4, 2);
+  column_->setSpacing(0);
   column_->addStretch(1);
   setWidget(content);
   // Wherever the keyboard goes in here, by whatever command, is seen.

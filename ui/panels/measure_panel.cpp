@@ -380,7 +380,7 @@ void MeasurePanel::cancel() {
 
 void MeasurePanel::tellNext() {
   if (!making_) {
-    hint_->setText(tr("Choose what to measure from the Measure menu."));
+    hint_->setText(tr("Choose in the Measure menu."));
     return;
   }
   if (by_touch_) {

@@ -47,7 +47,7 @@ QFormLayout* form(QWidget* panel) {
   auto* layout = new QFormLayout(panel);
   layout->setContentsMargins(6, 0, 0, 2);
   layout->setHorizontalSpacing(8);
-  layout->setVerticalSpacing(3);
+  layout->setVerticalSpacing(1);
   layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   return layout;
 }
@@ -205,10 +205,11 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   gain_slider_->setRange(-kGainSteps, kGainSteps);
   auto* gain_label = new QLabel(tr("Exaggeratio&n"));
   gain_label->setBuddy(gain_);
-  auto* gain_row = new QHBoxLayout;
+  auto* gain_row = new QHBoxLayout;  // Of its own: its long name would leave the fields no room.
+  gain_row->addWidget(gain_label);
   gain_row->addWidget(gain_);
   gain_row->addWidget(gain_slider_, 1);
-  layout->addRow(gain_label, gain_row);
+  layout->addRow(gain_row);
   hand_scale_ = new QLabel;
   hand_scale_->setObjectName(QStringLiteral("hand_scale"));
   hand_scale_->setAccessibleName(tr("Hand scale"));

@@ -17,7 +17,7 @@
 namespace relievo {
 namespace {
 
-constexpr int kColumns = 3;
+constexpr int kColumns = 2;
 constexpr std::array<const char*, 6> kViews{"front", "back", "left", "right", "top", "bottom"};
 
 QPushButton* button(const QString& text, const QString& name, const QString& tip) {
@@ -47,11 +47,13 @@ ViewPanel::ViewPanel(QWidget* parent)
     : QWidget(parent), now_(new QLabel), light_part_(new QWidget(this)) {
   setObjectName(QStringLiteral("view_panel"));
   auto* layout = new QGridLayout(this);
-  layout->setContentsMargins(6, 0, 0, 2);
-  layout->setSpacing(3);
+  layout->setContentsMargins(2, 0, 0, 2);
+  layout->setSpacing(2);
+  layout->setColumnStretch(0, 1);
+  layout->setColumnStretch(1, 1);
   now_->setAccessibleName(tr("Seen from"));
   now_->setObjectName(QStringLiteral("view_now"));
-  layout->addWidget(now_, 0, 0, 1, kColumns - 1);
+  layout->addWidget(now_, 0, 0, 1, kColumns);
   for (std::size_t i = 0; i < kViews.size(); ++i) {
     const QString name = QString::fromLatin1(kViews[i]);
     auto* b = button(viewText(name), QLatin1String("view_") + name,
@@ -63,17 +65,15 @@ ViewPanel::ViewPanel(QWidget* parent)
                            tr("Look from the side that shows most"));
   connect(automatic, &QPushButton::clicked, this,
           [this] { Q_EMIT viewChosen(QStringLiteral("auto")); });
-  layout->addWidget(automatic, 0, kColumns - 1);
+  layout->addWidget(automatic, 4, 0, 1, kColumns);
   use_ = button(tr("Use this view"), QStringLiteral("use_this_view"),
                 tr("Make the depth map from where the turned detail view looks"));
   straighten_ = button(tr("Straighten"), QStringLiteral("straighten"),
                        tr("Look straight down on the relief again"));
   connect(use_, &QPushButton::clicked, this, &ViewPanel::useThisViewAsked);
   connect(straighten_, &QPushButton::clicked, this, &ViewPanel::straightenAsked);
-  auto* turned = new QHBoxLayout;
-  turned->addWidget(use_);
-  turned->addWidget(straighten_);
-  layout->addLayout(turned, 3, 0, 1, kColumns);
+  layout->addWidget(use_, 5, 0);
+  layout->addWidget(straighten_, 5, 1);
   makeLightPart();
   showView({});
   showTurned(false);
@@ -83,7 +83,7 @@ void ViewPanel::makeLightPart() {
   light_part_->setObjectName(QStringLiteral("light_panel"));
   auto* layout = new QVBoxLayout(light_part_);
   layout->setContentsMargins(6, 0, 0, 2);
-  layout->setSpacing(3);
+  layout->setSpacing(2);
   light_text_ = new QLabel;
   light_text_->setObjectName(QStringLiteral("light_text"));
   light_text_->setAccessibleName(tr("Light"));

@@ -4612,8 +4612,8 @@
         <translation>%1</translation>
     </message>
     <message>
-        <source>Choose what to measure from the Measure menu.</source>
-        <translation>Wählen Sie im Menü Messen, was gemessen werden soll.</translation>
+        <source>Choose in the Measure menu.</source>
+        <translation>Wählen Sie im Menü Messen.</translation>
     </message>
     <message>
         <source>%1: place %2 of %3. Click on the detail view, or move the hand there and press Enter.</source>

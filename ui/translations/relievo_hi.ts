@@ -4612,8 +4612,8 @@
         <translation>%1</translation>
     </message>
     <message>
-        <source>Choose what to measure from the Measure menu.</source>
-        <translation>माप मेनू से चुनें कि क्या मापना है।</translation>
+        <source>Choose in the Measure menu.</source>
+        <translation>मापन मेनू में से चुनें।</translation>
     </message>
     <message>
         <source>%1: place %2 of %3. Click on the detail view, or move the hand there and press Enter.</source>

@@ -69,7 +69,9 @@ class TutorialTest : public GuiTest {
   /// As somebody presses it, wherever the keyboard is.
   void key(const QString& name) {
     page_.usesKey(name);
-    const QKeySequence keys(name == QLatin1String("Esc") ? QStringLiteral("Escape") : name);
+    QString known = name;  // Qt calls some of them otherwise.
+    known.replace("Esc", "Escape").replace("Plus", "+").replace("Minus", "-");
+    const QKeySequence keys(known);
     ASSERT_EQ(keys.count(), 1) << name.toStdString() << " is no key";
     const int code = keys[0] & ~static_cast<int>(Qt::KeyboardModifierMask);
     ASSERT_NE(code, static_cast<int>(Qt::Key_unknown)) << name.toStdString();
@@ -168,6 +170,7 @@ class TutorialTest : public GuiTest {
   void draw();
   void keep();
   void find();
+  void doAll();
 
   TutorialPage page_;
 };
@@ -277,7 +280,7 @@ void TutorialTest::namePlaces() {
   ASSERT_NE(name, nullptr) << "its name is typed";
   QTest::keyClicks(name, "Rim");
   QTest::keyClick(name, Qt::Key_Return);
-  EXPECT_EQ(document().project().places.front().name, "Rim");
+  EXPECT_TRUE(waitFor([this] { return document().project().places.front().name == "Rim"; }));
   detail().setFocus();
   document().whole();
   key("Ctrl+Page Down");
@@ -459,11 +462,8 @@ void TutorialTest::find() {
   EXPECT_TRUE(child<StartPage>("start_page")->isVisible());
 }
 
-TEST_F(TutorialTest, SentencesAndWindowAgree) {
-  LoadedPlugins plugins(window());
-  ASSERT_TRUE(plugins.has("haptics_plugin"));
-  using Chapter = void (TutorialTest::*)();
-  for (const Chapter chapter :
+void TutorialTest::doAll() {
+  for (const auto chapter :
        {&TutorialTest::open, &TutorialTest::look, &TutorialTest::chooseWindow,
         &TutorialTest::namePlaces, &TutorialTest::touch, &TutorialTest::makeMap,
         &TutorialTest::light, &TutorialTest::stereo, &TutorialTest::measure, &TutorialTest::draw,
@@ -472,6 +472,12 @@ TEST_F(TutorialTest, SentencesAndWindowAgree) {
     if (HasFatalFailure()) return;
   }
   page_.ends();
+}
+
+TEST_F(TutorialTest, SentencesAndWindowAgree) {
+  const LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins.has("haptics_plugin"));
+  doAll();
 }
 
 }  // namespace
