@@ -19,6 +19,8 @@
 #include <string>
 #include <thread>
 
+#include "haptics/rt/realtime_thread.h"
+
 namespace relievo::emulator {
 
 namespace {
@@ -28,6 +30,13 @@ namespace http = beast::http;
 namespace websocket = beast::websocket;
 using asio::ip::tcp;
 using beast::error_code;
+
+/// A real service answers thousands of times a second, and so must this one on a busy computer;
+/// where the system refuses, it is as late as others.
+void beOnTime() {
+  constexpr int kPriority = 60;  // Below all threads of relievo's own.
+  [[maybe_unused]] const RealtimeGrant grant = requestRealtime(kPriority, {});
+}
 
 constexpr int kLookMs = 20;  // At the stop token.
 
@@ -92,6 +101,7 @@ void InverseService::Impl::tellVersion(tcp::socket& socket) {
 }
 
 void InverseService::Impl::serve(tcp::socket socket, const std::stop_token& stop) {
+  beOnTime();
   error_code error;
   socket.set_option(tcp::no_delay(true), error);
   beast::flat_buffer buffer;
@@ -168,6 +178,7 @@ InverseService::InverseService(std::uint16_t port) : impl_(std::make_unique<Impl
   impl.acceptor.bind(there);
   impl.acceptor.listen();
   impl.clock = std::jthread([&impl](const std::stop_token& stop) {
+    beOnTime();  // It holds the lock that sessions wait for.
     while (!stop.stop_requested()) {
       sleepMs(1);
       const std::lock_guard lock(impl.mutex);

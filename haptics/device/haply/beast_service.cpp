@@ -29,7 +29,7 @@ using Clock = std::chrono::steady_clock;  // CLOCK_MONOTONIC, as monotonicNs().
 
 constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kLookNs = 100 * kMs;  // At the stop token.
-constexpr std::int64_t kConnectNs = 500 * kMs, kGoodbyeNs = 50 * kMs;
+constexpr std::int64_t kConnectNs = 1000 * kMs, kGoodbyeNs = 50 * kMs;
 /// The service's own messages have two kilobytes for each device.
 constexpr std::size_t kMostBytes = 65536;
 

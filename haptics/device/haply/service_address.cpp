@@ -58,7 +58,7 @@ namespace {
 /// Of loopback the answer comes at once. The table of the system's connections, /proc/net/tcp,
 /// takes eight milliseconds.
 bool takesConnections(const sockaddr_in& there) {
-  constexpr int kPatienceMs = 2;
+  constexpr int kPatienceMs = 100;  // Only where packets to this computer itself are thrown away.
   const int descriptor = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
   if (descriptor < 0) return false;
   bool takes = ::connect(descriptor, reinterpret_cast<const sockaddr*>(&there), sizeof there) == 0;
