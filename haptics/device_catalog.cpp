@@ -8,6 +8,8 @@
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/device/foreign/plugin_files.h"
+#include "haptics/device/haply/haply_device.h"
+#include "haptics/device/haply/service_address.h"
 #include "haptics/device/mouse_device.h"
 #include "haptics/device/virtual_hand.h"
 
@@ -46,6 +48,19 @@ std::unique_ptr<Device> makeFalcon(const std::string& id) {
       std::make_unique<falcon::UsbBus>(choice), falcon::storedFirmwareSource(),
       falcon::readSettings(falcon::settingsFile(), choice.serial));
 }
+
+/// Somebody listens where its service does; who and what they see is asked when it is opened.
+std::vector<std::string> haplys() {
+  if (!haply::isServiceThere()) return {};
+  return {"haply"};
+}
+
+std::unique_ptr<Device> makeHaply(const std::string& id) {
+  auto chosen = haply::chosenBy(id);
+  if (!chosen) throw failure<MessageId::haply_id_unknown>(id);
+  return std::make_unique<haply::HaplyDevice>(haply::inverseService(haply::serviceAddress()),
+                                              *std::move(chosen));
+}
 }  // namespace
 
 std::vector<DeviceDriver> deviceCatalog() {
@@ -55,7 +70,8 @@ std::vector<DeviceDriver> deviceCatalog() {
              return std::make_unique<MouseDevice>();
            }},
           {std::string(kVirtual), virtualHands, makeVirtualHand},
-          {"falcon", falcons, makeFalcon, "never"}};
+          {"falcon", falcons, makeFalcon, "never"},
+          {"haply", haplys, makeHaply, "never"}};
 }
 
 std::unique_ptr<Device> makeDevice(const std::string& id) {

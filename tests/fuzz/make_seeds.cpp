@@ -410,6 +410,14 @@ void addDevices(const Seeds& seeds) {
   seeds.add("host_page", "page", std::string(1, '\1'));
   seeds.add("host_page", "rounds", std::string(1, '\2'));
   seeds.add("hid", "gamepad", {reinterpret_cast<const char*>(kGamepad.data()), kGamepad.size()});
+  seeds.add("haply", "version", R"({"project_version":"3.5.0.0"})");
+  seeds.add("haply", "state",
+            R"({"session_id":7,"inverse3":[{"device_id":"A1","config":{"type":"minverse",)"
+            R"("preset":"p","basis":{"permutation":"XYZ"},"mount":{"scale":{"x":1}}},"state":)"
+            R"({"cursor_position":{"x":0,"y":-1e-1,"z":0.1},"current_cursor_force":null,)"
+            R"("transform":{}},"status":{"calibrated":true,"ready":true}}],"verse_grip":)"
+            R"([{"state":{"button":true}}],"wireless_verse_grip":[{"state":{"buttons":)"
+            R"({"a":true,"b":false}}}]})");
 }
 
 }  // namespace

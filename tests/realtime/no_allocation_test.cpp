@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "haptics/device/haply/messages.h"
 #include "haptics/device/mouse_device.h"
 #include "haptics/loop/haptic_core.h"
 #include "haptics/loop/haptic_loop.h"
@@ -160,6 +161,28 @@ TEST(NoAllocation, BuffersRingsAndTheMouseAllocateNothing) {
               }
             }),
             0);
+}
+
+/// A thousand times a second, by a thread that the loop waits for.
+TEST(NoAllocation, AStateOfHaplysServiceIsReadAndAnOrderWritten) {
+  const char* const text =
+      R"({"session_id":7,"inverse3":[{"device_id":"049D","config":{"type":"inverse3","preset":"a",)"
+      R"("basis":{"permutation":"XYZ"},"odd":[1,{"deep":[true,null,"x"]}]},"state":)"
+      R"({"cursor_position":{"x":0.0123456789,"y":-1.2e-1,"z":0.15},"current_cursor_force":)"
+      R"({"x":0,"y":0.25,"z":0}},"status":{"calibrated":true,"ready":true,"started":true}}],)"
+      R"("wireless_verse_grip":[{"state":{"buttons":{"a":true}}}]})";
+  haply::ServiceState state;
+  haply::MessageWriter writer;
+  bool understood = true;
+  const long count = allocationsIn([&] {
+    for (int i = 0; i < 100; ++i) {
+      understood = understood && haply::readState(text, state) && state.device_count == 1;
+      const auto said = writer.order(state.devices[0], haply::ForceKey::vector, {1, 2, 3}, true);
+      understood = understood && !said.empty();
+    }
+  });
+  EXPECT_TRUE(understood);
+  EXPECT_EQ(count, 0);
 }
 
 }  // namespace

@@ -7717,6 +7717,134 @@
         <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces, say it again, louder, softer, help. Press again to take it. Hold for a second and a half: forces off.</source>
         <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächster Ort, voriger Ort, zurück, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt es. Anderthalb Sekunden halten: Kräfte aus.</translation>
     </message>
+    <message>
+        <source>The Haply device is not in use.</source>
+        <translation>Das Haply-Gerät ist nicht in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service does not answer at %1. Start it, by the Haply Hub or by &apos;systemctl start haply-inverse-service&apos;, then try again.</source>
+        <translation>Haplys Inverse Service antwortet unter %1 nicht. Starten Sie ihn mit dem Haply Hub oder mit &apos;systemctl start haply-inverse-service&apos; und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service does not answer.</source>
+        <translation>Haplys Inverse Service antwortet nicht.</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service at %1 went away. Forces are off; it is looked for until it is back.</source>
+        <translation>Haplys Inverse Service unter %1 ist verschwunden. Die Kräfte sind aus; er wird gesucht, bis er wieder da ist.</translation>
+    </message>
+    <message>
+        <source>The Haply device went away. Forces are off.</source>
+        <translation>Das Haply-Gerät ist verschwunden. Kräfte sind aus.</translation>
+    </message>
+    <message>
+        <source>What answers at %1 is not Haply&apos;s Inverse Service, or does not tell its version (%2). Nothing is sent to it. If the service has another port, name it by RELIEVO_HAPLY_SERVICE.</source>
+        <translation>Was unter %1 antwortet, ist nicht Haplys Inverse Service oder nennt seine Version nicht (%2). Es wird nichts dorthin gesendet. Hat der Dienst einen anderen Port, nennen Sie ihn in RELIEVO_HAPLY_SERVICE.</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service has version %1; relievo needs 3.1 or a newer 3. Bring it up to date by the Haply Hub, then try again.</source>
+        <translation>Haplys Inverse Service hat die Version %1; relievo braucht 3.1 oder eine neuere 3. Aktualisieren Sie ihn mit dem Haply Hub und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service runs, but sees no Inverse3 or Minverse. Plug it in and switch it on.</source>
+        <translation>Haplys Inverse Service läuft, sieht aber kein Inverse3 oder Minverse. Stecken Sie es ein und schalten Sie es an.</translation>
+    </message>
+    <message>
+        <source>No Haply device is plugged in.</source>
+        <translation>Es ist kein Haply-Gerät eingesteckt.</translation>
+    </message>
+    <message>
+        <source>The Haply device went away. Forces are off; plug it in again and switch it on.</source>
+        <translation>Das Haply-Gerät ist verschwunden. Die Kräfte sind aus; stecken Sie es wieder ein und schalten Sie es an.</translation>
+    </message>
+    <message>
+        <source>%1 is not there. There is: %2.</source>
+        <translation>%1 ist nicht da. Da ist: %2.</translation>
+    </message>
+    <message>
+        <source>There are several Haply devices: %1. Choose one of them, as haply:ID.</source>
+        <translation>Es gibt mehrere Haply-Geräte: %1. Wählen Sie eines davon, als haply:ID.</translation>
+    </message>
+    <message>
+        <source>Setting up the Haply device …</source>
+        <translation>Das Haply-Gerät wird eingerichtet …</translation>
+    </message>
+    <message>
+        <source>The Haply device is not calibrated. Put its grip into the inkwell and wait until the light is steady.</source>
+        <translation>Das Haply-Gerät ist nicht kalibriert. Stecken Sie seinen Griff in die Halterung und warten Sie, bis das Licht ruhig leuchtet.</translation>
+    </message>
+    <message>
+        <source>Put the grip into the inkwell.</source>
+        <translation>Stecken Sie den Griff in die Halterung.</translation>
+    </message>
+    <message>
+        <source>The Haply device has no power for its motors. Plug in its power supply, and release its emergency stop if it has one.</source>
+        <translation>Das Haply-Gerät hat keinen Strom für seine Motoren. Stecken Sie sein Netzteil ein und lösen Sie den Notaus, wenn es einen hat.</translation>
+    </message>
+    <message>
+        <source>The Haply device has no power.</source>
+        <translation>Das Haply-Gerät hat keinen Strom.</translation>
+    </message>
+    <message>
+        <source>The Haply device is not ready: its service has not started it. Look at it in the Haply Hub.</source>
+        <translation>Das Haply-Gerät ist nicht bereit: Sein Dienst hat es nicht gestartet. Sehen Sie im Haply Hub nach.</translation>
+    </message>
+    <message>
+        <source>Another program changes how the Haply device is set up, or its service does not tell how it is. Forces are off. Close the other program; it is tried again in 10 seconds.</source>
+        <translation>Ein anderes Programm ändert, wie das Haply-Gerät eingerichtet ist, oder sein Dienst sagt es nicht. Die Kräfte sind aus. Schließen Sie das andere Programm; in 10 Sekunden wird es wieder versucht.</translation>
+    </message>
+    <message>
+        <source>Another program changes the Haply device. Forces are off.</source>
+        <translation>Ein anderes Programm verstellt das Haply-Gerät. Kräfte sind aus.</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service does not obey forces: %1 were ordered, and it tells of %2. Forces are off. Report this with the version of the service, %3.</source>
+        <translation>Haplys Inverse Service befolgt Kräfte nicht: %1 waren verlangt, und er meldet %2. Die Kräfte sind aus. Melden Sie das mit der Version des Dienstes, %3.</translation>
+    </message>
+    <message>
+        <source>The Haply service does not obey forces.</source>
+        <translation>Der Haply-Dienst befolgt Kräfte nicht.</translation>
+    </message>
+    <message>
+        <source>Another program pushes the Haply device, too. Forces are off. Close that program.</source>
+        <translation>Ein anderes Programm drückt das Haply-Gerät ebenfalls. Die Kräfte sind aus. Schließen Sie dieses Programm.</translation>
+    </message>
+    <message>
+        <source>Another program pushes the Haply device. Forces are off.</source>
+        <translation>Ein anderes Programm drückt das Haply-Gerät. Kräfte sind aus.</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service does not answer any more. Forces are off; it is tried again.</source>
+        <translation>Haplys Inverse Service antwortet nicht mehr. Die Kräfte sind aus; es wird wieder versucht.</translation>
+    </message>
+    <message>
+        <source>The Haply device does not answer. Forces are off.</source>
+        <translation>Das Haply-Gerät antwortet nicht. Kräfte sind aus.</translation>
+    </message>
+    <message>
+        <source>Haply device ready.</source>
+        <translation>Haply-Gerät bereit.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no Haply device. Write haply:ID as &apos;relievo devices&apos; lists it, or haply for the only one.</source>
+        <translation>&quot;%1&quot; benennt kein Haply-Gerät. Schreiben Sie haply:ID, wie &apos;relievo devices&apos; es nennt, oder haply für das einzige.</translation>
+    </message>
+    <message>
+        <source>RELIEVO_HAPLY_SERVICE is &quot;%1&quot;, which is no port and no address with a port. Write 10001 or 127.0.0.1:10001, or unset it.</source>
+        <translation>RELIEVO_HAPLY_SERVICE ist &quot;%1&quot;, und das ist kein Port und keine Adresse mit einem Port. Schreiben Sie 10001 oder 127.0.0.1:10001, oder entfernen Sie die Variable.</translation>
+    </message>
+    <message>
+        <source>This relievo was built without Boost, which it needs to speak with Haply&apos;s Inverse Service. Install libboost-dev and build it again.</source>
+        <translation>Dieses relievo wurde ohne Boost gebaut, das es braucht, um mit Haplys Inverse Service zu sprechen. Installieren Sie libboost-dev und bauen Sie es neu.</translation>
+    </message>
+    <message>
+        <source>The Haply device&apos;s thread could not be started: %1.</source>
+        <translation>Der Thread des Haply-Geräts konnte nicht gestartet werden: %1.</translation>
+    </message>
+    <message>
+        <source>The Haply device was not ready within %1, and nothing was recorded. %2</source>
+        <translation>Das Haply-Gerät war nicht innerhalb von %1 bereit, und es wurde nichts aufgezeichnet. %2</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

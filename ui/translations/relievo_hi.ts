@@ -7717,6 +7717,134 @@
         <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces, say it again, louder, softer, help. Press again to take it. Hold for a second and a half: forces off.</source>
         <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला स्थान, पिछला स्थान, वापस, बल, फिर से कहें, और तेज़, और धीमा, सहायता। उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
     </message>
+    <message>
+        <source>The Haply device is not in use.</source>
+        <translation>Haply उपकरण उपयोग में नहीं है।</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service does not answer at %1. Start it, by the Haply Hub or by &apos;systemctl start haply-inverse-service&apos;, then try again.</source>
+        <translation>Haply की Inverse Service %1 पर उत्तर नहीं देती। उसे Haply Hub से या &apos;systemctl start haply-inverse-service&apos; से चालू करें, फिर दोबारा कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service does not answer.</source>
+        <translation>Haply की Inverse Service उत्तर नहीं देती।</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service at %1 went away. Forces are off; it is looked for until it is back.</source>
+        <translation>%1 पर Haply की Inverse Service चली गई। बल बंद हैं; उसके लौटने तक उसे खोजा जाता है।</translation>
+    </message>
+    <message>
+        <source>The Haply device went away. Forces are off.</source>
+        <translation>Haply उपकरण चला गया। बल बंद हैं।</translation>
+    </message>
+    <message>
+        <source>What answers at %1 is not Haply&apos;s Inverse Service, or does not tell its version (%2). Nothing is sent to it. If the service has another port, name it by RELIEVO_HAPLY_SERVICE.</source>
+        <translation>%1 पर जो उत्तर देता है वह Haply की Inverse Service नहीं है, या अपना संस्करण नहीं बताता (%2)। उसे कुछ नहीं भेजा जाता। यदि सेवा का पोर्ट दूसरा है, तो उसे RELIEVO_HAPLY_SERVICE में लिखें।</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service has version %1; relievo needs 3.1 or a newer 3. Bring it up to date by the Haply Hub, then try again.</source>
+        <translation>Haply की Inverse Service का संस्करण %1 है; relievo को 3.1 या नया 3 चाहिए। Haply Hub से उसे अद्यतन करें, फिर दोबारा कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service runs, but sees no Inverse3 or Minverse. Plug it in and switch it on.</source>
+        <translation>Haply की Inverse Service चल रही है, पर उसे कोई Inverse3 या Minverse नहीं दिखता। उसे जोड़ें और चालू करें।</translation>
+    </message>
+    <message>
+        <source>No Haply device is plugged in.</source>
+        <translation>कोई Haply उपकरण जुड़ा नहीं है।</translation>
+    </message>
+    <message>
+        <source>The Haply device went away. Forces are off; plug it in again and switch it on.</source>
+        <translation>Haply उपकरण चला गया। बल बंद हैं; उसे फिर जोड़ें और चालू करें।</translation>
+    </message>
+    <message>
+        <source>%1 is not there. There is: %2.</source>
+        <translation>%1 यहाँ नहीं है। यहाँ है: %2।</translation>
+    </message>
+    <message>
+        <source>There are several Haply devices: %1. Choose one of them, as haply:ID.</source>
+        <translation>कई Haply उपकरण हैं: %1। उनमें से एक चुनें, haply:ID के रूप में।</translation>
+    </message>
+    <message>
+        <source>Setting up the Haply device …</source>
+        <translation>Haply उपकरण तैयार किया जा रहा है …</translation>
+    </message>
+    <message>
+        <source>The Haply device is not calibrated. Put its grip into the inkwell and wait until the light is steady.</source>
+        <translation>Haply उपकरण अंशांकित नहीं है। उसकी मूठ को आधार-खाँचे में रखें और बत्ती के स्थिर होने तक रुकें।</translation>
+    </message>
+    <message>
+        <source>Put the grip into the inkwell.</source>
+        <translation>मूठ को आधार-खाँचे में रखें।</translation>
+    </message>
+    <message>
+        <source>The Haply device has no power for its motors. Plug in its power supply, and release its emergency stop if it has one.</source>
+        <translation>Haply उपकरण की मोटरों को बिजली नहीं मिल रही। उसका बिजली-अडैप्टर जोड़ें, और यदि उसमें आपात-रोक है तो उसे छोड़ें।</translation>
+    </message>
+    <message>
+        <source>The Haply device has no power.</source>
+        <translation>Haply उपकरण में बिजली नहीं है।</translation>
+    </message>
+    <message>
+        <source>The Haply device is not ready: its service has not started it. Look at it in the Haply Hub.</source>
+        <translation>Haply उपकरण तैयार नहीं है: उसकी सेवा ने उसे चालू नहीं किया। Haply Hub में देखें।</translation>
+    </message>
+    <message>
+        <source>Another program changes how the Haply device is set up, or its service does not tell how it is. Forces are off. Close the other program; it is tried again in 10 seconds.</source>
+        <translation>कोई दूसरा प्रोग्राम Haply उपकरण की सेटिंग बदलता है, या उसकी सेवा उसे नहीं बताती। बल बंद हैं। दूसरा प्रोग्राम बंद करें; 10 सेकंड में फिर कोशिश होगी।</translation>
+    </message>
+    <message>
+        <source>Another program changes the Haply device. Forces are off.</source>
+        <translation>कोई दूसरा प्रोग्राम Haply उपकरण बदल रहा है। बल बंद हैं।</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service does not obey forces: %1 were ordered, and it tells of %2. Forces are off. Report this with the version of the service, %3.</source>
+        <translation>Haply की Inverse Service बल का पालन नहीं करती: %1 माँगे गए थे, और वह %2 बताती है। बल बंद हैं। सेवा के संस्करण %3 के साथ इसकी सूचना दें।</translation>
+    </message>
+    <message>
+        <source>The Haply service does not obey forces.</source>
+        <translation>Haply सेवा बल का पालन नहीं करती।</translation>
+    </message>
+    <message>
+        <source>Another program pushes the Haply device, too. Forces are off. Close that program.</source>
+        <translation>कोई दूसरा प्रोग्राम भी Haply उपकरण को धकेल रहा है। बल बंद हैं। वह प्रोग्राम बंद करें।</translation>
+    </message>
+    <message>
+        <source>Another program pushes the Haply device. Forces are off.</source>
+        <translation>कोई दूसरा प्रोग्राम Haply उपकरण को धकेल रहा है। बल बंद हैं।</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service does not answer any more. Forces are off; it is tried again.</source>
+        <translation>Haply की Inverse Service अब उत्तर नहीं देती। बल बंद हैं; फिर कोशिश की जाती है।</translation>
+    </message>
+    <message>
+        <source>The Haply device does not answer. Forces are off.</source>
+        <translation>Haply उपकरण उत्तर नहीं देता। बल बंद हैं।</translation>
+    </message>
+    <message>
+        <source>Haply device ready.</source>
+        <translation>Haply उपकरण तैयार है।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no Haply device. Write haply:ID as &apos;relievo devices&apos; lists it, or haply for the only one.</source>
+        <translation>&quot;%1&quot; किसी Haply उपकरण का नाम नहीं है। haply:ID लिखें जैसा &apos;relievo devices&apos; बताता है, या एकमात्र के लिए haply।</translation>
+    </message>
+    <message>
+        <source>RELIEVO_HAPLY_SERVICE is &quot;%1&quot;, which is no port and no address with a port. Write 10001 or 127.0.0.1:10001, or unset it.</source>
+        <translation>RELIEVO_HAPLY_SERVICE &quot;%1&quot; है, जो न पोर्ट है न पोर्ट वाला पता। 10001 या 127.0.0.1:10001 लिखें, या उसे हटा दें।</translation>
+    </message>
+    <message>
+        <source>This relievo was built without Boost, which it needs to speak with Haply&apos;s Inverse Service. Install libboost-dev and build it again.</source>
+        <translation>यह relievo Boost के बिना बना है, जो Haply की Inverse Service से बात करने के लिए चाहिए। libboost-dev स्थापित करें और इसे फिर बनाएँ।</translation>
+    </message>
+    <message>
+        <source>The Haply device&apos;s thread could not be started: %1.</source>
+        <translation>Haply उपकरण का थ्रेड शुरू नहीं हो सका: %1।</translation>
+    </message>
+    <message>
+        <source>The Haply device was not ready within %1, and nothing was recorded. %2</source>
+        <translation>Haply उपकरण %1 के भीतर तैयार नहीं हुआ, और कुछ भी रिकॉर्ड नहीं हुआ। %2</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

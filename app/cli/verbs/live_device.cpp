@@ -8,6 +8,7 @@
 #include "app/cli/verb.h"
 #include "core/base/failure.h"
 #include "haptics/device/falcon/falcon_device.h"
+#include "haptics/device/haply/haply_device.h"
 #include "haptics/rt/realtime_thread.h"
 
 namespace relievo::batch {
@@ -63,6 +64,29 @@ void waitUntilReady(falcon::FalconDevice& device, double seconds, const std::str
     if (homing && status.homed != homed_told) {
       homed_told = status.homed;
       tell(armsText(status.homed));
+    }
+    task.check();
+    sleepUntil(monotonicNs() + kLookNs);
+  }
+}
+
+void waitUntilReady(haply::HaplyDevice& device, double seconds, const Task& task) {
+  std::string told;
+  const std::int64_t give_up = monotonicNs() + static_cast<std::int64_t>(1e9 * seconds);
+  while (true) {
+    const haply::LinkStatus& status = device.status();
+    if (status.state == haply::LinkState::ready) return;
+    const Message message = haply::describe(status);
+    if (monotonicNs() > give_up) {
+      throw failure<MessageId::haply_too_late>(
+          NumberArgument{seconds, 3, NumberArgument::Form::significant, MessageUnit::second},
+          message);
+    }
+    const bool news = status.state != haply::LinkState::checking && englishText(message) != told;
+    if (news) {
+      told = englishText(message);
+      const std::string code = codeOf(message);
+      tell(code.empty() ? told : code + ": " + told);
     }
     task.check();
     sleepUntil(monotonicNs() + kLookNs);

@@ -10,6 +10,10 @@ namespace relievo::falcon {
 class FalconDevice;
 }
 
+namespace relievo::haply {
+class HaplyDevice;
+}
+
 namespace relievo::batch {
 
 constexpr int kDeviceExit = 6;
@@ -19,6 +23,9 @@ constexpr int kDeviceExit = 6;
 /// @throw DeviceError  it is not after `seconds`, or never will be, and why  @throw Cancelled
 void waitUntilReady(falcon::FalconDevice& device, double seconds, const std::string& undone,
                     const Task& task);
+
+/// The same of an opened device of Haply.
+void waitUntilReady(haply::HaplyDevice& device, double seconds, const Task& task);
 
 /// Keeps the computer awake until the motors of a command's device are at zero. [one thread]
 class EndBeforeSleep {

@@ -12,6 +12,7 @@
 #include "app/cli/verb.h"
 #include "app/cli/verbs/live_device.h"
 #include "app/cli/verbs/verb_devices_falcon.h"
+#include "app/cli/verbs/verb_devices_haply.h"
 #include "app/cli/verbs/verb_devices_plugins.h"
 #include "core/base/failure.h"
 #include "haptics/device/falcon/falcon_device.h"
@@ -157,6 +158,7 @@ Outcome list(const Task& task) {
   }
   listPlugins(json, outcome, task);
   listHid(json, outcome.lines);
+  listHaplys(json, outcome);
   listFalcons(json, outcome);
   listFirmware(json, outcome);
   const falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile());

@@ -13,6 +13,7 @@
 #include "core/base/failure.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/foreign/foreign_device.h"
+#include "haptics/device/haply/haply_device.h"
 #include "haptics/device_catalog.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/events.h"
@@ -53,8 +54,18 @@ bool drive(SteeredDevice* hand, const Stroke& stroke, const TouchSetup& setup,
   return true;
 }
 
-/// A Falcon must be homed before its first tick: a core that begins with a fault keeps zero.
+/// Only an open one tells what it can do.
+bool tellsOnceOpen(const Device& device) {
+  return dynamic_cast<const foreign::ForeignDevice*>(&device) != nullptr ||
+         dynamic_cast<const haply::HaplyDevice*>(&device) != nullptr;
+}
+
+/// A Falcon must be homed before its first tick, a device of Haply set up: a core that begins with
+/// a fault keeps zero.
 void makeReady(Device& device, double seconds, const Task& task) {
+  if (auto* const haply = dynamic_cast<haply::HaplyDevice*>(&device)) {
+    waitUntilReady(*haply, seconds, task);
+  }
   auto* const falcon = dynamic_cast<falcon::FalconDevice*>(&device);
   if (falcon == nullptr) return;
   falcon->open();
@@ -105,8 +116,7 @@ Outcome runRecord(const TouchArguments& asked, const Task& task) {
     throw failure<MessageId::option_safety>(asked.device);
   }
   TouchArguments a = asked;
-  // Only an open one tells what it can do.
-  if (dynamic_cast<foreign::ForeignDevice*>(device.get()) != nullptr) {
+  if (tellsOnceOpen(*device)) {
     device->open();
     a.told = device->info();
   }
@@ -156,10 +166,11 @@ void declareRecord(CLI::App& verb, TouchArguments& arguments) {
   arguments.device = "virtual";
   addTouchOptions(verb, arguments);
   verb.add_option("--device", arguments.device,
-                  "virtual[:GRIP], falcon[:SERIAL], plugin:FILE/ID or mouse");
+                  "virtual[:GRIP], falcon[:SERIAL], haply[:ID], plugin:FILE/ID or mouse");
   takes(verb.add_option("--seconds", arguments.seconds, "How long; 10"),
         {.low = 1e-3, .high = 86400, .unit = "s"});
-  takes(verb.add_option("--ready", arguments.ready_s, "Seconds until a Falcon must be homed; 60"),
+  takes(verb.add_option("--ready", arguments.ready_s,
+                        "Seconds until a device must be homed or set up; 60"),
         {.low = 1, .high = 600, .unit = "s"});
   verb.add_option("--stroke", arguments.stroke, "CSV that leads a simulated hand");
   verb.add_option("-o,--output", arguments.out, "LOG.csv or LOG.h5")->required();

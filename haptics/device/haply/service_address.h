@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "haptics/device/haply/port.h"
+
+namespace relievo::haply {
+
+/// Where the service is looked for, in this order.
+struct ServiceAddress {
+  std::string host = "127.0.0.1";  ///< Not "localhost", which may mean ::1 first.
+  std::vector<std::uint16_t> ports{10001, 10000};
+};
+/// "10002", "127.0.0.1:10002"; nothing: it is none.
+std::optional<ServiceAddress> addressOf(std::string_view text);
+/// By RELIEVO_HAPLY_SERVICE, else the usual one. @throw ArgumentError  it is none
+ServiceAddress serviceAddress();
+
+/// Somebody on this computer listens at one of those ports; nothing is said to them. Another
+/// computer is not asked, and is taken to. [any thread]
+bool isListenedTo(const ServiceAddress& address);
+/// As serviceAddress() has it, and this build can connect; where it has none, nobody does.
+bool isServiceThere();
+/// By Boost; without it one that says so when it is to connect.
+std::unique_ptr<Service> inverseService(ServiceAddress address);
+bool hasInverseService();  ///< This build can connect.
+
+}  // namespace relievo::haply
