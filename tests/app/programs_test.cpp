@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "tests/app/command_test.h"
 
@@ -57,6 +59,23 @@ TEST_F(Programs, TheCommandLineLoadsNoLibraryOfGraphics) {
        {"libQt5", "libvtkRendering", "libGL", "libX11", "libqwt", "libpcl_"}) {
     EXPECT_THAT(needs.text, Not(HasSubstr(library)));
   }
+}
+
+// PCL's parser of PLY comes without the libraries that PCL's other readers bring.
+TEST_F(Programs, PlyNeedsNoneOfTheLargerImportPrograms) {
+  const std::string ply = path("three.ply");
+  const std::array<float, 9> points{0, 0, 0, 1, 0, 0.5, 0, 1, 0.25};
+  std::ofstream(ply, std::ios::binary)
+      << "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
+         "property float y\nproperty float z\nend_header\n"
+      << std::string_view(reinterpret_cast<const char*>(points.data()), sizeof(points));
+  fs::remove(path("bin") + "/relievo-import-pcl");
+  fs::remove(path("bin") + "/relievo-import-libraries");
+  const Said read = alone("info '" + ply + "' --unit mm --report json");
+  EXPECT_EQ(read.exit_code, 0) << read.text;
+  EXPECT_THAT(read.text, HasSubstr("PCL 1."));
+  const Said loads = said("ldd " + path("bin") + "/relievo-import");
+  EXPECT_THAT(loads.text, AllOf(HasSubstr("libpcl_io_ply"), Not(HasSubstr("libvtk"))));
 }
 
 // It chooses the program, and answers --version: nothing is loaded for that but the language's own.

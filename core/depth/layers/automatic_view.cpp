@@ -2,11 +2,16 @@
 #include "core/depth/layers/automatic_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/base/bands.h"
 #include "core/depth/layers/upright.h"
 
 namespace relievo {
@@ -17,9 +22,11 @@ ViewMm rotate(const Rotation& r, const FilePoint& p) noexcept {
           r[6] * p.x + r[7] * p.y + r[8] * p.z};
 }
 
-FilePoint localPoint(const Scan& scan, std::size_t i) noexcept {
-  const auto& p = scan.points[i];
+FilePoint fromFloats(const std::array<float, 3>& p) noexcept {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+FilePoint localPoint(const Scan& scan, std::size_t i) noexcept {
+  return fromFloats(scan.points[i]);
 }
 
 /// A look at the scan from one side on a coarse grid.
@@ -30,14 +37,22 @@ struct Look {
 
 constexpr std::size_t kMostPoints = 200'000;
 
-Look lookFrom(const Scan& scan, const Rotation& rotation) {
+/// Evenly many of the scan's points, side by side in memory: they are looked at from many sides.
+std::vector<std::array<float, 3>> sampleOf(const Scan& scan) {
   const std::size_t stride = std::max<std::size_t>(1, scan.points.size() / kMostPoints);
+  std::vector<std::array<float, 3>> sample;
+  sample.reserve(scan.points.size() / stride + 1);
+  for (std::size_t i = 0; i < scan.points.size(); i += stride) sample.push_back(scan.points[i]);
+  return sample;
+}
+
+Look lookFrom(const std::vector<std::array<float, 3>>& sample, const Rotation& rotation) {
   std::vector<ViewMm> points;
-  points.reserve(scan.points.size() / stride + 1);
+  points.reserve(sample.size());
   ViewMm low{1e300, 1e300, 1e300};
   ViewMm high{-1e300, -1e300, -1e300};
-  for (std::size_t i = 0; i < scan.points.size(); i += stride) {
-    const ViewMm p = rotate(rotation, localPoint(scan, i));
+  for (const std::array<float, 3>& at : sample) {
+    const ViewMm p = rotate(rotation, fromFloats(at));
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     points.push_back(p);
@@ -50,14 +65,20 @@ Look lookFrom(const Scan& scan, const Rotation& rotation) {
   const auto index = [&](const ViewMm& p) {
     const int col = std::min(cells - 1, static_cast<int>((p.x - low.x) / cell));
     const int row = std::min(cells - 1, static_cast<int>((p.y - low.y) / cell));
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells) +
-           static_cast<std::size_t>(col);
+    return static_cast<std::uint32_t>(row * cells + col);
   };
   std::vector<double> front(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells),
                             -std::numeric_limits<double>::infinity());
-  for (const ViewMm& p : points) front[index(p)] = std::max(front[index(p)], p.z);
+  std::vector<std::uint32_t> cell_of;
+  cell_of.reserve(points.size());
+  for (const ViewMm& p : points) {
+    cell_of.push_back(index(p));
+    front[cell_of.back()] = std::max(front[cell_of.back()], p.z);
+  }
   std::size_t visible = 0;
-  for (const ViewMm& p : points) visible += p.z >= front[index(p)] - 2 * cell ? 1 : 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    visible += points[i].z >= front[cell_of[i]] - 2 * cell ? 1 : 0;
+  }
   const auto occupied =
       std::count_if(front.begin(), front.end(), [](double z) { return z > -1e300; });
   return {.area = static_cast<double>(occupied) * cell * cell,
@@ -79,19 +100,77 @@ double facing(const Scan& scan, const Rotation& rotation) {
   return area > 0 ? signed_area / area : 0;
 }
 
-/// A depth camera stands at the file's origin, well in front of what it sees, and the origin lies
-/// roughly behind the middle of the picture. 1: this view looks from there; -1: from the far side.
-int sensorSide(const Scan& scan, const Rotation& rotation) {
-  if (!scan.triangles.empty() || !scan.info.bounds) return 0;
-  const RotatedBounds box = rotatedBounds(scan, rotation, 1.0);
-  const double width = box.max.x - box.min.x;
-  const double height = box.max.y - box.min.y;
-  const bool behind_middle = box.min.x - width < 0 && box.max.x + width > 0 &&
-                             box.min.y - height < 0 && box.max.y + height > 0;
-  const double distance = std::max(-box.max.z, box.min.z);
-  if (!behind_middle || distance < 0.4 * std::max(width, height)) return 0;
-  return box.max.z < 0 ? 1 : -1;
+/// A box around points along the file's axes, seen along axes of the file: what rotatedBounds
+/// finds, without a look at the points, because nothing is rounded but signs change places.
+RotatedBounds turnedBox(const RotatedBounds& box, const Rotation& r) {
+  const std::array<double, 3> low{box.min.x, box.min.y, box.min.z};
+  const std::array<double, 3> high{box.max.x, box.max.y, box.max.z};
+  std::array<double, 3> min{}, max{};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double sign = r[3 * row + axis];
+      if (sign == 0) continue;
+      min[row] = sign > 0 ? low[axis] : -high[axis];
+      max[row] = sign > 0 ? high[axis] : -low[axis];
+    }
+  }
+  return {.min = {min[0], min[1], min[2]}, .max = {max[0], max[1], max[2]}};
 }
+
+bool isAlongAxes(const Rotation& r) {
+  return std::all_of(r.begin(), r.end(), [](double c) { return c == 0 || c == 1 || c == -1; });
+}
+
+/// What several looks at one scan have in common.
+class Sides {
+ public:
+  explicit Sides(const Scan& scan) : scan_(scan), sample_(sampleOf(scan)) {
+    if (scan.triangles.empty() && scan.info.bounds) {
+      box_ = rotatedBounds(scan, *standardRotation("top"), 1.0);
+    }
+  }
+
+  double shownFrom(const Rotation& rotation) const {
+    const Look look = lookFrom(sample_, rotation);
+    return look.area * look.visible * (1 + 0.25 * facing(scan_, rotation)) *
+           (1 + 0.25 * sensorSide(rotation));
+  }
+
+  /// A depth camera stands at the file's origin, well in front of what it sees, and the origin lies
+  /// roughly behind the middle of the picture. 1: this view looks from there; -1: from the far
+  /// side.
+  int sensorSide(const Rotation& rotation) const {
+    if (!box_) return 0;
+    const RotatedBounds box =
+        isAlongAxes(rotation) ? turnedBox(*box_, rotation) : rotatedBounds(scan_, rotation, 1.0);
+    const double width = box.max.x - box.min.x;
+    const double height = box.max.y - box.min.y;
+    const bool behind_middle = box.min.x - width < 0 && box.max.x + width > 0 &&
+                               box.min.y - height < 0 && box.max.y + height > 0;
+    const double distance = std::max(-box.max.z, box.min.z);
+    if (!behind_middle || distance < 0.4 * std::max(width, height)) return 0;
+    return box.max.z < 0 ? 1 : -1;
+  }
+
+  /// shownFrom, of all of them side by side.
+  std::vector<double> shownFrom(const std::vector<Rotation>& rotations, const Task& task) const {
+    std::vector<double> shown(rotations.size());
+    inBands(static_cast<int>(rotations.size()), threadsFor(scan_.points.size(), 0),
+            [&](int first, int end) {
+              for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end);
+                   ++i) {
+                task.check();
+                shown[i] = shownFrom(rotations[i]);
+              }
+            });
+    return shown;
+  }
+
+ private:
+  const Scan& scan_;
+  std::vector<std::array<float, 3>> sample_;
+  std::optional<RotatedBounds> box_;  ///< Along the file's axes; nothing: no camera took it.
+};
 
 using Direction = std::array<double, 3>;
 
@@ -116,14 +195,14 @@ Rotation seenFrom(const Direction& toward, const FileDirection& up) {
 }
 
 /// A camera's own frame, or a survey: their axes are known, how the object stands says nothing.
-bool hasKnownAxes(const Scan& scan, const NamedRotation& face) {
+bool hasKnownAxes(const Scan& scan, const Sides& sides, const NamedRotation& face) {
   if (scan.info.format.rfind("LAS", 0) == 0 || scan.info.format.rfind("LAZ", 0) == 0) return true;
   const FileBounds& box = *scan.info.bounds;
   const double width = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
   const double off = std::max(std::abs(box.min.x + box.max.x), std::abs(box.min.y + box.max.y)) / 2;
   constexpr double kPlace = 1e4;  // Coordinates of a map projection.
   if (off > kPlace && off > 2 * width) return true;
-  return sensorSide(scan, face.rotation) > 0;
+  return sides.sensorSide(face.rotation) > 0;
 }
 
 /// Where an object's face is by convention, if this is up: +z of y-up models; of one that was
@@ -133,22 +212,48 @@ bool isConventionalFront(const Direction& toward, const FileDirection& up) {
 }
 
 /// From around the object, or from above, whichever shows most; never from below.
-Rotation standing(const Scan& scan, const FileDirection& up, const Task& task) {
+Rotation standing(const Sides& sides, const FileDirection& up, const Task& task) {
   constexpr double kConventional = 1.3;
-  Rotation best{};
-  double most = -1;
+  std::vector<Direction> directions;
+  std::vector<Rotation> rotations;
   for (const int sign : {1, -1}) {
     for (const int axis : {2, 1, 0}) {
       const FileDirection side{.axis = axis, .sign = sign};
       if (side == FileDirection{.axis = up.axis, .sign = -up.sign}) continue;
-      task.check();
-      const Rotation rotation = seenFrom(directionOf(side), up);
-      const double score = shownFrom(scan, rotation) *
-                           (isConventionalFront(directionOf(side), up) ? kConventional : 1);
-      if (score > most * 1.02) {
-        most = score;
-        best = rotation;
-      }
+      directions.push_back(directionOf(side));
+      rotations.push_back(seenFrom(directions.back(), up));
+    }
+  }
+  const std::vector<double> shown = sides.shownFrom(rotations, task);
+  Rotation best{};
+  double most = -1;
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    const double score = shown[i] * (isConventionalFront(directions[i], up) ? kConventional : 1);
+    if (score > most * 1.02) {
+      most = score;
+      best = rotations[i];
+    }
+  }
+  return best;
+}
+
+NamedRotation faceOf(const Sides& sides, const Task& task) {
+  constexpr std::array<std::string_view, 6> kNames{"top",  "front", "right",
+                                                   "back", "left",  "bottom"};
+  // What is seen about equally well from several sides is seen from above: airborne scans differ by
+  // a few flyers only.
+  constexpr double kFromAbove = 1.15;
+  std::vector<Rotation> rotations;
+  rotations.reserve(kNames.size());
+  for (const std::string_view name : kNames) rotations.push_back(*standardRotation(name));
+  const std::vector<double> shown = sides.shownFrom(rotations, task);
+  NamedRotation best{.name = "top", .rotation = *standardRotation("top")};
+  double best_score = -1;
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    const double score = shown[i] * (kNames[i] == "top" ? kFromAbove : 1);
+    if (score > best_score * 1.02) {
+      best_score = score;
+      best = {.name = std::string(kNames[i]), .rotation = rotations[i]};
     }
   }
   return best;
@@ -157,32 +262,19 @@ Rotation standing(const Scan& scan, const FileDirection& up, const Task& task) {
 }  // namespace
 
 double shownFrom(const Scan& scan, const Rotation& rotation) {
-  const Look look = lookFrom(scan, rotation);
-  return look.area * look.visible * (1 + 0.25 * facing(scan, rotation)) *
-         (1 + 0.25 * sensorSide(scan, rotation));
+  return Sides(scan).shownFrom(rotation);
 }
 
 NamedRotation automaticFace(const Scan& scan, const Task& task) {
-  NamedRotation best{.name = "top", .rotation = *standardRotation("top")};
-  double best_score = -1;
-  // What is seen about equally well from several sides is seen from above: airborne scans differ by
-  // a few flyers only.
-  constexpr double kFromAbove = 1.15;
-  for (const std::string_view name : {"top", "front", "right", "back", "left", "bottom"}) {
-    task.check();
-    const Rotation rotation = *standardRotation(name);
-    const double score = shownFrom(scan, rotation) * (name == "top" ? kFromAbove : 1);
-    if (score > best_score * 1.02) {
-      best_score = score;
-      best = {.name = std::string(name), .rotation = rotation};
-    }
-  }
-  return best;
+  task.check();
+  return faceOf(Sides(scan), task);
 }
 
 NamedRotation automaticRotation(const Scan& scan, const Task& task) {
-  NamedRotation face = automaticFace(scan, task);
-  if (!scan.info.bounds || hasKnownAxes(scan, face)) return face;
+  task.check();
+  const Sides sides(scan);
+  NamedRotation face = faceOf(sides, task);
+  if (!scan.info.bounds || hasKnownAxes(scan, sides, face)) return face;
   constexpr std::size_t kSample = 100'000;
   const Standing found = standingOf(scan, surfaceSample(scan, kSample));
   if (found.lead < kWeakStanding) {
@@ -192,7 +284,7 @@ NamedRotation automaticRotation(const Scan& scan, const Task& task) {
   }
   // What a relief rests on says nothing: one edge is as straight as the other.
   if (found.is_flat || found.up == FileDirection{.axis = 2, .sign = 1}) return face;
-  const Rotation rotation = standing(scan, found.up, task);
+  const Rotation rotation = standing(sides, found.up, task);
   return {.name = nameOf(rotation), .rotation = rotation};
 }
 

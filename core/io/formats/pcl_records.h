@@ -15,7 +15,7 @@ namespace relievo {
 using TakeColumns = std::function<void(const PointColumns& columns, std::uint64_t count)>;
 
 /// PCL's readers, called on bodies only: our headers say what is in them, because those of PCL go
-/// astray. Null in programs that do not link PCL.
+/// astray. Null in programs that do not link them.
 struct PclLibrary {
   const char* name = nullptr;  ///< "PCL 1.13.0"
 
@@ -31,7 +31,9 @@ struct PclLibrary {
                       const TakeColumns& take) = nullptr;
 };
 
-/// The one that is linked; only in the program that loads PCL.
+/// All of it; only in the program that loads PCL whole.
 const PclLibrary& pclLibrary();
+/// Its parser of PLY, a library of its own that needs no other; null for PCD.
+const PclLibrary& pclPlyLibrary();
 
 }  // namespace relievo

@@ -92,10 +92,11 @@ class PcdReader {
   /// The program that called may have none: then ours reads, unless PCL was asked for.
   bool byPcl() const {
     if (!usesPcl(job_.options.scan.reader, whyNotPcl(header_), job_.file)) return false;
-    if (job_.pcl == nullptr && job_.options.scan.reader == ReaderChoice::pcl) {
+    const bool there = job_.pcl != nullptr && job_.pcl->pcd_records != nullptr;
+    if (!there && job_.options.scan.reader == ReaderChoice::pcl) {
       throw failure<MessageId::file_was_changed>(shownName(job_.file));
     }
-    return job_.pcl != nullptr;
+    return there;
   }
 
   TakeColumns taker(std::uint64_t& done) {

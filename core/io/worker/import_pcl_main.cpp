@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// relievo-import-pcl: binary PCD and PLY points through PCL; without GDAL, which takes longer to
-// load than most files to read.
+// relievo-import-pcl: binary PCD through PCL; without GDAL, which takes longer to load than most
+// files to read.
 #include "core/io/formats/pcl_records.h"
 #include "core/io/worker/import_worker.h"
 

@@ -52,7 +52,10 @@ ImportProgram precheck(const std::filesystem::path& file, ReaderChoice choice) {
   } else {
     why_not = whyNotPcl(found.format);
   }
-  if (usesPcl(choice, why_not, file)) return ImportProgram::pcl;
+  if (usesPcl(choice, why_not, file)) {
+    // PLY needs a small part of PCL, which this program has.
+    return found.format == FileFormat::ply ? ImportProgram::own : ImportProgram::pcl;
+  }
   // Its pictures need GDAL.
   const bool may_have_pictures =
       found.format == FileFormat::obj && head.find("mtllib ") != std::string::npos;
@@ -166,7 +169,7 @@ WorkerRefusal refusalInFlight(const WorkerArguments& arguments) {
 void answerWithScan(const WorkerArguments& arguments, const WorkerLibraries& libraries,
                     const Task& task) {
   // The program that starts soonest looks first, and says which one reads.
-  if (libraries.read.pcl == nullptr && libraries.read.load_texture == nullptr) {
+  if (libraries.looks_first) {
     const ImportProgram reads = precheck(arguments.file, arguments.options.scan.reader);
     if (reads != ImportProgram::own) return sendAnswer(kAnswerFd, OtherProgram{reads});
   }

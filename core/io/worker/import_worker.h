@@ -12,6 +12,7 @@ namespace relievo {
 
 /// What a worker program reads by large libraries; null where it has none.
 struct WorkerLibraries {
+  bool looks_first = false;  ///< Says which program reads what it does not read itself.
   ReadLibraries read = {};
   RasterEnd (*read_raster)(const std::filesystem::path&, const RasterSink&, const Task&) = nullptr;
   std::optional<StoredPixels> (*read_pixels)(const std::filesystem::path&) = nullptr;
