@@ -286,6 +286,12 @@ class LayoutCount : public QObject {
   int count = 0;
 };
 
+TEST_F(WindowTest, EveryCommandOfTheTableDoesSomething) {
+  for (const CommandRow& row : CommandTable::rows()) {
+    EXPECT_TRUE(window().commands().isDone(row.command)) << row.name;
+  }
+}
+
 TEST_F(WindowTest, AWindowAtRestLaysNothingOutAndWorkMovesNoView) {
   openRelief();
   // Sooner or later it comes to rest: then time goes by without a layout.

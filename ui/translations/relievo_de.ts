@@ -4486,6 +4486,10 @@
         <source>%1. %2</source>
         <translation>%1. %2</translation>
     </message>
+    <message>
+        <source>%1 stays open</source>
+        <translation>%1 bleibt offen</translation>
+    </message>
 </context>
 <context>
     <name>relievo::Manual</name>

@@ -71,12 +71,14 @@ QAction& CommandTable::operator[](Command command) const {
   return *actions_[static_cast<std::size_t>(command)];
 }
 
-void CommandTable::on(Command command, const QObject* context, std::function<void()> run) const {
+void CommandTable::on(Command command, const QObject* context, std::function<void()> run) {
+  done_.set(static_cast<std::size_t>(command));
   connect(&(*this)[command], &QAction::triggered, context, [run = std::move(run)] { run(); });
 }
 
 void CommandTable::onToggled(Command command, const QObject* context,
-                             std::function<void(bool on)> run) const {
+                             std::function<void(bool on)> run) {
+  done_.set(static_cast<std::size_t>(command));
   connect(&(*this)[command], &QAction::toggled, context,
           [run = std::move(run)](bool on) { run(on); });
 }

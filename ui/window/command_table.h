@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <functional>
 #include <optional>
 #include <QList>
@@ -214,8 +215,10 @@ class CommandTable : public QObject {
 
   QAction& operator[](Command command) const;
   /// @param context  ends the connection with its own end
-  void on(Command command, const QObject* context, std::function<void()> run) const;
-  void onToggled(Command command, const QObject* context, std::function<void(bool on)> run) const;
+  void on(Command command, const QObject* context, std::function<void()> run);
+  void onToggled(Command command, const QObject* context, std::function<void(bool on)> run);
+  /// Somebody said what it does.
+  bool isDone(Command command) const { return done_.test(static_cast<std::size_t>(command)); }
   /// Also one of a plugin's; null: there is none.
   QAction* named(const QString& name) const;
   /// @return false: unknown or disabled
@@ -235,6 +238,7 @@ class CommandTable : public QObject {
   QMainWindow& window_;
   std::array<QAction*, kCommandCount> actions_{};
   std::array<QMenu*, kMenuCount> menus_{};
+  std::bitset<kCommandCount> done_;
 };
 
 }  // namespace relievo

@@ -40,6 +40,9 @@ Controllers::Controllers(const ControllerParts& parts, WorkArea& area)
   QObject::connect(&touch, &TouchController::readoutShown, &pointer, &PointerController::follow);
   QObject::connect(&touch, &TouchController::readoutShown, &recordings_end,
                    [this](const TouchReadout& now) { recordings_end.noteRunning(now.recording); });
+  QObject::connect(&parts.messages, &WindowMessages::errorShown, &recordings_end,
+                   &RecordingsEnd::forget);
+  QObject::connect(&opening, &OpenController::begun, &recordings_end, &RecordingsEnd::forget);
   QObject::connect(&replays, &ReplayController::recordingNoted, &recordings_end,
                    [this](const QString& file) { recordings_end.noteSaved(shownName(file)); });
   QObject::connect(area.panels().surface, &SurfacePanel::unitChosen, &questions,

@@ -223,15 +223,16 @@ void MainWindow::showWindow() {
                  levelTip(document_.surface()->ladder, window->region.level));
 }
 
-void MainWindow::closeDocument() {
+void MainWindow::closeDocument(const QString& read) {
   if (!document_.isOpen()) return;
   RecordingsEnd& ending = controllers_->recordings_end;
   const QString name = shownName(document_.file());
-  if (ending.endFirst(commands_.named(QStringLiteral("record")), [this] { closeDocument(); })) {
+  if (ending.endFirst(commands_.named(QStringLiteral("record")),
+                      [this, read] { closeDocument(read); })) {
     messages_->announce(tr("%1 is closed when the recording is saved").arg(name));
     return;
   }
-  controllers_->saving.whenNothingIsUnsaved([this, name, saved = ending.takeWords()] {
+  controllers_->saving.whenNothingIsUnsaved([this, name, read, saved = ending.takeWords()] {
     Controllers& c = *controllers_;
     c.touch.stopForces();
     c.videos.preview().stop();
@@ -240,7 +241,7 @@ void MainWindow::closeDocument() {
     area_->panels().measure->cancel();
     if (isFullScreen()) setFullScreenDetail(false);
     c.questions.forget();
-    messages_->close();
+    if (messages_->shown() == read) messages_->close();
     c.opening.forgetState();
     c.touch.forgetProbe();
     document_.close();
@@ -304,6 +305,11 @@ bool MainWindow::escape() {
   ReplayControl& replay = area_->replay();
   MeasurePanel& measure = *area_->panels().measure;
   if (c.touch.stopForces()) return true;
+  if (c.recordings_end.ending()) {
+    c.recordings_end.forget();
+    messages_->announce(tr("%1 stays open").arg(shownName(document_.file())));
+    return true;
+  }
   if (area_->panels().suggestions->cancel()) return true;
   if (c.foreign.cancel()) return true;
   if (document_.busy()) {

@@ -38,6 +38,7 @@ class MainWindow : public QMainWindow {
   Settings& settings() { return settings_; }
   Controllers& controllers() { return *controllers_; }
   WindowMessages& messages() { return *messages_; }
+  const CommandTable& commands() const { return commands_; }
 
   void open(const OpenRequest& request) { controllers_->opening.open(request); }
   void open(const QString& file) { controllers_->opening.open(file); }
@@ -89,7 +90,9 @@ class MainWindow : public QMainWindow {
   void connectParts();
   void showSurface();
   void showWindow();
-  void closeDocument();
+  /// Goes back to the start page when recordings are on the disk and nothing is unsaved.
+  /// @param read  the sentence above the views that goes with the scan; a newer one stays
+  void closeDocument(const QString& read);
   /// Wherever the focus is: first the forces, then long work, then the mode.
   /// @return false: there was nothing to end
   bool escape();

@@ -30,7 +30,7 @@
 namespace relievo {
 
 void MainWindow::makeCommands() {
-  commands_.on(Command::close, this, [this] { closeDocument(); });
+  commands_.on(Command::close, this, [this] { closeDocument(messages_->shown()); });
   commands_.on(Command::quit, this, [this] { close(); });
   commands_.on(Command::answer, this, [this] { strip_->takeOffer(); });
   commands_.on(Command::keys, this, [this] {

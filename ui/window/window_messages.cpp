@@ -42,6 +42,7 @@ void WindowMessages::show(const QString& text, const std::vector<MessageStrip::B
 
 void WindowMessages::showError(const QString& text, const QString& code) {
   strip_.show(shownError(text, code));
+  Q_EMIT errorShown();
 }
 
 void WindowMessages::tellWritten(const QString& file, const std::function<void()>& write) {

@@ -50,6 +50,7 @@ class WindowMessages : public QObject {
   void workBegan();
   void cancelAsked();  ///< By the button beside the progress.
   void dismissed();    ///< The strip was closed without an answer.
+  void errorShown();   ///< By showError.
 
  private:
   void showWork(const QString& step, double fraction);

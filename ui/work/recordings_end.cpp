@@ -15,6 +15,7 @@ RecordingsEnd::RecordingsEnd(VideoControl& video, WorkQueue& noting, QObject* pa
   connect(&noting_, &WorkQueue::busyChanged, this, &RecordingsEnd::goOnIfEnded,
           Qt::QueuedConnection);
   connect(&video_, &VideoControl::ended, this, &RecordingsEnd::goOnIfEnded, Qt::QueuedConnection);
+  connect(&video_, &VideoControl::failed, this, &RecordingsEnd::forget);
   connect(&video_, &VideoControl::said, this, [this](const QString& text) {
     if (ending()) words_ << text;
   });

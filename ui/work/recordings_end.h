@@ -25,6 +25,9 @@ class RecordingsEnd : public QObject {
   /// @return false: nothing runs; `then` is forgotten
   bool endFirst(QAction* record, std::function<void()> then);
   bool ending() const { return then_ != nullptr; }
+  /// What was asked for last is not done: something could not be written, which has to be read
+  /// first, or another scan is opened, or somebody changed their mind.
+  void forget() { then_ = nullptr; }
 
   /// A recording is on the disk.
   void noteSaved(const QString& name);

@@ -50,6 +50,8 @@ TEST_F(LightBallTest, EachDragIsAStepOfItsOwn) {
   EXPECT_EQ(light(), first);
   QTest::keyClick(&ball(), Qt::Key_Right);
   QTest::keyClick(&ball(), Qt::Key_Right);
+  EXPECT_NE(light(), first);
+  EXPECT_EQ(document().history().index(), 2);
   EXPECT_EQ(document().history().count(), 2) << "keys are another step than the drag before";
 }
 

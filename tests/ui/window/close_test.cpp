@@ -98,7 +98,7 @@ TEST_F(CloseTest, ARecordingEndsAndIsSavedBeforeItsScanGoes) {
   QFile file(path("touch.csv"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.close();
-  window().noteRecording(file.fileName());
+  window().controllers().replays.noteRecording(file.fileName());
   ASSERT_TRUE(waitFor([this] { return !document().isOpen(); }));
   const QString said = child<QLabel>("status_message")->text();
   EXPECT_TRUE(said.contains("relief.ply is closed")) << said.toStdString();
@@ -121,7 +121,7 @@ TEST_F(CloseTest, TheWorkKnowsOfARecordingBeforeItGoes) {
   QFile file(path("touch.csv"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.close();
-  window().noteRecording(file.fileName());
+  window().controllers().replays.noteRecording(file.fileName());
   ASSERT_TRUE(waitFor([this] { return !document().isOpen(); }));
   EXPECT_EQ(known, 1U);
 }
@@ -131,12 +131,52 @@ TEST_F(CloseTest, ARecordingThatHadEndedAlreadyHoldsNothingUp) {
   openRelief();
   TouchReadout readout;
   readout.recording = true;  // Half a second old.
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   action("close")->trigger();
   EXPECT_TRUE(document().isOpen());
   readout.recording = false;
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   ASSERT_TRUE(waitFor([this] { return !document().isOpen(); }));
+}
+
+TEST_F(CloseTest, WhatIsSaidOfARecordingThatCouldNotBeWrittenIsReadBeforeTheScanGoes) {
+  QAction* record = recordIn(window());
+  openRelief();
+  record->setChecked(true);
+  action("close")->trigger();
+  window().messages().showError("The disk is full. The recording ends early.", "E401");
+  QFile file(path("touch.csv"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.close();
+  std::size_t known = 0;
+  QObject::connect(&document(), &Document::amended,
+                   [&] { known = document().project().recordings.size(); });
+  window().controllers().replays.noteRecording(file.fileName());
+  ASSERT_TRUE(waitFor([&] { return known == 1; }));
+  QApplication::processEvents();
+  EXPECT_TRUE(document().isOpen());
+  EXPECT_TRUE(window().message().contains("The disk is full")) << window().message().toStdString();
+}
+
+TEST_F(CloseTest, EscapeOrAnotherScanTakesACloseBackThatWaits) {
+  QAction* record = recordIn(window());
+  openRelief();
+  record->setChecked(true);
+  action("close")->trigger();
+  QTest::keyClick(&window().detailView(), Qt::Key_Escape);
+  EXPECT_TRUE(child<QLabel>("status_message")->text().contains("relief.ply stays open"));
+  record->setChecked(true);
+  action("close")->trigger();
+  const QString other = writeRelief("other.ply");
+  window().open(other);
+  QFile file(path("touch.csv"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.close();
+  window().controllers().replays.noteRecording(file.fileName());
+  ASSERT_TRUE(
+      waitFor([this] { return document().file().endsWith("other.ply") && !document().busy(); }));
+  QApplication::processEvents();
+  EXPECT_TRUE(document().isOpen());
 }
 
 TEST_F(CloseTest, AVideoOfTheViewEndsWholeBeforeItsScanGoes) {
@@ -144,11 +184,11 @@ TEST_F(CloseTest, AVideoOfTheViewEndsWholeBeforeItsScanGoes) {
   QDir().mkpath(path("home"));
   openRelief();
   action("video_live")->setChecked(true);
-  ASSERT_TRUE(window().videoControl().live()) << window().message().toStdString();
+  ASSERT_TRUE(window().controllers().videos.control().live()) << window().message().toStdString();
   action("close")->trigger();
   EXPECT_TRUE(document().isOpen()) << "its last picture is being written";
   ASSERT_TRUE(waitFor([this] { return !document().isOpen(); }));
-  EXPECT_FALSE(window().videoControl().live());
+  EXPECT_FALSE(window().controllers().videos.control().live());
   EXPECT_FALSE(action("video_live")->isChecked());
   const QString said = child<QLabel>("status_message")->text();
   EXPECT_TRUE(said.contains("Video saved")) << said.toStdString();
