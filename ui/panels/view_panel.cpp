@@ -48,7 +48,7 @@ ViewPanel::ViewPanel(QWidget* parent)
   setObjectName(QStringLiteral("view_panel"));
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(2, 0, 0, 2);
-  layout->setSpacing(2);
+  layout->setSpacing(0);
   layout->setColumnStretch(0, 1);
   layout->setColumnStretch(1, 1);
   now_->setAccessibleName(tr("Seen from"));
@@ -72,8 +72,8 @@ ViewPanel::ViewPanel(QWidget* parent)
                        tr("Look straight down on the relief again"));
   connect(use_, &QPushButton::clicked, this, &ViewPanel::useThisViewAsked);
   connect(straighten_, &QPushButton::clicked, this, &ViewPanel::straightenAsked);
-  layout->addWidget(use_, 5, 0);
-  layout->addWidget(straighten_, 5, 1);
+  layout->addWidget(use_, 5, 0, 1, kColumns);
+  layout->addWidget(straighten_, 6, 0, 1, kColumns);
   makeLightPart();
   showView({});
   showTurned(false);
@@ -83,7 +83,7 @@ void ViewPanel::makeLightPart() {
   light_part_->setObjectName(QStringLiteral("light_panel"));
   auto* layout = new QVBoxLayout(light_part_);
   layout->setContentsMargins(6, 0, 0, 2);
-  layout->setSpacing(2);
+  layout->setSpacing(0);
   light_text_ = new QLabel;
   light_text_->setObjectName(QStringLiteral("light_text"));
   light_text_->setAccessibleName(tr("Light"));
