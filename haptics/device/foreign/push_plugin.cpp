@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/failure.h"
@@ -23,22 +24,25 @@ double triangle(double part) {
   return std::max(0.0, 1 - std::abs(2 * part - 1));
 }
 
-/// A device may be silent for a moment, as on a busy computer: then the force is off, and rises anew
-/// from zero. Any other fault ends it. It goes by orders and not by the clock: of a computer that
-/// is busy there are as many, later.
+/// A device may be silent for a moment, as on a busy computer: then the force is off, and rises
+/// anew from zero. Any other fault ends it. It goes by the places that come and not by the clock:
+/// a step that hangs is waited for, and of a computer that is busy there are as many, later.
 /// @return why it ended before its time; empty: it did not
 std::string push(ForeignDevice& device, double most_n, double seconds, const Task& task) {
   constexpr double kOrdersPerS = 1000;
   const double orders = kOrdersPerS * std::max(seconds, 2 * most_n / kMostNPerS);
   const std::int64_t give_up_ns = monotonicNs() + kReadyNs;
   bool began = false;
+  std::int64_t place_ns = 0;  // Of the last place.
   for (double order = 0; order < orders;) {
     task.check();
     const std::int64_t now_ns = monotonicNs();
-    const DeviceFault fault = device.read(now_ns).fault;
+    const DeviceReading reading = device.read(now_ns);
+    const DeviceFault fault = reading.fault;
     if (fault == DeviceFault::none) {
       began = true;
-      device.send({most_n * triangle(order++ / orders), 0, 0}, now_ns);
+      device.send({most_n * triangle(order / orders), 0, 0}, now_ns);
+      if (std::exchange(place_ns, reading.time_ns) != reading.time_ns) ++order;
     } else {
       device.send({}, now_ns);
       order = 0;
