@@ -61,6 +61,7 @@ void HapticsPlugin::openDevice() {
   endRecording();
   session_.reset();  // One program at a time can hold a device.
   news_ = {};
+  haply_told_.clear();
   stand_in_.clear();
   readouts_until_look_ = 0;
   opened_ = settings_.device;
@@ -310,6 +311,15 @@ void HapticsPlugin::tellStatus(const LoopReport& report) {
 }
 
 void HapticsPlugin::watchDevice(LoopReport& report) {
+  if (const haply::LinkStatus* of_haply = session_->haplyStatus()) {
+    const Message message = haply::describe(*of_haply);
+    report.device = spokenMessage(message);
+    if (of_haply->state != haply::LinkState::ready) report.not_ready = screenText(message);
+    const bool is_news = of_haply->state != haply::LinkState::checking &&
+                         std::exchange(haply_told_, report.device) != report.device;
+    if (is_news) host_->messages.announce(report.device);
+    return;
+  }
   const falcon::LinkStatus* status = session_->falconStatus();
   if (status == nullptr) return;
   report.device = spokenMessage(falcon::describe(*status));

@@ -14,6 +14,7 @@
 #include "core/session/firmness.h"
 #include "haptics/device/device.h"
 #include "haptics/device/falcon/falcon_device.h"
+#include "haptics/device/haply/haply_device.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/flight_record.h"
 #include "haptics/record/recorded_loop.h"
@@ -75,6 +76,7 @@ class LoopSession {
   std::optional<ButtonEvent> takeButton();
   /// How the Falcon is doing; null: the device is none.
   const falcon::LinkStatus* falconStatus();
+  const haply::LinkStatus* haplyStatus();  ///< The same of a device of Haply.
   Recorder& recorder() noexcept { return recorder_; }
   FlightRecord& flight() noexcept { return flight_; }
   HapticLoop& loop() noexcept { return *loop_; }
@@ -105,6 +107,7 @@ class LoopSession {
   // Owned by the loop. Null: a person holds the device; null: it is no Falcon.
   SteeredDevice* steered_ = nullptr;
   falcon::FalconDevice* falcon_ = nullptr;
+  haply::HaplyDevice* haply_ = nullptr;  // Likewise.
   std::unique_ptr<SampleDrain> drain_;
   HandMapping mapping_;
   DeviceMm sent_;  // Where the hand was last sent.
