@@ -64,6 +64,7 @@ void HapticsPlugin::openDevice() {
   session_.reset();  // One program at a time can hold a device.
   opening_.reset();
   news_ = {};
+  haply_told_.clear();
   stand_in_.clear();
   readouts_until_look_ = 0;
   opened_ = settings_.device;
@@ -99,6 +100,7 @@ void HapticsPlugin::watchOpening() {
   if (!opening_ || !opening_->isDone()) return;
   const std::unique_ptr<DeviceOpening> done = std::move(opening_);
   setForces(false);
+  if (buttons_) buttons_->cancelMoving();
   endRecording();
   try {
     auto device = done->take();
@@ -273,8 +275,12 @@ void HapticsPlugin::setForces(bool on) {
     host_->messages.announce(tr("Nothing to touch yet. Open a scan first."));
     on = false;
   }
-  if (on && session_->foreign() != nullptr && session_->foreign()->isLost()) {
-    changeDevice();  // Its host is no more: it is opened anew, and forces wait for another wish.
+  const foreign::ForeignDevice* const of_plugin = session_->foreign();
+  if (on && of_plugin != nullptr &&
+      (of_plugin->isLost() || fault_ == DeviceFault::disconnected)) {
+    // Its host is no more, or its cable was pulled: it is opened anew, and forces wait for another
+    // wish.
+    changeDevice();
     on = false;
   }
   const bool changed = on != forces_asked_;
@@ -337,6 +343,7 @@ void HapticsPlugin::frame() {
   ++frames_;
   if (frames_ % kFramesPerReadout != 0) return;
   slowReadouts(frames_ % kFramesPerStatus == 0);
+  watchOpening();  // Not within the readouts, which setForces() asks for while it works.
 }
 
 void HapticsPlugin::slowReadouts(bool with_status) {
@@ -353,7 +360,6 @@ void HapticsPlugin::slowReadouts(bool with_status) {
   if (panel_) panel_->show(report);
   if (with_status) tellStatus(report);
   watchPlugs();
-  watchOpening();
 }
 
 // Its numbers change with every look, and each change is a picture of the window.
@@ -373,6 +379,15 @@ void HapticsPlugin::tellStatus(const LoopReport& report) {
 }
 
 void HapticsPlugin::watchDevice(LoopReport& report) {
+  if (const haply::LinkStatus* of_haply = session_->haplyStatus()) {
+    const Message message = haply::describe(*of_haply);
+    report.device = spokenMessage(message);
+    if (of_haply->state != haply::LinkState::ready) report.not_ready = screenText(message);
+    const bool is_news = of_haply->state != haply::LinkState::checking &&
+                         std::exchange(haply_told_, report.device) != report.device;
+    if (is_news) host_->messages.announce(report.device, SaidBecause::noticed);
+    return;
+  }
   const falcon::LinkStatus* status = session_->falconStatus();
   if (status == nullptr) return;
   report.device = spokenMessage(falcon::describe(*status));

@@ -96,7 +96,8 @@ class HapticsPlugin : public QObject, public Plugin {
   std::string opened_;          // Id of the session's device.
   std::string wish_ = "mouse";  // Of the person; the mouse stands in for one that is not there.
   FalconNews news_;
-  QString stand_in_;  // Why the mouse is the hand and not what was wished; on the screen.
+  QString haply_told_;  // Of a device of Haply, last.
+  QString stand_in_;    // Why the mouse is the hand and not what was wished; on the screen.
   int readouts_until_look_ = 0;  // For the one that was wished; 0: a plug event will tell.
   std::unique_ptr<falcon::PlugWatch> plugs_;
   std::unique_ptr<SleepWatch> sleep_;

@@ -42,6 +42,7 @@ LoopSession::LoopSession(std::unique_ptr<Device> device, const std::string& devi
   steered_ = dynamic_cast<SteeredDevice*>(device.get());
   falcon_ = dynamic_cast<falcon::FalconDevice*>(device.get());
   foreign_ = dynamic_cast<foreign::ForeignDevice*>(device.get());
+  haply_ = dynamic_cast<haply::HaplyDevice*>(device.get());
   loop_ = std::make_unique<HapticLoop>(std::move(device));
   loop_->start();
   recorder_.beginAt(loop_->snapshots(), buildId());
@@ -232,6 +233,10 @@ const LoopStats& LoopSession::stats() {
 
 const falcon::LinkStatus* LoopSession::falconStatus() {
   return falcon_ == nullptr ? nullptr : &falcon_->status();
+}
+
+const haply::LinkStatus* LoopSession::haplyStatus() {
+  return haply_ == nullptr ? nullptr : &haply_->status();
 }
 
 std::vector<ForcePoint> LoopSession::takePlot() {

@@ -15,6 +15,7 @@
 #include "haptics/device/device.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/foreign/foreign_device.h"
+#include "haptics/device/haply/haply_device.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/flight_record.h"
 #include "haptics/record/recorded_loop.h"
@@ -80,6 +81,7 @@ class LoopSession {
   const falcon::LinkStatus* falconStatus();
   /// The device of a plug-in; null: it is none.
   const foreign::ForeignDevice* foreign() const noexcept { return foreign_; }
+  const haply::LinkStatus* haplyStatus();  ///< The same of a device of Haply.
   Recorder& recorder() noexcept { return recorder_; }
   FlightRecord& flight() noexcept { return flight_; }
   HapticLoop& loop() noexcept { return *loop_; }
@@ -111,6 +113,7 @@ class LoopSession {
   SteeredDevice* steered_ = nullptr;
   falcon::FalconDevice* falcon_ = nullptr;
   foreign::ForeignDevice* foreign_ = nullptr;  // Null: no plug-in drives it.
+  haply::HaplyDevice* haply_ = nullptr;  // Likewise.
   std::unique_ptr<SampleDrain> drain_;
   HandMapping mapping_;
   DeviceMm sent_;  // Where the hand was last sent.

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A device of Haply under the window's loop, on a mock of its service.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "core/base/error.h"
+#include "plugins/haptics/loop_session.h"
+#include "tests/emulator/inverse_service.h"
+#include "tests/plugins/plugin_fixture.h"
+
+namespace relievo {
+namespace {
+
+using emulator::HaplyFault;
+using emulator::HaplyWorld;
+using emulator::InverseService;
+using test::eventually;
+
+class HaplySession : public testing::Test {
+ protected:
+  HaplySession() { setenv("RELIEVO_HAPLY_SERVICE", std::to_string(mock_.port()).c_str(), 1); }
+  ~HaplySession() override { unsetenv("RELIEVO_HAPLY_SERVICE"); }
+  void plant(HaplyFault fault) {
+    mock_.with([&](HaplyWorld& world) { world.fault = fault; });
+  }
+  static bool comesTo(LoopSession& session, haply::LinkState state) {
+    return eventually([&] { return session.haplyStatus()->state == state; });
+  }
+
+  const test::PrivateHome home_;
+  InverseService mock_;
+};
+
+TEST_F(HaplySession, TheHandIsWhereTheGripIsThroughUnpluggingAndBack) {
+  mock_.with([](HaplyWorld& world) { world.hold({3, 4, 5}); });
+  LoopSession session("haply:049D");
+  EXPECT_EQ(session.falconStatus(), nullptr);
+  EXPECT_FALSE(session.isSteered());
+  ASSERT_NE(session.haplyStatus(), nullptr);
+  ASSERT_TRUE(comesTo(session, haply::LinkState::ready));
+  EXPECT_EQ(session.loop().device().name, "Haply Inverse3 049D");
+  EXPECT_TRUE(eventually([&] { return std::abs(session.update().hip.z - 5) < 0.01; }));
+  plant(HaplyFault::device_absent);
+  EXPECT_TRUE(comesTo(session, haply::LinkState::no_device));
+  plant(HaplyFault::none);
+  EXPECT_TRUE(comesTo(session, haply::LinkState::ready));
+}
+
+TEST_F(HaplySession, OneThatIsNotThereIsSaid) {
+  plant(HaplyFault::device_absent);
+  EXPECT_THROW(LoopSession("haply"), DeviceError);
+}
+
+}  // namespace
+}  // namespace relievo
