@@ -2,7 +2,6 @@
 #include "app/cli/verbs/verb_devices_plugins.h"
 
 #include <poll.h>
-#include <termios.h>
 #include <unistd.h>
 
 #include <array>
@@ -80,7 +79,11 @@ bool isHeld(double newton, const Task& task) {
   std::snprintf(most.data(), most.size(), "%.3g", newton);
   tell("All other tests passed. Now the device pushes with up to " + std::string(most.data()) +
        " N. Hold the grip, with the other hand at the power switch, then press Enter.");
-  ::tcflush(STDIN_FILENO, TCIFLUSH);
+  for (pollfd old{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+       ::isatty(STDIN_FILENO) != 0 && ::poll(&old, 1, 0) > 0;) {
+    char typed = 0;
+    if (::read(STDIN_FILENO, &typed, 1) <= 0) return false;
+  }
   constexpr int kLookMs = 50;
   while (true) {
     task.check();

@@ -159,7 +159,7 @@ PluginImage trustedImage(const PluginFile& plugin, const PluginPlaces& places) {
   const bool own = isOwn(plugin, places);
   const Judgement judgement{.by_place = !own,
                             .sums = own ? trustedSums(places.list) : std::vector<std::string>()};
-  if (const auto why_not = judgement.whyNot(image)) throw DeviceError(*why_not);
+  if (const auto message = judgement.whyNot(image)) throw DeviceError(*message);
   return image;
 }
 
