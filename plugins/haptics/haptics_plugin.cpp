@@ -107,7 +107,7 @@ void HapticsPlugin::watchOpening() {
     session_.reset();
     session_ = std::make_unique<LoopSession>(std::move(device), opened_);
     stand_in_.clear();
-    host_->messages.announce(tr("Device: %1.").arg(done->name()));
+    host_->messages.announce(tr("Device: %1.").arg(done->name()), SaidBecause::noticed);
   } catch (const DeviceError& error) {
     showStandIn(messageOf(error), true);
   } catch (const Error& error) {
@@ -276,8 +276,7 @@ void HapticsPlugin::setForces(bool on) {
     on = false;
   }
   const foreign::ForeignDevice* const of_plugin = session_->foreign();
-  if (on && of_plugin != nullptr &&
-      (of_plugin->isLost() || fault_ == DeviceFault::disconnected)) {
+  if (on && of_plugin != nullptr && (of_plugin->isLost() || fault_ == DeviceFault::disconnected)) {
     // Its host is no more, or its cable was pulled: it is opened anew, and forces wait for another
     // wish.
     changeDevice();

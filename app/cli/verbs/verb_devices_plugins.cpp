@@ -127,8 +127,14 @@ void listPlugins(Json& json, Outcome& outcome, const Task& task) {
     if (file.trusted) {
       tellTrusted(file, one, outcome, task);
     } else {
-      outcome.lines.push_back("plug-in " + file.name + ": not allowed yet");
-      if (file.why_not) tell(englishText(*file.why_not));
+      const bool can_be_allowed =
+          file.why_not && file.why_not->id == MessageId::device_plugin_not_trusted;
+      outcome.lines.push_back("plug-in " + file.name + ": " +
+                              (can_be_allowed ? "not allowed yet" : "cannot be used"));
+      if (file.why_not) {
+        one["trouble"] = englishText(*file.why_not);
+        tell(englishText(*file.why_not));
+      }
     }
     json["plugins"].push_back(std::move(one));
   }

@@ -118,7 +118,7 @@ std::vector<CheckResult> checkPlugin(const std::filesystem::path& file, const Co
     if (check.code == kPushCheck) {
       results.push_back(failed && how.newton > 0
                             ? CheckResult{check, Verdict::skipped, "no force after a failed test"}
-                            : pushPlugin(check, file, how, task));
+                            : pushPlugin(check, image.again(), how, task));
       continue;
     }
     const double limit_s = check.with_device ? kOpenS + 2 * how.seconds : kCheckS;

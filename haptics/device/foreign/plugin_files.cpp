@@ -178,11 +178,18 @@ std::string trustPlugin(const fs::path& file, const PluginPlaces& places) {
   std::string text = kept.str();
   if (!text.empty() && text.back() != '\n') text += '\n';
   std::error_code error;
-  fs::create_directories(places.list.parent_path(), error);
+  // Where new folders are open to a group, a list in them would say nothing.
+  const fs::path folder = places.list.parent_path();
+  if (fs::create_directories(folder, error)) {
+    fs::permissions(folder, fs::perms::owner_all, error);
+  }
   AtomicFile written(places.list);
   written.write(text + image.sha256 + "  " + shownName(file) + "\n");
   written.commit();
   fs::permissions(places.list, fs::perms::owner_read | fs::perms::owner_write, error);
+  if (const fs::path where = openToOthers(places.list); !where.empty()) {
+    throw failure<MessageId::device_plugin_open_to_others>(places.list, where);
+  }
   return image.sha256;
 }
 

@@ -51,6 +51,21 @@ bool isSafeFolder(const fs::path& folder) {
   return !othersWrite(facts) || (facts.st_mode & S_ISVTX) != 0;
 }
 
+/// Of a folder and those that it lies in; empty: there is none.
+fs::path unsafeFolder(fs::path folder) {
+  for (;; folder = folder.parent_path()) {
+    if (!isSafeFolder(folder)) return folder;
+    if (folder == folder.parent_path()) return {};
+  }
+}
+
+/// Of the folder that a link lies in: whoever may write there chooses what it points to.
+fs::path unsafeFolderOfName(const fs::path& file) {
+  std::error_code error;
+  const fs::path folder = fs::canonical(fs::absolute(file, error).parent_path(), error);
+  return error ? file : unsafeFolder(folder);
+}
+
 /// @return false: the copy is not whole
 bool writeAll(int fd, std::string_view bytes) {
   while (!bytes.empty()) {
@@ -82,20 +97,28 @@ void copy(int from, PluginImage& image) {
 }
 }  // namespace
 
+PluginImage PluginImage::again() const {
+  PluginImage same{.file = file,
+                   .bytes = OwnedFd(::fcntl(bytes.get(), F_DUPFD_CLOEXEC, 0)),
+                   .sha256 = sha256,
+                   .open_to_others = open_to_others};
+  if (same.bytes.get() < 0) refuse(file, std::strerror(errno));
+  return same;
+}
+
 fs::path openToOthers(int fd) {
   std::error_code error;
   const fs::path real = fs::read_symlink("/proc/self/fd/" + std::to_string(fd), error);
   struct stat facts {};
   if (error || ::fstat(fd, &facts) != 0 || !isOurs(facts) || othersWrite(facts)) return real;
-  for (fs::path folder = real.parent_path();; folder = folder.parent_path()) {
-    if (!isSafeFolder(folder)) return folder;
-    if (folder == folder.parent_path()) return {};
-  }
+  return unsafeFolder(real.parent_path());
 }
 
 fs::path openToOthers(const fs::path& file) {
   const OwnedFd fd = opened(file);
-  return fd.get() < 0 ? file : openToOthers(fd.get());
+  if (fd.get() < 0) return file;
+  fs::path where = openToOthers(fd.get());
+  return where.empty() ? unsafeFolderOfName(file) : where;
 }
 
 PluginImage readPlugin(const fs::path& file) {
@@ -109,6 +132,7 @@ PluginImage readPlugin(const fs::path& file) {
                     .sha256 = {},
                     .open_to_others = openToOthers(from.get())};
   if (image.bytes.get() < 0) refuse(file, std::strerror(errno));
+  if (image.open_to_others.empty()) image.open_to_others = unsafeFolderOfName(file);
   copy(from.get(), image);
   constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL;
   if (::fcntl(image.bytes.get(), F_ADD_SEALS, kSeals) != 0) refuse(file, std::strerror(errno));

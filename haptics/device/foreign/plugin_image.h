@@ -17,6 +17,9 @@ struct PluginImage {
   /// The file or a folder on the way to it that somebody besides this user and the administrator
   /// may write to; empty: there is none.
   std::filesystem::path open_to_others;
+
+  /// The same bytes for another device. @throw FileError  no more files can be opened
+  PluginImage again() const;
 };
 
 /// Opens the file once. Nothing of it is run. [worker]

@@ -31,7 +31,7 @@ double triangle(double part) {
 std::string push(ForeignDevice& device, double most_n, double seconds, const Task& task) {
   constexpr double kOrdersPerS = 1000;
   const double orders = kOrdersPerS * std::max(seconds, 2 * most_n / kMostNPerS);
-  const std::int64_t give_up_ns = monotonicNs() + kReadyNs;
+  std::int64_t ready_ns = monotonicNs();  // Last.
   bool began = false;
   std::int64_t place_ns = 0;  // Of the last place.
   for (double order = 0; order < orders;) {
@@ -41,6 +41,7 @@ std::string push(ForeignDevice& device, double most_n, double seconds, const Tas
     const DeviceFault fault = reading.fault;
     if (fault == DeviceFault::none) {
       began = true;
+      ready_ns = now_ns;
       device.send({most_n * triangle(order / orders), 0, 0}, now_ns);
       if (std::exchange(place_ns, reading.time_ns) != reading.time_ns) ++order;
     } else {
@@ -52,22 +53,23 @@ std::string push(ForeignDevice& device, double most_n, double seconds, const Tas
         return "while the force rose or fell: " + std::string(describe(fault));
       }
     }
-    if (order == 0 && now_ns > give_up_ns) return "it is not ready for a whole minute";
+    if (now_ns > ready_ns + kReadyNs) return "it is not ready for a whole minute";
     sleepUntil(now_ns + kMs);
   }
   return {};
 }
 }  // namespace
 
-CheckResult pushPlugin(const Check& check, const std::filesystem::path& file,
-                       const Conformance& how, const Task& task) {
+CheckResult pushPlugin(const Check& check, PluginImage image, const Conformance& how,
+                       const Task& task) {
   if (how.newton <= 0) {
     return {check, Verdict::skipped, "it takes a hand at the grip; ask for it by --newton"};
   }
   if (!how.is_held || !how.is_held()) {
     return {check, Verdict::skipped, "nobody said that a hand holds the grip"};
   }
-  ForeignDevice device(file, how.device, "plugin:tested/" + how.device, how.device, how.patience);
+  ForeignDevice device(std::move(image), how.device, "plugin:tested/" + how.device, how.device,
+                       how.patience);
   try {
     device.open();
   } catch (const DeviceError& error) {

@@ -71,7 +71,7 @@ typedef struct relievo_device_limits {
   uint32_t struct_size, flags;   /* RELIEVO_HAS_... */
   double half_extent_mm[3];      /* of the reachable box */
   double max_force_n;            /* for a short time, in any direction; 0: it has no motors */
-  double continuous_force_n;     /* for minutes; 0: unknown */
+  double continuous_force_n;     /* for minutes; 0: unknown, half of the largest is used */
   double max_stiffness_n_per_mm; /* that it can show at rate_hz; 0: unknown, 0.4 is used */
   double position_step_mm;       /* one count of its encoders; 0: finer than matters */
   double force_delay_ms;         /* from step() to the motor */

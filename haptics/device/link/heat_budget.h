@@ -47,7 +47,9 @@ class HeatBudget {
   /// 0 cold .. 1 as warm as they may be for good.
   double used() const RELIEVO_REALTIME {
     const double most = rules_.continuous_force_n * rules_.continuous_force_n;
-    return std::max(hottest_, most > 0 ? squares_ / most : 0);
+    // A continuous force so small that its square is nothing is used up by any.
+    if (most > 0) return std::max(hottest_, squares_ / most);
+    return std::max(hottest_, squares_ > 0 ? 1.0 : 0.0);
   }
 
  private:

@@ -287,6 +287,7 @@ Verdict checkPlaces(const CheckAsk& ask) {
   for (const Step& step : stepsOf(open, ask.seconds)) {
     if (step.status != RELIEVO_OK) continue;
     any = true;
+    if (!std::isfinite(step.sample.hottest_motor)) return {"its temperature is not a number"};
     for (std::size_t i = 0; i < 3; ++i) {
       const double place = step.sample.position_mm[i];
       if (!std::isfinite(place)) return {"a place is not finite"};

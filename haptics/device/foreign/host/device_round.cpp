@@ -77,7 +77,8 @@ void DeviceRound::fail(DeviceFault fault, std::int64_t now_ns) RELIEVO_REALTIME 
 
 void DeviceRound::wasCut(std::int64_t now_ns) RELIEVO_REALTIME {
   gate_.shut(now_ns);
-  reading_.interrupt(DeviceFault::timeout, now_ns);
+  // What the step said itself is worth more than that it took long.
+  if (reading_.fault == DeviceFault::none) reading_.interrupt(DeviceFault::timeout, now_ns);
 }
 
 /// From its limit until it is clearly below it.
