@@ -36,7 +36,7 @@ QString freeFigureName(const QString& model) {
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) +
                          QLatin1String("/relievo/");
   for (int n = 1;; ++n) {
-    const QString file = QStringLiteral("%1%2-figure-%3.png").arg(folder, model).arg(n);
+    QString file = QStringLiteral("%1%2-figure-%3.png").arg(folder, model).arg(n);
     if (!QFileInfo::exists(file)) return file;
   }
 }
