@@ -66,12 +66,12 @@ void WindowHost::takeAdditionsBack() {
 }
 
 void WindowHost::showProbe(const Probe& probe) {
-  window_.showProbe(probe);
+  window_.controllers().touch.showProbe(probe);
   if (voice_ != nullptr) voice_->feel(probe);
 }
 
 void WindowHost::plot(std::span<const ForcePoint> samples) {
-  window_.plot(samples);
+  window_.controllers().touch.plot(samples);
 }
 
 void WindowHost::showStatus(const TouchStatus& status) {
@@ -85,19 +85,20 @@ void WindowHost::showStatus(const TouchStatus& status) {
   readout.forces_on = status.forces_on;
   readout.recording = status.recording;
   readout.recorded_samples = status.recorded_samples;
-  window_.showTouch(readout);
+  window_.controllers().touch.show(readout);
 }
 
 void WindowHost::announce(const QString& text, SaidBecause why) {
   const QScopedValueRollback<SaidBecause> because(window_says_because_, why);
-  window_.announce(text);
+  window_.messages().announce(text);
 }
 
 void WindowHost::say(const std::vector<Message>& sentences, SaidBecause why) {
   QStringList spoken;
   for (const Message& sentence : sentences) spoken << spokenMessage(sentence);
   const bool is_heard = voice_ != nullptr && voice_->speak(sentences, why);
-  window_.announceAs(messageText(sentences), is_heard ? QString() : spoken.join(QLatin1Char(' ')));
+  window_.messages().announceAs(messageText(sentences),
+                                is_heard ? QString() : spoken.join(QLatin1Char(' ')));
 }
 
 void WindowHost::hush() {
@@ -107,16 +108,17 @@ void WindowHost::hush() {
 void WindowHost::setVoice(Voice* voice) {
   voice_ = voice;
   // What the window itself has to say is heard of one voice, too.
-  window_.setSpeaker(voice == nullptr ? std::function<bool(const QString&)>()
-                                      : [this, voice](const QString& text) {
-                                          return voice->speak(text, window_says_because_);
-                                        });
+  window_.messages().setSpeaker(voice == nullptr
+                                    ? std::function<bool(const QString&)>()
+                                    : [this, voice](const QString& text) {
+                                        return voice->speak(text, window_says_because_);
+                                      });
 }
 
 void WindowHost::showError(const QString& sentence, const QString& code) {
   // A plugin fails by itself, not because somebody asked for it just now.
   const QScopedValueRollback<SaidBecause> because(window_says_because_, SaidBecause::noticed);
-  window_.showError(sentence, code);
+  window_.messages().showError(sentence, code);
 }
 
 bool WindowHost::run(const QString& command) {
@@ -227,7 +229,7 @@ void WindowHost::turnView(double azimuth_deg, double elevation_deg) {
 }
 
 QString WindowHost::recordingHeader(const QString& file) const {
-  return window_.recordingHeader(file);
+  return relievo::recordingHeader(window_.document(), file);
 }
 
 QString WindowHost::scanName() const {
@@ -235,15 +237,15 @@ QString WindowHost::scanName() const {
 }
 
 QString WindowHost::recordingEnding() const {
-  return window_.recordingEnding();
+  return window_.controllers().replays.ending();
 }
 
 QString WindowHost::recordingFolder() const {
-  return window_.recordingFolder();
+  return window_.controllers().replays.folder();
 }
 
 void WindowHost::recordingSaved(const QString& file) {
-  window_.noteRecording(file);
+  window_.controllers().replays.noteRecording(file);
 }
 
 QString WindowHost::mapState(const QString& folder) const {

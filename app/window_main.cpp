@@ -52,7 +52,7 @@ void shareFalconFirmware(relievo::MainWindow& window) {
     try {
       relievo::batch::setFalconFirmware(QFile::encodeName(file.toString()).toStdString());
     } catch (const relievo::WriteError& error) {
-      window.announce(QString::fromStdString(error.what()));
+      window.messages().announce(QString::fromStdString(error.what()));
     }
   };
   window.settings().keepElsewhere(QStringLiteral("falcon_firmware"), {read, write});
@@ -77,7 +77,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   }
   MainWindow window(captureDepths, mode);
   shareFalconFirmware(window);
-  window.setCompanions(batch::companionsOf);
+  window.controllers().packages.setCompanions(batch::companionsOf);
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());
   QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });
@@ -93,7 +93,8 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   for (const QString& problem : problems) std::cerr << problem.toStdString() << '\n';
   if (!problems.isEmpty()) window.showMessage(problems.join(' '));
   if (!plugins.has(QStringLiteral("haptics_plugin"))) {
-    window.showTouchMissing(problems.isEmpty() ? MainWindow::tr("the haptics plugin was not found.")
+    window.controllers().touch.showMissing(problems.isEmpty()
+                                               ? MainWindow::tr("the haptics plugin was not found.")
                                                : problems.join(' '));
   }
   QStringList files;

@@ -68,9 +68,11 @@ consteval bool hasItsForms(std::string_view sentence, std::span<const std::size_
              screen,                                             \
              spoken,                                             \
              FormOfMessage<MessageId::id>::kTypes},
-constexpr std::array kRows{
+// Of its type, and not of what stands in it: that needs a fold as deep as there are rows, at which
+// clang ends.
+constexpr auto kRows = std::to_array<MessageRow>({
 #include "core/message/catalogue.inc"
-};
+});
 #undef RELIEVO_MESSAGE_ROW
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace relievo {
 
 ButtonsPanel::ButtonsPanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("buttonsPanel"));
+  setProperty("foldedAtFirst", true);  // As the window knows it: for those who want it.
   one_button_ = new QCheckBox(tr("Sca&nning with one button"));
   one_button_->setObjectName(QStringLiteral("oneButton"));
   one_button_->setAccessibleName(tr("Scanning with one button"));

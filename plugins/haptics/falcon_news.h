@@ -5,7 +5,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "haptics/device/falcon/link_status.h"
+#include "haptics/device/falcon/link/link_status.h"
 
 namespace relievo {
 

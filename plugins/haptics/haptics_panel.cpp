@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -16,6 +17,7 @@
 #include <QSlider>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "core/base/error.h"
 #include "haptics/device_catalog.h"
@@ -115,26 +117,40 @@ HapticsPanel::HapticsPanel(QWidget* parent) : QWidget(parent) {
   buildReadouts();
   connectControls();
   auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 0, 0, 2);
   column->addLayout(rows());
-  column->addStretch(1);
+  advanced_ = new QWidget(this);
+  advanced_->setObjectName(QStringLiteral("touchAdvanced"));
+  advanced_->setProperty("foldedAtFirst", true);  // As the window knows it.
+  advanced_->setLayout(advancedRows());
+  column->addWidget(advanced_);
   setSettings({});
 }
 
 QFormLayout* HapticsPanel::rows() {
   auto* form = new QFormLayout;
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  form->setVerticalSpacing(3);
   auto* strength_row = new QHBoxLayout;
   strength_row->addWidget(strength_, 1);
   strength_row->addWidget(strength_value_);
   form->addRow(forces_);
   form->addRow(state_);
   form->addRow(change_);
-  const auto labelled = [form](const QString& text, QWidget* buddy, auto* field) {
+  auto* label = new QLabel(tr("St&rength"));
+  label->setBuddy(strength_);
+  form->addRow(label, strength_row);
+  return form;
+}
+
+QFormLayout* HapticsPanel::advancedRows() {
+  auto* form = new QFormLayout;
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  const auto labelled = [form](const QString& text, QWidget* buddy, QWidget* field) {
     auto* label = new QLabel(text);
     label->setBuddy(buddy);
     form->addRow(label, field);
   };
-  labelled(tr("St&rength"), strength_, strength_row);
   labelled(tr("S&urface"), preset_, preset_);
   labelled(tr("Sh&ape"), surface_, surface_);
   labelled(tr("Prox&y"), proxy_, proxy_);
@@ -143,17 +159,19 @@ QFormLayout* HapticsPanel::rows() {
   labelled(tr("Fr&iction"), friction_, friction_);
   labelled(tr("Dam&ping"), damping_, damping_);
   labelled(tr("Not measure&d"), soft_, soft_);
-  labelled(tr("Fi&rm ground"), firmness_choose_, firmness_name_);
+  labelled(tr("Stiffness &map"), firmness_choose_, firmness_name_);
   auto* firmness_row = new QHBoxLayout;  // Of its own: beside them a name has no room.
   firmness_row->addWidget(firmness_choose_);
   firmness_row->addWidget(firmness_none_);
   form->addRow(firmness_row);
-  labelled(tr("Tic&k there"), tick_, tick_);
+  labelled(tr("Edge &cue"), tick_, tick_);
   labelled(tr("Te&xture"), texture_, texture_);
-  labelled(tr("K&nock"), knock_, knock_);
+  labelled(tr("Co&ntact impulse"), knock_, knock_);
   labelled(tr("Ma&gnet"), magnet_, magnet_);
   form->addRow(tr("Pressed in"), depth_);
   labelled(tr("&Device"), device_, device_);
+  form->addRow(tried_);
+  form->addRow(heat_);
   form->addRow(QString(), holds_grip_);
   form->addRow(tr("Force loop"), health_);
   form->addRow(QString(), details_);
@@ -187,6 +205,10 @@ void HapticsPanel::buildControls() {
   device_->setToolTip(
       tr("What the hand holds. A virtual hand is moved by the mouse and pushed by "
          "the force, as a real one is."));
+  device_->installEventFilter(this);
+  tried_ = readout("triedOnHardware", tr("Whether somebody has tried such a device"));
+  heat_ = readout("motorHeat", tr("How warm the motors are"));
+  heat_->hide();
   holds_grip_ = named(new QCheckBox(tr("Hold the grip's weig&ht")), "holdsGrip",
                       tr("Hold the grip's weight"));
   holds_grip_->setToolTip(tr(
@@ -242,17 +264,17 @@ void HapticsPanel::buildFields() {
   firmness_none_ = named(new QPushButton(tr("No&ne")), "firmnessNone",
                          tr("No raster: firm where it was measured"));
   firmness_none_->setToolTip(tr("The ground is firm where it was measured."));
-  tick_ =
-      numberBox({"crossingTick", tr("Tick at the border of measured ground, in newtons"), tr(" N"),
-                 tr("A faint tick on the way from measured ground to other ground, and "
-                    "back. 0: none."),
-                 0, kMostCrossingN, 0.02, 2});
+  tick_ = numberBox({"crossingTick", tr("Edge cue at the border of measured ground, in newtons"),
+                     tr(" N"),
+                     tr("A faint tick on the way from measured ground to other ground, and "
+                        "back. 0: none."),
+                     0, kMostCrossingN, 0.02, 2});
   texture_ = numberBox({"texture", tr("Texture of the next finer level, in micrometres of hand"),
                         tr(" µm"),
                         tr("How much of the next finer level is felt, at most, on top of the level "
                            "that is touched. 0: none."),
                         0, kUmPerMm * kMostTextureMm, 5, 0});
-  knock_ = numberBox({"contactKnock", tr("Knock of a new contact, in newtons at most"), tr(" N"),
+  knock_ = numberBox({"contactKnock", tr("Contact impulse, in newtons at most"), tr(" N"),
                       tr("A short knock as hard as the hand comes. 0: none."), 0, kMostContactN,
                       0.05, 2});
   magnet_ =
@@ -295,7 +317,36 @@ void HapticsPanel::listDevices() {
                        QString::fromStdString(id));
     }
   }
+  for (const PluginDevice& device : plugin_devices_) device_->addItem(device.name, device.id);
   if (!chosen.isEmpty()) chooseDevice(chosen);
+}
+
+void HapticsPanel::setPluginDevices(std::vector<PluginDevice> devices) {
+  plugin_devices_ = std::move(devices);
+  listDevices();
+}
+
+/// Plug-ins are asked when somebody wants to choose, and not before.
+bool HapticsPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool turned_to =
+      event->type() == QEvent::FocusIn || event->type() == QEvent::MouseButtonPress;
+  if (watched == device_ && turned_to) Q_EMIT devicesWanted();
+  return QWidget::eventFilter(watched, event);
+}
+
+/// What the catalogue of devices says of the chosen one's kind.
+void HapticsPanel::showTried() {
+  const std::string id = device_->currentData().toString().toStdString();
+  QString text =
+      isPluginDevice(id) ? tr("Tried on hardware: ask who made the plug-in.") : QString();
+  for (const DeviceDriver& driver : deviceCatalog()) {
+    if (driver.tried_on_hardware.empty() || id.substr(0, id.find(':')) != driver.kind) continue;
+    text = driver.tried_on_hardware == "never"
+               ? tr("Tried on hardware: never.")
+               : tr("Tried on hardware: %1.").arg(QString::fromStdString(driver.tried_on_hardware));
+  }
+  setTextIfNew(tried_, text);
+  tried_->setVisible(!text.isEmpty());
 }
 
 void HapticsPanel::chooseDevice(const QString& id) {
@@ -306,9 +357,12 @@ void HapticsPanel::chooseDevice(const QString& id) {
     } catch (const Error&) {
       // Known to no driver: its id must do.
     }
-    device_->addItem(tr("%1 (not here now)").arg(name), id);
+    // Whether one of a plug-in is here, nobody has asked yet.
+    device_->addItem(isPluginDevice(id.toStdString()) ? name : tr("%1 (not here now)").arg(name),
+                     id);
   }
   device_->setCurrentIndex(device_->findData(id));
+  showTried();
 }
 
 void HapticsPanel::buildReadouts() {
@@ -329,6 +383,7 @@ void HapticsPanel::changed() {
   strength_value_->setText(tr("%1 %").arg(strength_->value()));
   friction_->setEnabled(proxy_->currentIndex() == static_cast<int>(ProxyKind::converged));
   showPreset();
+  showTried();
   Q_EMIT settingsChanged();
 }
 
@@ -422,7 +477,7 @@ TouchSettings HapticsPanel::settings() const {
 }
 
 void HapticsPanel::askFirmness() {
-  auto* dialog = new QFileDialog(this, tr("Raster of firm ground"),
+  auto* dialog = new QFileDialog(this, tr("Stiffness map"),
                                  QFileInfo(QFile::decodeName(firmness_.c_str())).absolutePath(),
                                  tr("Rasters (*.tif *.tiff *.asc *.png);;All files (*)"));
   dialog->setObjectName(QStringLiteral("firmness_dialog"));
@@ -492,6 +547,8 @@ void HapticsPanel::show(const LoopReport& report) {
   setTextIfNew(depth_, sample.contact
                            ? tr("%1 mm of hand").arg(norm(sample.proxy - sample.hip), 0, 'f', 2)
                            : tr("not touching"));
+  setTextIfNew(heat_, report.heat);
+  heat_->setVisible(!report.heat.isEmpty());
   const bool another_level = report.sample.detail != report_.sample.detail;
   report_ = report;
   if (another_level && by_detail_->isChecked()) showStiffness();

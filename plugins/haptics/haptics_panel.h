@@ -3,8 +3,10 @@
 
 #include <QPointer>
 #include <QWidget>
+#include <vector>
 
 #include "plugins/haptics/loop_health.h"
+#include "plugins/haptics/plugin_devices.h"
 #include "plugins/haptics/scope.h"
 #include "plugins/haptics/touch_settings.h"
 
@@ -24,13 +26,16 @@ class HapticsPanel : public QWidget {
  public:
   explicit HapticsPanel(QWidget* parent = nullptr);
 
+  /// All but on, off and strength. Stands elsewhere; belongs to whoever lays it out.
+  QWidget* advanced() const { return advanced_; }
   void setSettings(const TouchSettings& settings);
   TouchSettings settings() const;
   void setForcesAsked(bool on);
   /// Is the raster of the settings laid under the hand, or does it not fit the open map?
   void setFirmnessUsed(bool used);
-  /// Those that are there now; the chosen one stays chosen.
+  /// Those that are there now, and those of plug-ins that were found; the chosen one stays chosen.
   void listDevices();
+  void setPluginDevices(std::vector<PluginDevice> devices);
   void show(const LoopReport& report);  ///< A few times a second.
   using QWidget::show;
   void plot(std::span<const ForcePoint> samples);  ///< For the scope, if it is open.
@@ -39,6 +44,10 @@ class HapticsPanel : public QWidget {
   void forcesAsked(bool on);
   void settingsChanged();
   void firmnessAsked(const QString& file);  ///< Empty: none.
+  void devicesWanted();                     ///< Somebody turns to the list of devices.
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void buildControls();
@@ -52,14 +61,17 @@ class HapticsPanel : public QWidget {
   std::size_t level() const;  // Index of the shown level's own stiffness.
   SurfaceFeel feel() const;
   void chooseDevice(const QString& id);
+  void showTried();
   void buildReadouts();
   QFormLayout* rows();
+  QFormLayout* advancedRows();
   void showDetails();
   void showScope();
   void askFirmness();
   void showFirmness();
   void changed();
 
+  QWidget* advanced_ = nullptr;
   QCheckBox* forces_ = nullptr;
   QSlider* strength_ = nullptr;
   QLabel* strength_value_ = nullptr;
@@ -82,6 +94,9 @@ class HapticsPanel : public QWidget {
   QLabel* change_ = nullptr;  // Hidden while none comes.
   QLabel* depth_ = nullptr;
   QComboBox* device_ = nullptr;
+  QLabel* tried_ = nullptr;  // Hidden where nobody can feel a force.
+  QLabel* heat_ = nullptr;   // Hidden where no device says it.
+  std::vector<PluginDevice> plugin_devices_;
   QCheckBox* holds_grip_ = nullptr;
   QLabel* health_ = nullptr;
   QPushButton* details_ = nullptr;

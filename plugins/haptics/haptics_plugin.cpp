@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <QAction>
 #include <QApplication>
 #include <QSignalBlocker>
@@ -38,6 +39,7 @@ void HapticsPlugin::attach(Host& host) {
   panel_ = new HapticsPanel;  // The host owns it from addPanel on.
   panel_->setSettings(settings_);
   host.controls.addPanel(tr("Touch"), panel_);
+  host.controls.addPanel(tr("Touch: advanced"), panel_->advanced());
   actions_ = addTouchActions(host);
   buttons_ = makeDeviceButtons(host);
   buttons_panel_ = new ButtonsPanel;  // The host owns it from addPanel on.
@@ -60,11 +62,13 @@ void HapticsPlugin::attach(Host& host) {
 void HapticsPlugin::openDevice() {
   endRecording();
   session_.reset();  // One program at a time can hold a device.
+  opening_.reset();
   news_ = {};
   stand_in_.clear();
   readouts_until_look_ = 0;
   opened_ = settings_.device;
   try {
+    if (isPluginDevice(opened_)) return beginOpening();
     session_ = std::make_unique<LoopSession>(settings_.device);
   } catch (const DeviceError& error) {
     if (settings_.device == kMouse) throw;
@@ -81,6 +85,51 @@ void HapticsPlugin::openDevice() {
   if (!panel_) return;
   panel_->listDevices();
   panel_->setSettings(settings_);
+}
+
+void HapticsPlugin::beginOpening() {
+  opening_ = std::make_unique<DeviceOpening>(opened_);
+  session_ = std::make_unique<LoopSession>(kMouse);
+  stand_in_ =
+      tr("The device %1 is being opened. The mouse is the hand meanwhile.").arg(opening_->name());
+  host_->messages.announce(stand_in_);
+}
+
+void HapticsPlugin::watchOpening() {
+  if (!opening_ || !opening_->isDone()) return;
+  const std::unique_ptr<DeviceOpening> done = std::move(opening_);
+  setForces(false);
+  endRecording();
+  try {
+    auto device = done->take();
+    session_.reset();
+    session_ = std::make_unique<LoopSession>(std::move(device), opened_);
+    stand_in_.clear();
+    host_->messages.announce(tr("Device: %1.").arg(done->name()));
+  } catch (const DeviceError& error) {
+    showStandIn(messageOf(error), true);
+  } catch (const Error& error) {
+    showStandIn(messageOf(error), true);
+  }
+  if (!session_ || !stand_in_.isEmpty()) {
+    settings_.device = opened_ = kMouse;
+    if (!session_) session_ = std::make_unique<LoopSession>(kMouse);
+    if (panel_) panel_->setSettings(settings_);
+  }
+  shown_ = {};
+  given_window_ = 0;
+  fault_ = DeviceFault::none;
+  applySettings();
+  if (const auto window = host_->view.shownWindow()) showWindow(*window);
+}
+
+QString HapticsPlugin::heatText() const {
+  const auto heat = session_->foreign() == nullptr ? std::nullopt : session_->foreign()->heat();
+  constexpr double kWorthSaying = 0.5;
+  if (!heat || heat->used < kWorthSaying) return {};
+  return tr("Motors: %1 % of what they can take for good; forces stay below %2 N.")
+      .arg(100 * heat->used, 0, 'f', 0)
+      .arg(heat->allowed_n, 0, 'f', 1);
 }
 
 void HapticsPlugin::showStandIn(const Message& message, bool only_the_plug_helps) {
@@ -100,7 +149,7 @@ void HapticsPlugin::changeDevice() {
   openDevice();
   applySettings();
   if (const auto window = host_->view.shownWindow()) showWindow(*window);
-  if (opened_ != wish_) return;  // Why not, has been said.
+  if (opened_ != wish_ || opening_) return;  // What is, has been said.
   const QString name = QString::fromStdString(session_->loop().device().name);
   host_->messages.announce(tr("Device: %1.").arg(name));
 }
@@ -117,9 +166,11 @@ void HapticsPlugin::detach() noexcept {
     return;
   }
   timer_.stop();
+  opening_.reset();
   plugs_.reset();
   sleep_.reset();
   disconnect(&host_->view, nullptr, this, nullptr);
+  disconnect(&plugin_devices_, nullptr, this, nullptr);
   delete setup_;  // Zero force, joins.
   endRecording();
   buttons_.reset();
@@ -158,6 +209,11 @@ void HapticsPlugin::connectControls() {
   connect(actions_.record, &QAction::toggled, this, &HapticsPlugin::setRecording);
   connect(actions_.note, &QAction::triggered, this, &HapticsPlugin::askNote);
   connect(actions_.setup, &QAction::triggered, this, &HapticsPlugin::setUpDevice);
+  connect(panel_, &HapticsPanel::devicesWanted, &plugin_devices_, &PluginDevices::look);
+  connect(&plugin_devices_, &PluginDevices::found, this,
+          [this](const std::vector<PluginDevice>& devices) {
+            if (panel_) panel_->setPluginDevices(devices);
+          });
   connect(panel_, &HapticsPanel::forcesAsked, this, &HapticsPlugin::setForces);
   connect(panel_, &HapticsPanel::firmnessAsked, this, [this](const QString& file) {
     if (!file.isEmpty()) return askFirmness(file, true);
@@ -215,6 +271,10 @@ void HapticsPlugin::setForces(bool on) {
   if (!session_) return;
   if (on && !session_->hasWindow()) {
     host_->messages.announce(tr("Nothing to touch yet. Open a scan first."));
+    on = false;
+  }
+  if (on && session_->foreign() != nullptr && session_->foreign()->isLost()) {
+    changeDevice();  // Its host is no more: it is opened anew, and forces wait for another wish.
     on = false;
   }
   const bool changed = on != forces_asked_;
@@ -289,9 +349,11 @@ void HapticsPlugin::slowReadouts(bool with_status) {
   watchDevice(report);
   report.actuated = device.max_force_n > 0;
   report.stand_in = stand_in_;
+  report.heat = heatText();
   if (panel_) panel_->show(report);
   if (with_status) tellStatus(report);
   watchPlugs();
+  watchOpening();
 }
 
 // Its numbers change with every look, and each change is a picture of the window.

@@ -16,6 +16,7 @@
 #include "plugins/haptics/haptics_panel.h"
 #include "plugins/haptics/loop_session.h"
 #include "plugins/haptics/note_dialog.h"
+#include "plugins/haptics/plugin_devices.h"
 #include "plugins/haptics/touch_actions.h"
 #include "plugins/haptics/touch_settings.h"
 
@@ -41,6 +42,9 @@ class HapticsPlugin : public QObject, public Plugin {
  private:
   void openDevice();    // As the settings say; the mouse if that fails.
   void changeDevice();  // While attached.
+  void beginOpening();  // Of the plug-in's device that is wished; the mouse stands in meanwhile.
+  void watchOpening();
+  QString heatText() const;
   void chooseDevice(const std::string& id);
   void connectHost();
   void connectControls();
@@ -84,6 +88,8 @@ class HapticsPlugin : public QObject, public Plugin {
 
   Host* host_ = nullptr;
   std::unique_ptr<LoopSession> session_;
+  PluginDevices plugin_devices_;
+  std::unique_ptr<DeviceOpening> opening_;  // Null: none is being opened.
   TouchSettings settings_;
   std::unique_ptr<DeviceButtons> buttons_;
   QPointer<DeviceSetupDialog> setup_;

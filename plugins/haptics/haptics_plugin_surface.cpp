@@ -92,8 +92,8 @@ void HapticsPlugin::takeFirmness(const QString& file, std::shared_ptr<const Firm
     const QString name = shownFileName(file);
     host_->messages.announce(
         settings_.feel.fields.softest_part < 1
-            ? tr("Firm ground: %1.").arg(name)
-            : tr("Firm ground: %1. Set Not measured below 100 % to feel it.").arg(name));
+            ? tr("Stiffness map: %1.").arg(name)
+            : tr("Stiffness map: %1. Set Not measured below 100 % to feel it.").arg(name));
     return;
   }
   // What was chosen before stays; a remembered one that cannot be read is forgotten.

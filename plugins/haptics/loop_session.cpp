@@ -33,12 +33,15 @@ std::string foundFrom(const std::filesystem::path& folder, const std::filesystem
 }  // namespace
 
 LoopSession::LoopSession(const std::string& device_id)
+    : LoopSession(makeDevice(device_id), device_id) {}
+
+LoopSession::LoopSession(std::unique_ptr<Device> device, const std::string& device_id)
     : flight_(QFile::encodeName(flightFolder()).toStdString(),
               "relievo flight record, schema 1\ndevice " + device_id),
       plot_start_ns_(monotonicNs()) {
-  std::unique_ptr<Device> device = makeDevice(device_id);
   steered_ = dynamic_cast<SteeredDevice*>(device.get());
   falcon_ = dynamic_cast<falcon::FalconDevice*>(device.get());
+  foreign_ = dynamic_cast<foreign::ForeignDevice*>(device.get());
   loop_ = std::make_unique<HapticLoop>(std::move(device));
   loop_->start();
   recorder_.beginAt(loop_->snapshots(), buildId());

@@ -14,6 +14,7 @@
 #include "core/session/firmness.h"
 #include "haptics/device/device.h"
 #include "haptics/device/falcon/falcon_device.h"
+#include "haptics/device/foreign/foreign_device.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/flight_record.h"
 #include "haptics/record/recorded_loop.h"
@@ -37,6 +38,8 @@ class LoopSession {
  public:
   /// Opens the device of that id (device_catalog.h) and starts the loop. @throw DeviceError, Error
   explicit LoopSession(const std::string& device_id);
+  /// The same of one that may be open already.
+  LoopSession(std::unique_ptr<Device> device, const std::string& device_id);
   ~LoopSession();  ///< Zero force; all threads are joined on return.
   LoopSession(const LoopSession&) = delete;
   LoopSession& operator=(const LoopSession&) = delete;
@@ -75,6 +78,8 @@ class LoopSession {
   std::optional<ButtonEvent> takeButton();
   /// How the Falcon is doing; null: the device is none.
   const falcon::LinkStatus* falconStatus();
+  /// The device of a plug-in; null: it is none.
+  const foreign::ForeignDevice* foreign() const noexcept { return foreign_; }
   Recorder& recorder() noexcept { return recorder_; }
   FlightRecord& flight() noexcept { return flight_; }
   HapticLoop& loop() noexcept { return *loop_; }
@@ -105,6 +110,7 @@ class LoopSession {
   // Owned by the loop. Null: a person holds the device; null: it is no Falcon.
   SteeredDevice* steered_ = nullptr;
   falcon::FalconDevice* falcon_ = nullptr;
+  foreign::ForeignDevice* foreign_ = nullptr;  // Null: no plug-in drives it.
   std::unique_ptr<SampleDrain> drain_;
   HandMapping mapping_;
   DeviceMm sent_;  // Where the hand was last sent.

@@ -32,6 +32,7 @@ VoicePanel::VoicePanel(QWidget* parent)
       trial_(new QPushButton(tr("Try the voice"))),
       repeat_(new QPushButton(tr("Say it again"))) {
   setObjectName(QStringLiteral("voicePanel"));
+  setProperty("foldedAtFirst", true);  // As the window knows it: for those who want it.
   speaker_->setObjectName(QStringLiteral("voiceSpeaker"));
   speaker_->setAccessibleName(tr("Who says what the hand meets"));
   speaker_->setToolTip(

@@ -348,13 +348,13 @@ void JourneyTest::recordStroke() {
 /// Played at full and at quarter speed; the same time shows the same picture.
 void JourneyTest::seeReplay() {
   window().replay(QString::fromStdString(log_.string()));
-  ASSERT_TRUE(eventually([this] { return window().replayControl().showing(); }))
+  ASSERT_TRUE(eventually([this] { return window().controllers().replays.control().showing(); }))
       << window().message().toStdString();
-  ReplayPlayer& player = window().replayControl().player();
-  keys(*window().replayControl().panel(), Qt::Key_Space);
+  ReplayPlayer& player = window().controllers().replays.control().player();
+  keys(*window().controllers().replays.control().panel(), Qt::Key_Space);
   EXPECT_TRUE(player.playing());
   EXPECT_TRUE(eventually([&] { return player.timeS() > 0.3; }));
-  keys(*window().replayControl().panel(), Qt::Key_Space);
+  keys(*window().controllers().replays.control().panel(), Qt::Key_Space);
   EXPECT_FALSE(player.playing());
   auto* speed = child<QComboBox>("replay_speed");
   Journey::choose(*speed, speed->findData(0.25));
@@ -378,7 +378,7 @@ void JourneyTest::seeReplay() {
   EXPECT_EQ(forceShown(), force);
   picture("7_replay");
   choose("replay_close", "close replay");
-  EXPECT_FALSE(window().replayControl().showing());
+  EXPECT_FALSE(window().controllers().replays.control().showing());
   // The command line repeats it, every bit.
   const auto again = test::runRelievo(
       {"replay", log_.string(), "--verify", "--input", document().file().toStdString()});

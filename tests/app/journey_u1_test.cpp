@@ -432,12 +432,12 @@ void JourneyU1::seeReplay() {
     });
   };
   window().replay(QString::fromStdString(log_.string()));
-  ASSERT_TRUE(eventually([this] { return window().replayControl().showing(); }))
+  ASSERT_TRUE(eventually([this] { return window().controllers().replays.control().showing(); }))
       << window().message().toStdString();
   const auto touch = std::find_if(recorded_.rows.begin(), recorded_.rows.end(),
                                   [](const TouchRow& row) { return norm(row.force) > 0.2; });
   ASSERT_NE(touch, recorded_.rows.end());
-  window().replayControl().player().setTime(touch->t_s - recorded_.startS() + 0.2);
+  window().controllers().replays.control().player().setTime(touch->t_s - recorded_.startS() + 0.2);
   EXPECT_TRUE(probe()->touching);
   EXPECT_FALSE(sent());
   picture("8_replay");

@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
@@ -14,12 +15,14 @@
 #include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QtTest/QTest>
 
 #include "app/host.h"
 #include "app/plugin_loader.h"
 #include "core/region/hand.h"
 #include "tests/ui/gui_fixture.h"
+#include "ui/frame/side_panels.h"
 #include "ui/panels/replay_panel.h"
 #include "ui/views/reference_view.h"
 #include "ui/work/file_names.h"
@@ -121,6 +124,13 @@ class TouchWindowTest : public GuiTest {
     window().open(request);
     ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
   }
+  /// Until the force loop feels what the window shows; then a moment goes by, so that a recording
+  /// has many rows of it. A slow computer gives it fewer.
+  void feelAWhile() {
+    const auto& probe = window().detailView().sceneState().probe;
+    ASSERT_TRUE(waitFor([&] { return probe && probe->window_id == document().window()->id; }));
+    QTest::qWait(300);
+  }
   /// Ends the recording that runs. @return its file; empty: none came
   QString endRecording() {
     action("record")->trigger();
@@ -151,6 +161,34 @@ TEST_F(TouchWindowTest, AModuleThatIsNoPluginIsSkippedAndNamed) {
   ASSERT_EQ(plugins->problems().size(), 1);
   EXPECT_TRUE(plugins->problems().front().contains("broken.so"));
   EXPECT_FALSE(plugins->has("broken"));
+}
+
+TEST_F(TouchWindowTest, WhatEverybodyNeedsFitsBesideAWindowOf900Pixels) {
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics_plugin")) << plugins->problems().join(' ').toStdString();
+  window().resize(1440, 900);
+  openRelief();
+  QApplication::processEvents();
+  auto& panels = *child<SidePanels>("side_panels");
+  EXPECT_EQ(panels.titles().mid(4, 3), QStringList({"Measure", "Touch", "Touch: advanced"}));
+  EXPECT_TRUE(child<QWidget>("strengthSlider")->isVisible());
+  EXPECT_FALSE(child<QWidget>("stiffness")->isVisible());
+  EXPECT_EQ(panels.verticalScrollBar()->maximum(), 0)
+      << panels.widget()->sizeHint().height() << " of " << panels.viewport()->height();
+}
+
+TEST_F(TouchWindowTest, ADialogThatTakesTheReleaseEndsThePressAndTheForce) {
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics_plugin")) << plugins->problems().join(' ').toStdString();
+  openRelief();
+  touchMiddle();
+  QDialog dialog(&window());
+  dialog.open();
+  ASSERT_TRUE(waitFor([this] {
+    const auto& probe = window().detailView().sceneState().probe;
+    return probe && !probe->touching && norm(probe->force) == 0;
+  }));
+  EXPECT_TRUE(action("forces")->isChecked()) << "they are on for the next press";
 }
 
 TEST_F(TouchWindowTest, PressingWithTheMouseIsAnsweredByAForceThatEscapeStops) {
@@ -221,14 +259,14 @@ TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   touchMiddle();
   // It begins while the hand touches; then window, level and feel change.
   action("record")->trigger();
-  QTest::qWait(300);
+  feelAWhile();
   ASSERT_TRUE(window().runCommand("finer"));
-  QTest::qWait(600);
+  feelAWhile();
   child<QComboBox>("surfacePreset")->setCurrentIndex(1);  // Another shape, too.
   move(view, middle + QPointF(30, 10));
-  QTest::qWait(300);
+  feelAWhile();
   window().runCommand("coarser");
-  QTest::qWait(600);
+  feelAWhile();
   const QString recording = endRecording();  // Knows where its scan lies.
   release(view, middle);
   plugins->detachAll();
@@ -275,7 +313,7 @@ TEST_F(TouchWindowTest, ARecordingOfAScanOfAnyNameIsKeptAndReplayedToTheLastBit)
     ASSERT_TRUE(window().runCommand(kind)) << kind;
     touchMiddle();
     action("record")->trigger();
-    QTest::qWait(300);
+    feelAWhile();
     const QString recording = endRecording();
     release(window().detailView(), QRectF(window().detailView().rect()).center());
     QTest::keyClick(&window().detailView(), Qt::Key_F5);
@@ -300,14 +338,14 @@ TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit)
   touchMiddle();
   action("record_h5")->trigger();
   action("record")->trigger();
-  QTest::qWait(300);
+  feelAWhile();
   ASSERT_TRUE(window().runCommand("addNote"));
   auto* text = child<QLineEdit>("note_text");
   ASSERT_NE(text, nullptr);
   QTest::keyClicks(text, "the dome");
   QTest::keyClick(text, Qt::Key_Return);
   ASSERT_TRUE(window().runCommand("finer"));
-  QTest::qWait(600);
+  feelAWhile();
   const QString recording = endRecording();
   release(view, QRectF(view.rect()).center());
   ASSERT_TRUE(recording.endsWith(".h5")) << recording.toStdString();
@@ -315,9 +353,9 @@ TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit)
   ASSERT_TRUE(waitFor([this] { return window().project().recordings.size() == 1; }));
   QTest::keyClick(&view, Qt::Key_Escape);  // Forces off.
   window().open(recording);                // As if it were dropped.
-  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }))
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }))
       << window().message().toStdString();
-  QTest::keyClick(window().replayControl().panel(), Qt::Key_Down);
+  QTest::keyClick(window().controllers().replays.control().panel(), Qt::Key_Down);
   EXPECT_TRUE(child<QLabel>("replay_readout")->text().endsWith("note: the dome"))
       << child<QLabel>("replay_readout")->text().toStdString();
   plugins->detachAll();
@@ -334,19 +372,19 @@ TEST_F(TouchWindowTest, ARecordingAcrossOtherMapsOfTheScanIsReplayedToTheLastBit
   openHoledRelief();
   touchMiddle();
   action("record")->trigger();
-  QTest::qWait(300);
+  feelAWhile();
   const auto remade = [this](const std::function<void(SurfaceOptions&)>& change) {
     SurfaceOptions options = document().project().options;
     change(options);
     const auto before = document().surface();
     document().remake(options, "Change");
     ASSERT_TRUE(waitFor([&] { return document().surface() != before && !document().busy(); }));
-    QTest::qWait(400);
+    feelAWhile();
   };
   // Fill, rotation, and back to the scan's other side.
   remade([](SurfaceOptions& o) { o.holes = {HoleRule::membrane, 1e6}; });
   ASSERT_TRUE(window().runCommand("finer"));
-  QTest::qWait(400);
+  feelAWhile();
   remade([](SurfaceOptions& o) { o.view = ViewChoice{.name = "bottom", .rotation = {}}; });
   remade([](SurfaceOptions& o) { o.cells = 300; });
   const QString recording = endRecording();
@@ -397,14 +435,14 @@ TEST_F(TouchWindowTest, ARecordingWithARasterOfFirmGroundIsReplayedUnlessTheRast
   EXPECT_EQ(name->text(), "where it was measured");
   touchMiddle();
   action("record")->trigger();
-  QTest::qWait(300);
+  feelAWhile();
   const QString firm =
       writeGrid("firm ground.asc", "1 0 1 0 1 0.5 1 0 1 0 1 0 0.2 0 1 0 1 0 1 0\n");
   choose(firm);
   ASSERT_TRUE(waitFor([&] { return name->text() == "firm ground.asc"; }));
-  QTest::qWait(600);
+  feelAWhile();
   ASSERT_TRUE(window().runCommand("finer"));
-  QTest::qWait(600);
+  feelAWhile();
   const QString recording = endRecording();
   auto& view = window().detailView();
   release(view, QRectF(view.rect()).center());

@@ -224,18 +224,19 @@ void run(const QString& scan) {
   if (auto* dialog = window.findChild<QDialog*>("figure_dialog")) dialog->reject();
   settle();
   const TouchRecording recording = recordingOn(window.document().project().region);
-  window.setRecordingReader([&](const std::filesystem::path&, const Task&) { return recording; });
+  window.controllers().replays.setReader(
+      [&](const std::filesystem::path&, const Task&) { return recording; });
   QFile made(folder.filePath("made.csv"));
   if (!made.open(QIODevice::WriteOnly)) return;
   made.close();
   measured(
       "replay", [&] { window.replay(made.fileName()); },
-      [&] { return window.replayControl().showing(); });
+      [&] { return window.controllers().replays.control().showing(); });
   measured(
       "video of the replay, 2 s",
-      [&] { window.writeVideo(VideoRequest{}, folder.filePath("replay.mp4")); },
-      [&] { return !window.videoControl().writing(); });
-  window.replayControl().close();
+      [&] { window.controllers().videos.write(VideoRequest{}, folder.filePath("replay.mp4")); },
+      [&] { return !window.controllers().videos.control().writing(); });
+  window.controllers().replays.control().close();
   window.runCommand("key_view");
   window.runCommand("finer");
   window.runCommand("key_view");
@@ -243,16 +244,17 @@ void run(const QString& scan) {
   measured(
       "video of the view, 3 s",
       [&] {
-        window.videoControl().startLive(folder.filePath("live.mp4"), VideoProfile::talk, "{}",
-                                        window.liveSource());
+        window.controllers().videos.control().startLive(folder.filePath("live.mp4"),
+                                                        VideoProfile::talk, "{}",
+                                                        window.controllers().videos.liveSource());
       },
-      [&] { return window.videoControl().liveS() > 3; });
+      [&] { return window.controllers().videos.control().liveS() > 3; });
   measured(
       "the same, 3 s, along a camera path", [&] { window.runCommand("path_play"); },
-      [&] { return window.videoControl().liveS() > 6.5; });
+      [&] { return window.controllers().videos.control().liveS() > 6.5; });
   measured(
-      "its end", [&] { window.videoControl().stopLive(); },
-      [&] { return !window.videoControl().live(); });
+      "its end", [&] { window.controllers().videos.control().stopLive(); },
+      [&] { return !window.controllers().videos.control().live(); });
 
   const auto dialog = [&] { return window.findChild<PrepareDialog*>(); };
   measured(

@@ -44,5 +44,29 @@ TEST_F(HapticsPanelTest, ASlowLoopIsSaidWithWhatItCosts) {
   EXPECT_EQ(text("forceState"), "On.");
 }
 
+TEST_F(HapticsPanelTest, WhetherADeviceWasTriedOnHardwareStandsBesideIt) {
+  EXPECT_TRUE(label("triedOnHardware")->isHidden()) << "nobody feels a mouse";
+  TouchSettings settings;
+  settings.device = "falcon";
+  panel_.setSettings(settings);
+  EXPECT_FALSE(label("triedOnHardware")->isHidden());
+  EXPECT_EQ(text("triedOnHardware"), "Tried on hardware: never.");
+  settings.device = "plugin:nothing/here";
+  panel_.setSettings(settings);
+  EXPECT_EQ(text("triedOnHardware"), "Tried on hardware: ask who made the plug-in.");
+  settings.device = "virtual:light";
+  panel_.setSettings(settings);
+  EXPECT_TRUE(label("triedOnHardware")->isHidden());
+}
+
+TEST_F(HapticsPanelTest, WarmMotorsAreSaid) {
+  panel_.show(report_);
+  EXPECT_TRUE(label("motorHeat")->isHidden());
+  report_.heat = "Motors: 80 % of what they can take for good; forces stay below 2.4 N.";
+  panel_.show(report_);
+  EXPECT_FALSE(label("motorHeat")->isHidden());
+  EXPECT_EQ(text("motorHeat"), report_.heat);
+}
+
 }  // namespace
 }  // namespace relievo

@@ -298,7 +298,7 @@ TEST_F(HapticsPluginTest, ARasterOfFirmGroundIsChosenByKeysFeltAndRemembered) {
   QTest::keyClick(inPanel<QPushButton>("firmnessChoose"), Qt::Key_Space);
   auto* dialog = inPanel<QFileDialog>("firmness_dialog");
   Q_EMIT dialog->fileSelected("/scans/soft.tif");
-  EXPECT_EQ(host_.announcements.last(), "Firm ground: soft.tif.");
+  EXPECT_EQ(host_.announcements.last(), "Stiffness map: soft.tif.");
   EXPECT_EQ(name->text(), "soft.tif");
   EXPECT_EQ(inPanel<QPushButton>("firmnessChoose")->accessibleDescription(), "soft.tif");
   EXPECT_TRUE(probeBecomes([&](const Probe& p) { return settled(p, 0.5 * kAtStrength); }))

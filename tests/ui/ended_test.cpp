@@ -62,7 +62,7 @@ TEST_F(EndedTest, FromOutsideAPackageIsWholeOrNotThere) {
   for (const int moment : kMoments) {
     const QString folder = freshFolder(moment);
     openRelief();
-    window().writePackage({path(folder + "/p.zip"), true, {}, {}});
+    window().controllers().packages.write({path(folder + "/p.zip"), true, {}, {}});
     QTest::qWait(moment);
     window().endAtOnce();
     restart();
@@ -88,7 +88,7 @@ TEST_F(EndedTest, AClosedWindowWaitsForItsPackageWhateverIsStillAsked) {
   for (const int moment : kMoments) {
     const QString folder = freshFolder(moment);
     openRelief();
-    window().writePackage({path(folder + "/p.zip"), true, {}, {}});
+    window().controllers().packages.write({path(folder + "/p.zip"), true, {}, {}});
     QTest::qWait(moment);
     window().close();
     ASSERT_TRUE(waitFor([&] { return !window().isVisible(); }));

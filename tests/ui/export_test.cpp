@@ -66,8 +66,9 @@ TEST_F(ExportWindowTest, IsReachedByKeysAndWritesWhatIsChosen) {
   QTest::keyClick(part, Qt::Key_Home);
   typeInto(*file, path("new folder/dome.glb"));
   QTest::keyClick(file, Qt::Key_Return);
-  ASSERT_TRUE(waitFor(
-      [&] { return !window().exporting() && !bytes(path("new folder/dome.glb")).empty(); }));
+  ASSERT_TRUE(waitFor([&] {
+    return !window().controllers().exports.busy() && !bytes(path("new folder/dome.glb")).empty();
+  }));
   EXPECT_EQ(bytes(path("new folder/dome.glb")).substr(0, 4), "glTF");
   EXPECT_TRUE(
       waitFor([&] { return child<QLabel>("status_message")->text().contains("dome.glb"); }));
@@ -83,8 +84,8 @@ TEST_F(ExportWindowTest, WritesTheBytesOfTheSameFunctionForEveryFormat) {
     choice.format = *exportFormatOf(name.toStdString());
     choice.part = ExportPart::level;
     choice.region.level = {1};
-    window().exportMap(choice, name);
-    ASSERT_TRUE(waitFor([&] { return !window().exporting(); }));
+    window().controllers().exports.write(choice, name);
+    ASSERT_TRUE(waitFor([&] { return !window().controllers().exports.busy(); }));
     ASSERT_EQ(window().message(), "");
     EXPECT_GT(bytes(name).size(), 1000U);
     if (choice.format == ExportFormat::geotiff) continue;  // Holds where it came from.
@@ -130,11 +131,12 @@ TEST_F(ExportWindowTest, NeverTakesThePlaceOfTheScanAndSaysWhy) {
   const std::string before = bytes(scan);
   MapExport choice;
   choice.format = ExportFormat::ply;
-  window().exportMap(choice, scan);
-  ASSERT_TRUE(waitFor([&] { return !window().exporting() && !window().message().isEmpty(); }));
+  window().controllers().exports.write(choice, scan);
+  ASSERT_TRUE(waitFor(
+      [&] { return !window().controllers().exports.busy() && !window().message().isEmpty(); }));
   EXPECT_TRUE(window().message().contains("the scan itself")) << window().message().toStdString();
   EXPECT_EQ(bytes(scan), before);
-  window().exportMap(choice, path("no/such/folder/a.ply"));
+  window().controllers().exports.write(choice, path("no/such/folder/a.ply"));
   EXPECT_TRUE(waitFor([&] { return window().message().contains("Cannot write"); }));
 }
 

@@ -99,7 +99,7 @@ TEST_P(FileNames, AreDroppedAsFileManagersSendThem) {
 
 TEST_P(FileNames, AddNoLinesToHeaders) {
   openNamed();
-  const QString header = window().recordingHeader(text(".csv"));
+  const QString header = recordingHeader(window().document(), text(".csv"));
   for (const QString& line : header.split('\n')) {
     EXPECT_TRUE(line.startsWith(QLatin1String("# "))) << line.toStdString();
   }

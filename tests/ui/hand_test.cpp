@@ -152,13 +152,13 @@ TEST_F(HandTest, AProbeIsDrawnOnlyOnTheWindowItBelongsTo) {
   Probe probe;
   probe.window_id = document().window()->id + 1;
   probe.proxy = probe.hip = {100, 90, 20};
-  window().showProbe(probe);
+  window().controllers().touch.showProbe(probe);
   EXPECT_FALSE(view().sceneState().probe.has_value());
   probe.window_id = document().window()->id;
   probe.forces_on = true;
   probe.force = {0, 0, 0.5};
   probe.force_limit_n = 4;
-  window().showProbe(probe);
+  window().controllers().touch.showProbe(probe);
   ASSERT_TRUE(view().sceneState().probe.has_value());
   EXPECT_EQ(child<QLabel>("status_force")->text(), "0.50/4.0 N");
   ASSERT_TRUE(document().move(0.25, 0));

@@ -416,13 +416,13 @@ TEST(Translations, AreInTheProgramAndTheWindowSpeaksThem) {
   QTranslator german, hindi;
   ASSERT_TRUE(german.load(":/translations/relievo_de.qm"));
   ASSERT_TRUE(hindi.load(":/translations/relievo_hi.qm"));
-  EXPECT_EQ(german.translate("relievo::MainWindow", "Surface"), QString("Oberfläche"));
-  EXPECT_EQ(hindi.translate("relievo::MainWindow", "Surface"), QString("सतह"));
+  EXPECT_EQ(german.translate("relievo::WorkArea", "Window"), QString("Ausschnitt"));
+  EXPECT_EQ(hindi.translate("relievo::WorkArea", "Window"), QString("विंडो"));
   QTranslator english;
   ASSERT_TRUE(english.load(":/translations/relievo_en.qm"));
   for (const int n : {1, 2}) {
     const QString text = english.translate(
-        "relievo::MainWindow",
+        "relievo::OpenController",
         "relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).", nullptr, n);
     EXPECT_TRUE(text.endsWith(n == 1 ? "(%n step)." : "(%n steps).")) << text.toStdString();
   }

@@ -228,28 +228,28 @@ TEST_F(PreferencesTest, PaletteUnitsAndStereoFollowTheirSettings) {
 }
 
 TEST_F(PreferencesTest, TheKindOfRecordingIsChosenHereOrInTheMenuAndKept) {
-  EXPECT_EQ(window().recordingEnding(), "csv");
+  EXPECT_EQ(window().controllers().replays.ending(), "csv");
   EXPECT_TRUE(action("record_csv")->isChecked());
   PreferencesDialog& dialog = openDialog();
   auto* kind = dialog.findChild<QComboBox*>("pref_recording_kind");
   ASSERT_NE(kind, nullptr);
   kind->setCurrentIndex(1);
-  EXPECT_EQ(window().recordingEnding(), "h5");
+  EXPECT_EQ(window().controllers().replays.ending(), "h5");
   EXPECT_TRUE(action("record_h5")->isChecked());
   restart();
-  EXPECT_EQ(window().recordingEnding(), "h5");
+  EXPECT_EQ(window().controllers().replays.ending(), "h5");
   EXPECT_TRUE(action("record_h5")->isChecked());
   action("record_csv")->trigger();
-  EXPECT_EQ(window().recordingEnding(), "csv");
+  EXPECT_EQ(window().controllers().replays.ending(), "csv");
   EXPECT_EQ(openDialog().findChild<QComboBox*>("pref_recording_kind")->currentIndex(), 0);
 }
 
 TEST_F(PreferencesTest, TheFolderOfRecordingsIsAskedForAfterTheFirstAndKept) {
   qputenv("HOME", path("home").toLocal8Bit());
   const QString usual = path("home/Documents/relievo");
-  EXPECT_EQ(window().recordingFolder(), usual);
+  EXPECT_EQ(window().controllers().replays.folder(), usual);
   openRelief();
-  window().noteRecording(writeRelief("first.csv"));
+  window().controllers().replays.noteRecording(writeRelief("first.csv"));
   EXPECT_TRUE(window().message().contains("Recordings are kept in " + usual))
       << window().message().toStdString();
   auto* strip = child<MessageStrip>("message_strip");
@@ -258,24 +258,24 @@ TEST_F(PreferencesTest, TheFolderOfRecordingsIsAskedForAfterTheFirstAndKept) {
   ASSERT_NE(dialog, nullptr);
   QDir().mkpath(path("survey"));
   Q_EMIT dialog->fileSelected(path("survey"));
-  EXPECT_EQ(window().recordingFolder(), path("survey"));
+  EXPECT_EQ(window().controllers().replays.folder(), path("survey"));
   restart();
-  EXPECT_EQ(window().recordingFolder(), path("survey"));
+  EXPECT_EQ(window().controllers().replays.folder(), path("survey"));
   openRelief();
-  window().noteRecording(writeRelief("second.csv"));
+  window().controllers().replays.noteRecording(writeRelief("second.csv"));
   EXPECT_EQ(window().message(), "") << "once";
   auto* field = openDialog().findChild<QLineEdit*>("pref_recording_folder_path");
   ASSERT_NE(field, nullptr);
   EXPECT_EQ(field->text(), path("survey"));
   field->clear();
   Q_EMIT field->editingFinished();
-  EXPECT_EQ(window().recordingFolder(), usual);
+  EXPECT_EQ(window().controllers().replays.folder(), usual);
 }
 
 TEST_F(PreferencesTest, AFaultThatIsToldIsNotHiddenByTheQuestionForAFolder) {
   openRelief();
-  window().showError("The recording may be incomplete.", "E401");
-  window().noteRecording(writeRelief("first.csv"));
+  window().messages().showError("The recording may be incomplete.", "E401");
+  window().controllers().replays.noteRecording(writeRelief("first.csv"));
   EXPECT_TRUE(window().message().contains("E401")) << window().message().toStdString();
 }
 

@@ -277,7 +277,7 @@ TEST_F(RegionTest, UndoAndRedoBringBackIdenticalStatesUnderTheirNames) {
   document().setGain(2);
   const DocumentState last = document().state();
   const std::vector<float> last_heights = document().window()->heights_mm;
-  EXPECT_EQ(action("undo")->text(), "&Undo Height gain");
+  EXPECT_EQ(action("undo")->text(), "&Undo Vertical exaggeration");
   for (int i = 0; i < 3; ++i) QTest::keyClick(&view(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(document().state(), first);
   EXPECT_EQ(document().window()->heights_mm, first_heights);
@@ -307,7 +307,7 @@ TEST_F(RegionTest, TheHandScaleIsSaid) {
   document().setRect({40, 40, 80, 80});
   const double scale = handMapping(*document().window()).objectMmPerHandMm();
   const QString text = child<QLabel>("hand_scale")->text();
-  EXPECT_TRUE(text.startsWith("1 mm of hand = " + QString::number(scale, 'f', 2)))
+  EXPECT_TRUE(text.startsWith("Hand scale 1 : " + QString::number(scale, 'f', 2)))
       << text.toStdString();
 }
 

@@ -46,12 +46,13 @@ class ReplayTest : public GuiTest {
     recording_ = std::make_shared<TouchRecording>(tenSeconds());
     recording_->input_sha256 = document().fileSha256().toStdString();
     recording_->input = "relief.ply";
-    window().setRecordingReader([this](const std::filesystem::path& file, const Task&) {
-      if (file.filename() != "touch.csv") throw FileError("This is no recording.");
-      return *recording_;
-    });
+    window().controllers().replays.setReader(
+        [this](const std::filesystem::path& file, const Task&) {
+          if (file.filename() != "touch.csv") throw FileError("This is no recording.");
+          return *recording_;
+        });
   }
-  ReplayControl& control() { return window().replayControl(); }
+  ReplayControl& control() { return window().controllers().replays.control(); }
   ReplayPlayer& player() { return control().player(); }
   void replay() {
     window().replay(path("touch.csv"));
@@ -186,7 +187,7 @@ TEST_F(ReplayTest, DrivesNoDeviceAndGivesTheWindowBack) {
   bool stopped = false;
   QObject::connect(off, &QAction::triggered, off, [&] {
     stopped = true;
-    window().showTouch(TouchReadout{});  // As the force loop answers at once.
+    window().controllers().touch.show(TouchReadout{});  // As the force loop answers at once.
   });
   window().addToMenu("Touch", off);
   auto* forces = new QAction("&Forces on");
@@ -196,7 +197,7 @@ TEST_F(ReplayTest, DrivesNoDeviceAndGivesTheWindowBack) {
   const Region before = document().project().region;
   TouchReadout readout;
   readout.forces_on = true;
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   replay();
   EXPECT_TRUE(stopped);
   EXPECT_FALSE(forces->isEnabled());
@@ -205,7 +206,7 @@ TEST_F(ReplayTest, DrivesNoDeviceAndGivesTheWindowBack) {
   Probe live;
   live.window_id = document().window()->id;
   live.proxy = {1, 2, 3};
-  window().showProbe(live);
+  window().controllers().touch.showProbe(live);
   EXPECT_NEAR(drawn().proxy.x, 116, 1e-9) << "the hand of now is not mixed in";
   QTest::keyClick(control().panel(), Qt::Key_Escape);
   EXPECT_FALSE(control().showing());
@@ -219,7 +220,7 @@ TEST_F(ReplayTest, EndsWhenForcesComeOnByAnotherWay) {
   replay();
   TouchReadout readout;
   readout.forces_on = true;
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   EXPECT_FALSE(control().showing());
   EXPECT_TRUE(status("status_message").contains("Forces are on"));
 }
@@ -282,7 +283,7 @@ TEST_F(ReplayTest, SaysWhatCannotBeReplayedAndChangesNothing) {
   EXPECT_FALSE(control().showing());
   TouchReadout readout;
   readout.recording = true;
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   window().replay(path("touch.csv"));
   EXPECT_TRUE(window().message().contains("Stop it first"));
   EXPECT_FALSE(control().reading());

@@ -44,12 +44,12 @@ class ShareTest : public GuiTest {
   }
   void note(const QString& recording) {
     const std::size_t before = window().project().recordings.size();
-    window().noteRecording(recording);
+    window().controllers().replays.noteRecording(recording);
     ASSERT_TRUE(waitFor([&] { return window().project().recordings.size() > before; }));
     child<MessageStrip>("message_strip")->close();  // After the first: where they are kept.
   }
   void finishPacking() {
-    ASSERT_TRUE(waitFor([&] { return !window().packing(); }));
+    ASSERT_TRUE(waitFor([&] { return !window().controllers().packages.busy(); }));
     QApplication::processEvents();
   }
   fs::path unpacked(const QString& package) const {
@@ -126,7 +126,7 @@ TEST_F(ShareTest, RecordingsBelongToTheProjectOnceEach) {
   ASSERT_EQ(window().project().recordings.size(), 1U);
   EXPECT_EQ(window().project().recordings[0].file, log.toStdString());
   EXPECT_EQ(window().project().recordings[0].sha256.size(), 64U);
-  window().noteRecording(log);
+  window().controllers().replays.noteRecording(log);
   note(writeFile("more.csv", "and more"));
   EXPECT_EQ(window().project().recordings.size(), 2U);
   window().saveProject(path("p.relievo.json"));
@@ -138,12 +138,13 @@ TEST_F(ShareTest, APackageForCitationIsMadeInTheDialog) {
   saveImage("fig.png");
   note(writeFile("touch.csv", "what was felt"));
   const QString raster = writeFile("firm.asc", "where it is firm");
-  window().setCompanions([&](const fs::path& recording, bool scans, const Task&) {
-    EXPECT_EQ(recording.filename(), "touch.csv");
-    EXPECT_TRUE(scans);
-    const std::string file = raster.toStdString();
-    return std::vector<InputFile>{{.file = file, .sha256 = sha256OfFile(file)}};
-  });
+  window().controllers().packages.setCompanions(
+      [&](const fs::path& recording, bool scans, const Task&) {
+        EXPECT_EQ(recording.filename(), "touch.csv");
+        EXPECT_TRUE(scans);
+        const std::string file = raster.toStdString();
+        return std::vector<InputFile>{{.file = file, .sha256 = sha256OfFile(file)}};
+      });
   window().runCommand("package");
   auto* dialog = child<PackageDialog>("package_dialog");
   ASSERT_NE(dialog, nullptr);
@@ -174,8 +175,8 @@ TEST_F(ShareTest, ThePackageOpensWhereverItIsTaken) {
   openRelief();
   document().setRect({40, 40, 60, 60});
   const Region region = document().project().region;
-  window().writePackage({path("cite.zip"), true, {}, {}});
-  ASSERT_TRUE(waitFor([&] { return !window().packing(); }));
+  window().controllers().packages.write({path("cite.zip"), true, {}, {}});
+  ASSERT_TRUE(waitFor([&] { return !window().controllers().packages.busy(); }));
   fs::create_directories(path("elsewhere").toStdString());
   ASSERT_TRUE(QFile::rename(path("cite.zip"), path("elsewhere/cite.zip")));
   ASSERT_TRUE(QFile::remove(path("relief.ply")));
@@ -197,8 +198,8 @@ TEST_F(ShareTest, ThePackageOpensWhereverItIsTaken) {
 
 TEST_F(ShareTest, APackageThatWasChangedIsNotOpened) {
   openRelief();
-  window().writePackage({path("cite.zip"), true, {}, {}});
-  ASSERT_TRUE(waitFor([&] { return !window().packing(); }));
+  window().controllers().packages.write({path("cite.zip"), true, {}, {}});
+  ASSERT_TRUE(waitFor([&] { return !window().controllers().packages.busy(); }));
   QFile zip(path("cite.zip"));
   ASSERT_TRUE(zip.open(QIODevice::ReadWrite));
   QByteArray bytes = zip.readAll();
@@ -217,8 +218,8 @@ TEST_F(ShareTest, APackageThatWasChangedIsNotOpened) {
 
 TEST_F(ShareTest, AWindowThatIsClosedWritesItsPackageFirst) {
   openRelief();
-  window().writePackage({path("p.zip"), true, {}, {}});
-  ASSERT_TRUE(window().packing());
+  window().controllers().packages.write({path("p.zip"), true, {}, {}});
+  ASSERT_TRUE(window().controllers().packages.busy());
   window().runCommand("quit");
   EXPECT_TRUE(window().isVisible());
   EXPECT_EQ(status(), "relievo closes when the package is written");
@@ -228,7 +229,7 @@ TEST_F(ShareTest, AWindowThatIsClosedWritesItsPackageFirst) {
 
 TEST_F(ShareTest, AWindowDoesNotCloseOnAPackageThatFailed) {
   openRelief();
-  window().writePackage({path("no/such/folder/p.zip"), true, {}, {}});
+  window().controllers().packages.write({path("no/such/folder/p.zip"), true, {}, {}});
   window().close();
   finishPacking();
   EXPECT_TRUE(window().isVisible());
@@ -283,7 +284,7 @@ TEST_F(ShareTest, WhatIsNotTickedStaysAway) {
 
 TEST_F(ShareTest, APackageThatCannotBeMadeIsSaidAndLeavesNothing) {
   openRelief();
-  window().writePackage({path("no/such/folder/p.zip"), true, {}, {}});
+  window().controllers().packages.write({path("no/such/folder/p.zip"), true, {}, {}});
   finishPacking();
   EXPECT_TRUE(window().message().contains("could not be written"))
       << window().message().toStdString();
@@ -295,7 +296,7 @@ TEST_F(ShareTest, APackageThatCannotBeMadeIsSaidAndLeavesNothing) {
   more.close();
   window().open(path("second.ply"));
   ASSERT_TRUE(waitFor([&] { return document().file().endsWith("second.ply"); }));
-  window().writePackage({path("p.zip"), true, {path("other.png")}, {}});
+  window().controllers().packages.write({path("p.zip"), true, {path("other.png")}, {}});
   finishPacking();
   EXPECT_TRUE(window().message().contains("other.png is a recording of relief.ply"))
       << window().message().toStdString();
@@ -319,7 +320,7 @@ TEST_F(ShareTest, NothingThatIsWrittenTakesThePlaceOfTheScan) {
   window().saveProject(scan);
   refused(window().message());
   window().showMessage("");
-  window().writePackage({scan, true, {}, {}});
+  window().controllers().packages.write({scan, true, {}, {}});
   finishPacking();
   refused(window().message());
   try {
@@ -341,7 +342,7 @@ TEST_F(ShareTest, RecordingsOfOtherFormatsTellTheirScanToo) {
   const auto log = openLog(path("other.h5").toStdString(), "relievo:state " + state);
   log->write({}, 0);
   log->close();
-  window().writePackage({path("p.zip"), true, {path("other.h5")}, {}});
+  window().controllers().packages.write({path("p.zip"), true, {path("other.h5")}, {}});
   finishPacking();
   EXPECT_TRUE(window().message().contains("other.h5 is a recording of vase.stl"))
       << window().message().toStdString();

@@ -62,7 +62,7 @@ class VideoWindowTest : public GuiTest {
     QDir().mkpath(path("home"));
     openRelief();
   }
-  VideoControl& video() { return window().videoControl(); }
+  VideoControl& video() { return window().controllers().videos.control(); }
   /// Videos have even sides, whatever the view has.
   void makeViewOdd() {
     const DetailView& view = window().detailView();
@@ -114,15 +114,15 @@ TEST_F(VideoWindowTest, WithoutFfmpegPicturesAreOffered) {
 }
 
 TEST_F(VideoWindowTest, AReplayBecomesAVideoInTheBackgroundAndEscapeEndsIt) {
-  window().setRecordingReader([](const std::filesystem::path& file, const Task&) {
+  window().controllers().replays.setReader([](const std::filesystem::path& file, const Task&) {
     return shortTouch(file.filename() == "long.csv" ? 20 : 0.1);
   });
   EXPECT_FALSE(action("video")->isEnabled()) << "of what?";
   window().replay(path("touch.csv"));
-  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }));
   EXPECT_TRUE(action("video")->isEnabled());
   QFile(path("touch.csv")).open(QIODevice::WriteOnly);
-  window().writeVideo(pictures(), path("frames"));
+  window().controllers().videos.write(pictures(), path("frames"));
   EXPECT_TRUE(video().writing());
   EXPECT_FALSE(action("video")->isEnabled()) << "one at a time";
   ASSERT_TRUE(waitFor([this] { return !video().writing(); }));
@@ -131,46 +131,47 @@ TEST_F(VideoWindowTest, AReplayBecomesAVideoInTheBackgroundAndEscapeEndsIt) {
   EXPECT_EQ(QDir(path("frames")).entryList({"*.png"}).size(), 4);
 
   window().replay(path("long.csv"));
-  ASSERT_TRUE(waitFor([this] { return window().replayControl().player().durationS() > 1; }));
+  ASSERT_TRUE(waitFor(
+      [this] { return window().controllers().replays.control().player().durationS() > 1; }));
   QFile(path("long.csv")).open(QIODevice::WriteOnly);
-  window().writeVideo(pictures(), path("long"));
+  window().controllers().videos.write(pictures(), path("long"));
   ASSERT_TRUE(waitFor([this] { return QFile::exists(path("long/frame_000001.png")); }));
   QTest::keyClick(&window().detailView(), Qt::Key_Escape);
   EXPECT_FALSE(video().writing());
-  EXPECT_TRUE(window().replayControl().showing()) << "Escape ended the work first";
+  EXPECT_TRUE(window().controllers().replays.control().showing()) << "Escape ended the work first";
   EXPECT_TRUE(waitFor([this] { return !QFile::exists(path("long")); })) << "nothing is left";
 }
 
 TEST_F(VideoWindowTest, AVideoCancelledInItsFirstMomentIsAnsweredAtOnceAndCanBeMadeAgain) {
-  window().setRecordingReader(
+  window().controllers().replays.setReader(
       [](const std::filesystem::path&, const Task&) { return shortTouch(0.1); });
   window().replay(path("touch.csv"));
-  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }));
   QFile(path("touch.csv")).open(QIODevice::WriteOnly);
   for (int i = 0; i < 3; ++i) {
-    window().writeVideo(pictures(), path("frames"));
+    window().controllers().videos.write(pictures(), path("frames"));
     QTest::keyClick(&window().detailView(), Qt::Key_Escape);
     EXPECT_FALSE(video().writing());
     EXPECT_TRUE(action("video")->isEnabled());
     EXPECT_TRUE(said().contains("Cancelled")) << said().toStdString();
   }
-  window().writeVideo(pictures(), path("frames"));
+  window().controllers().videos.write(pictures(), path("frames"));
   ASSERT_TRUE(waitFor([this] { return !video().writing(); }));
   EXPECT_EQ(QDir(path("frames")).entryList({"*.png"}).size(), 4)
       << said().toStdString() << window().message().toStdString();
   // The end of the program comes in the middle of one.
-  window().writeVideo(pictures(), path("left"));
+  window().controllers().videos.write(pictures(), path("left"));
   restart();
   EXPECT_FALSE(QFile::exists(path("left")));
 }
 
 TEST_F(VideoWindowTest, AWindowThatIsClosedSavesItsVideoFirst) {
-  window().setRecordingReader(
+  window().controllers().replays.setReader(
       [](const std::filesystem::path&, const Task&) { return shortTouch(0.1); });
   window().replay(path("touch.csv"));
-  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }));
   QFile(path("touch.csv")).open(QIODevice::WriteOnly);
-  window().writeVideo(pictures(), path("frames"));
+  window().controllers().videos.write(pictures(), path("frames"));
   window().close();
   EXPECT_TRUE(window().isVisible());
   EXPECT_TRUE(said().contains("closes when the video is saved")) << said().toStdString();
@@ -179,12 +180,12 @@ TEST_F(VideoWindowTest, AWindowThatIsClosedSavesItsVideoFirst) {
 }
 
 TEST_F(VideoWindowTest, EscapeStopsTheVideoThatAClosedWindowWaitsForAndTheWindowStays) {
-  window().setRecordingReader(
+  window().controllers().replays.setReader(
       [](const std::filesystem::path&, const Task&) { return shortTouch(20); });
   window().replay(path("long.csv"));
-  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }));
   QFile(path("long.csv")).open(QIODevice::WriteOnly);
-  window().writeVideo(pictures(), path("long"));
+  window().controllers().videos.write(pictures(), path("long"));
   window().close();
   ASSERT_TRUE(window().isVisible());
   QTest::keyClick(&window().detailView(), Qt::Key_Escape);
@@ -208,14 +209,14 @@ TEST_F(VideoWindowTest, AVideoOfTheViewEndsWholeWhenTheWindowIsClosed) {
 }
 
 TEST_F(VideoWindowTest, AnEndFromOutsideWaitsForNoVideoAndLeavesNoHalfOne) {
-  window().setRecordingReader(
+  window().controllers().replays.setReader(
       [](const std::filesystem::path&, const Task&) { return shortTouch(20); });
   window().replay(path("long.csv"));
-  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }));
   QFile(path("long.csv")).open(QIODevice::WriteOnly);
   window().runCommand("beacon");
   ASSERT_TRUE(window().hasUnsavedWork());
-  window().writeVideo(pictures(), path("long"));
+  window().controllers().videos.write(pictures(), path("long"));
   ASSERT_TRUE(waitFor([this] { return QFile::exists(path("long/frame_000001.png")); }));
   window().endAtOnce();
   EXPECT_FALSE(window().isVisible());
@@ -225,10 +226,10 @@ TEST_F(VideoWindowTest, AnEndFromOutsideWaitsForNoVideoAndLeavesNoHalfOne) {
 }
 
 TEST_F(VideoWindowTest, SizeAndRateAreChosenInTheDialog) {
-  window().setRecordingReader(
+  window().controllers().replays.setReader(
       [](const std::filesystem::path&, const Task&) { return shortTouch(0.5); });
   window().replay(path("touch.csv"));
-  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }));
   QFile(path("touch.csv")).open(QIODevice::WriteOnly);
   makeViewOdd();
   window().runCommand("relief_slope");
@@ -258,11 +259,11 @@ TEST_F(VideoWindowTest, SizeAndRateAreChosenInTheDialog) {
 }
 
 TEST_F(VideoWindowTest, PartSpeedContentAndEyesAreChosenInTheDialog) {
-  window().setRecordingReader(
+  window().controllers().replays.setReader(
       [](const std::filesystem::path&, const Task&) { return shortTouch(2); });
   window().replay(path("touch.csv"));
-  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
-  window().replayControl().player().setSpeed(0.25);
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }));
+  window().controllers().replays.control().player().setSpeed(0.25);
   window().runCommand("video");
   auto* dialog = static_cast<VideoDialog*>(child<QDialog>("video_options_dialog"));
   ASSERT_NE(dialog, nullptr);
@@ -318,7 +319,7 @@ TEST_F(VideoWindowTest, PartSpeedContentAndEyesAreChosenInTheDialog) {
 }
 
 TEST_F(VideoWindowTest, AReplayIsFilmedAlongTheCameraPathIfThatIsChosen) {
-  window().setRecordingReader(
+  window().controllers().replays.setReader(
       [](const std::filesystem::path&, const Task&) { return shortTouch(2); });
   window().runCommand("key_view");
   document().setRect({60, 50, 40, 40});
@@ -334,7 +335,7 @@ TEST_F(VideoWindowTest, AReplayIsFilmedAlongTheCameraPathIfThatIsChosen) {
   dialog->reject();
   QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   window().replay(path("touch.csv"));
-  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }));
   dialog = open_dialog();
   ASSERT_NE(dialog, nullptr);
   EXPECT_FALSE(dialog->request().path);

@@ -135,7 +135,7 @@ TEST_F(WindowTest, EscapeStopsForcesBeforeAnythingElse) {
   openRelief();
   TouchReadout readout;
   readout.forces_on = true;
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   QTest::keyClick(&window().referenceView(), Qt::Key_Escape);
   EXPECT_TRUE(stopped);
 }
@@ -150,11 +150,11 @@ TEST_F(WindowTest, CommandsRunByNameUnlessTheyAreOffOrUnknown) {
 }
 
 TEST_F(WindowTest, WithoutATouchModuleTheWindowSaysSoAndShowsNoPlots) {
-  window().showTouchMissing("the haptics plugin was not found.");
+  window().controllers().touch.showMissing("the haptics plugin was not found.");
   openRelief();
   EXPECT_FALSE(child<QWidget>("time_plot")->isVisible());
   EXPECT_FALSE(action("show_plots")->isVisible());
-  window().showTouchMissing("the haptics plugin was not found.");
+  window().controllers().touch.showMissing("the haptics plugin was not found.");
   EXPECT_EQ(child<QLabel>("status_message")->text(),
             "Touch is not available: the haptics plugin was not found. Viewing works.");
 }
@@ -164,16 +164,16 @@ TEST_F(WindowTest, ALoopThatRunsAsItShouldIsNotInTheStatusBar) {
   TouchReadout readout;
   readout.rate_hz = 1000;
   readout.late_ticks = 3;
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   EXPECT_FALSE(child<QLabel>("status_force_rate")->isVisible());
   readout.rate_hz = 640;
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   EXPECT_EQ(child<QLabel>("status_force_rate")->text(), "640/s, late 3");
   readout.rate_hz = 1000;
   readout.late_ticks = 200;
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   EXPECT_EQ(child<QLabel>("status_force_rate")->text(), "1000/s, late 200") << "ticks came late";
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   EXPECT_FALSE(child<QLabel>("status_force_rate")->isVisible()) << "and no more since";
 }
 
@@ -185,7 +185,7 @@ TEST_F(WindowTest, RateAndRecordingAreShownOnceTouchReports) {
   readout.recording = true;
   readout.recorded_samples = 42;
   readout.realtime_note = "not permitted";
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   EXPECT_EQ(child<QLabel>("status_force_rate")->text(), "810/s, late 3");
   EXPECT_TRUE(child<QLabel>("status_force_rate")->toolTip().contains("not permitted"));
   EXPECT_TRUE(child<QLabel>("status_recording")->text().contains("42"));
@@ -194,7 +194,7 @@ TEST_F(WindowTest, RateAndRecordingAreShownOnceTouchReports) {
 
 TEST_F(WindowTest, EveryControlAndBothViewsHaveAnAccessibleName) {
   openRelief();
-  window().showTouch({});
+  window().controllers().touch.show({});
   const auto interesting = [](const QWidget* w) {
     return qobject_cast<const QAbstractButton*>(w) != nullptr ||
            qobject_cast<const QComboBox*>(w) != nullptr ||
@@ -220,7 +220,7 @@ TEST_F(WindowTest, AViewsAccessibleValueSaysWhereOneIs) {
   openRelief();
   QAccessibleInterface* view = QAccessible::queryAccessibleInterface(&window().referenceView());
   ASSERT_NE(view, nullptr);
-  EXPECT_EQ(view->text(QAccessible::Name), "Reference view");
+  EXPECT_EQ(view->text(QAccessible::Name), "Overview");
   EXPECT_TRUE(view->text(QAccessible::Value).contains("Detail 1 of 3"));
 }
 
@@ -357,7 +357,7 @@ TEST_F(WindowTest, AHandThatRestsDrawsNoPlot) {
 
 TEST_F(WindowTest, EveryStopOfF6ShowsThatItHasTheFocus) {
   openRelief();
-  window().showTouch({});  // With the plots.
+  window().controllers().touch.show({});  // With the plots.
   window().showMessage("A message.");
   QTest::keyClick(&window().detailView(), Qt::Key_F6);
   const QWidget* const first = QApplication::focusWidget();
@@ -423,7 +423,7 @@ TEST_F(WindowTest, LargeTextOfAMessageLeavesRoomForTheViews) {
   openRelief();
   TouchReadout touch;
   touch.rate_hz = 1000;
-  window().showTouch(touch);
+  window().controllers().touch.show(touch);
   const auto* plots = child<QWidget>("time_plot");
   EXPECT_TRUE(plots->isVisible());
   window().settings().setChoice("text_percent", 300);
@@ -501,7 +501,7 @@ TEST_F(WindowTest, TheKeySheetListsEveryShortcut) {
 
 TEST_F(WindowTest, TheRecordingHeaderNamesInputUnitViewAndRegion) {
   openRelief();
-  const QString header = window().recordingHeader(path("log.csv"));
+  const QString header = recordingHeader(window().document(), path("log.csv"));
   for (const QString& line : header.split('\n')) EXPECT_TRUE(line.startsWith("# "));
   for (const char* key : {"input: relief.ply", "input_sha256", "unit: mm (given)", "view: top",
                           "region_mm", "level: 2"}) {

@@ -343,7 +343,7 @@ TEST_F(UnsavedTest, LookingAboutIsNotAskedAbout) {
 
 TEST_F(UnsavedTest, ARecordingThatWasShownIsAFileAlreadyAndNotAskedAbout) {
   openRelief();
-  window().setRecordingReader([](const std::filesystem::path&, const Task&) {
+  window().controllers().replays.setReader([](const std::filesystem::path&, const Task&) {
     TouchRecording recording;
     TouchRow row;
     row.window_id = 1;
@@ -353,7 +353,7 @@ TEST_F(UnsavedTest, ARecordingThatWasShownIsAFileAlreadyAndNotAskedAbout) {
     return recording;
   });
   window().replay(path("touch.csv"));
-  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }));
   EXPECT_FALSE(window().hasUnsavedWork());
   EXPECT_TRUE(window().close());
   EXPECT_EQ(question(), nullptr);

@@ -118,12 +118,12 @@ void DepthMapForm::addSource(QFormLayout* layout) {
     turn_[i]->setSuffix(QStringLiteral("\u00b0"));
     turn_[i]->setKeyboardTracking(false);
   }
-  engine_ = field<QComboBox>(layout, tr("&Engine"), "depth_engine",
+  engine_ = field<QComboBox>(layout, tr("M&ethod"), "depth_engine",
                              tr("The processor, or the graphics card's depth buffer as in the "
                                 "paper"));
-  engine_->addItem(tr("Processor"), QStringLiteral("cpu"));
-  engine_->addItem(tr("Depth buffer"), QStringLiteral("depthbuffer"));
-  rule_ = field<QComboBox>(layout, tr("&Rule"), "depth_rule",
+  engine_->addItem(tr("CPU"), QStringLiteral("cpu"));
+  engine_->addItem(tr("OpenGL"), QStringLiteral("depthbuffer"));
+  rule_ = field<QComboBox>(layout, tr("Height pe&r cell"), "depth_rule",
                            tr("Which height a cell gets from the points in it"));
   rule_->addItem(tr("From the data"), QString());
   for (const char* name : kRules) {
@@ -148,7 +148,7 @@ void DepthMapForm::addGrid(QFormLayout* layout) {
   spacing_->setSuffix(QStringLiteral(" mm"));
   spacing_->setKeyboardTracking(false);
   spacing_->setValue(spacing_mm_);
-  factor_ = field<QDoubleSpinBox>(layout, tr("&M between levels"), "depth_factor",
+  factor_ = field<QDoubleSpinBox>(layout, tr("Pyra&mid factor"), "depth_factor",
                                   tr("How much coarser each level of the pyramid is; 2 in the "
                                      "paper"));
   factor_->setDecimals(3);

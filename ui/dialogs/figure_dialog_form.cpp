@@ -36,7 +36,7 @@ constexpr std::array<Words, 5> kLayouts{
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Several levels")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "With force plots of a recording")}}};
 constexpr std::array<Words, kReliefKindNames.size()> kReliefs{
-    {{QT_TRANSLATE_NOOP("relievo::FigureDialog", "Lit stone")},
+    {{QT_TRANSLATE_NOOP("relievo::FigureDialog", "Shaded relief")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Height in colour")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Hillshade")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Hillshade, four lights")},

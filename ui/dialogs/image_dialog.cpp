@@ -55,7 +55,7 @@ ImageDialog::ImageDialog(const QString& model, const QSize& first_size, QWidget*
   source_->setAccessibleName(tr("Picture of"));
   source_->setToolTip(tr("What the picture shows"));
   source_->addItem(tr("Detail view"), static_cast<int>(ImageSource::detail));
-  source_->addItem(tr("Reference view"), static_cast<int>(ImageSource::reference));
+  source_->addItem(tr("Overview"), static_cast<int>(ImageSource::reference));
   source_->addItem(tr("Whole window"), static_cast<int>(ImageSource::window));
   file_->setObjectName(QStringLiteral("image_file"));
   file_->setAccessibleName(tr("File"));

@@ -68,7 +68,38 @@ Group groupOf(const QAction* command) {
   return {std::numeric_limits<int>::max(), KeysSheet::tr("Other commands")};
 }
 
-QList<Row> rowsOf(const QList<QAction*>& commands) {
+/// What mouse and keys do in the views; the buttons as preferences say.
+QList<Row> rowsOfViews(const PointerBindings& bindings) {
+  QList<Row> rows;
+  const QString views = KeysSheet::tr("In the views, by mouse and keys");
+  const auto add = [&](const QString& keys, const QString& what) {
+    rows.append({views, keys, what, 0});
+  };
+  const auto button = [&](const QString& keys, const QString& to_look, const QString& to_touch) {
+    add(keys, KeysSheet::tr("Look: %1. Touch: %2").arg(to_look, to_touch));
+  };
+  add(KeysSheet::tr("Esc"), KeysSheet::tr("Stop forces, then cancel, then leave the mode"));
+  add(KeysSheet::tr("Detail view: arrows, Shift+arrows"),
+      KeysSheet::tr("Move the hand by 1 or by 10 cells"));
+  add(KeysSheet::tr("Detail view: Page Down, Page Up"), KeysSheet::tr("Press in, lift"));
+  button(KeysSheet::tr("Detail view: left button"), actText(bindings.look_left),
+         KeysSheet::tr("press the hand in"));
+  button(KeysSheet::tr("Detail view: middle button"), actText(bindings.look_middle),
+         actText(bindings.touch_middle));
+  button(KeysSheet::tr("Detail view: right button"), actText(bindings.look_right),
+         actText(bindings.touch_right));
+  add(KeysSheet::tr("Detail view: Ctrl+wheel"), KeysSheet::tr("Change the press depth"));
+  add(KeysSheet::tr("Detail view: wheel"),
+      bindings.forward_is_closer ? KeysSheet::tr("Zoom about the pointer; away from you is closer")
+                                 : KeysSheet::tr("Zoom about the pointer; towards you is closer"));
+  add(KeysSheet::tr("Overview: drag"), KeysSheet::tr("Draw, move or resize the window"));
+  add(KeysSheet::tr("Overview: arrows, Shift+arrows"), KeysSheet::tr("Move, resize the window"));
+  add(KeysSheet::tr("Overview: Space, arrows, Enter"), KeysSheet::tr("Draw a window"));
+  add(KeysSheet::tr("Overview: +, \u2212, wheel"), KeysSheet::tr("Finer, coarser"));
+  return rows;
+}
+
+QList<Row> rowsOf(const QList<QAction*>& commands, const PointerBindings& bindings) {
   QList<Row> rows;
   for (const QAction* command : commands) {
     if (command->shortcuts().isEmpty() || !command->isVisible()) continue;
@@ -88,25 +119,7 @@ QList<Row> rowsOf(const QList<QAction*>& commands) {
   }
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row& a, const Row& b) { return a.place < b.place; });
-  const QString views = KeysSheet::tr("In the views, by mouse and keys");
-  const auto add = [&](const QString& keys, const QString& what) {
-    rows.append({views, keys, what, 0});
-  };
-  add(KeysSheet::tr("Esc"), KeysSheet::tr("Stop forces, then cancel, then leave the mode"));
-  add(KeysSheet::tr("Detail view: arrows, Shift+arrows"),
-      KeysSheet::tr("Move the hand by 1 or by 10 cells"));
-  add(KeysSheet::tr("Detail view: Page Down, Page Up"), KeysSheet::tr("Press in, lift"));
-  add(KeysSheet::tr("Detail view: left button"),
-      KeysSheet::tr("To look: turn the view; to touch: press the hand in"));
-  add(KeysSheet::tr("Detail view: Ctrl+wheel"), KeysSheet::tr("Change the press depth"));
-  add(KeysSheet::tr("Detail view: wheel"), KeysSheet::tr("Zoom about the pointer"));
-  add(KeysSheet::tr("Detail view: middle, right button"),
-      KeysSheet::tr("Turn the view, move the window"));
-  add(KeysSheet::tr("Reference view: drag"), KeysSheet::tr("Draw, move or resize the window"));
-  add(KeysSheet::tr("Reference view: arrows, Shift+arrows"),
-      KeysSheet::tr("Move, resize the window"));
-  add(KeysSheet::tr("Reference view: Space, arrows, Enter"), KeysSheet::tr("Draw a window"));
-  add(KeysSheet::tr("Reference view: +, \u2212, wheel"), KeysSheet::tr("Finer, coarser"));
+  rows << rowsOfViews(bindings);
   return rows;
 }
 
@@ -138,11 +151,13 @@ bool showRowsWith(QTableWidget& table, const QStringList& words) {
 
 }  // namespace
 
-KeysSheet::KeysSheet(const QList<QAction*>& commands, QWidget* parent) : QDialog(parent) {
+KeysSheet::KeysSheet(const QList<QAction*>& commands, const PointerBindings& bindings,
+                     QWidget* parent)
+    : QDialog(parent) {
   setObjectName(QStringLiteral("keys_sheet"));
   setWindowTitle(tr("Keys"));
   resizeToText(*this, {92, 36});
-  const QList<Row> rows = rowsOf(commands);
+  const QList<Row> rows = rowsOf(commands, bindings);
   QStringList groups;
   for (const Row& row : rows) {
     if (!groups.contains(row.group)) groups << row.group;

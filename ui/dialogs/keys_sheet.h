@@ -4,6 +4,8 @@
 #include <QDialog>
 #include <QList>
 
+#include "ui/views/pointer_bindings.h"
+
 class QAction;
 
 namespace relievo {
@@ -13,7 +15,7 @@ namespace relievo {
 class KeysSheet : public QDialog {
   Q_OBJECT
  public:
-  KeysSheet(const QList<QAction*>& commands, QWidget* parent);
+  KeysSheet(const QList<QAction*>& commands, const PointerBindings& bindings, QWidget* parent);
 };
 
 }  // namespace relievo

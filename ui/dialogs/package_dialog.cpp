@@ -42,7 +42,7 @@ QPushButton* button(const QString& text, const char* name, const QString& tip) {
 
 PackageDialog::PackageDialog(const Offer& offer, QWidget* parent) : QDialog(parent) {
   setObjectName(QStringLiteral("package_dialog"));
-  setWindowTitle(tr("Package for citation"));
+  setWindowTitle(tr("Export archive package"));
   auto* column = new QVBoxLayout(this);
   auto* about = new QLabel(
       tr("One zip with this work as a project, what is ticked here, a README, and the checksum of "
@@ -124,8 +124,8 @@ void PackageDialog::ask() {
 }
 
 void PackageDialog::browse() {
-  const QString file = QFileDialog::getSaveFileName(this, tr("Package for citation"), file_->text(),
-                                                    tr("Packages (*.zip)"));
+  const QString file = QFileDialog::getSaveFileName(this, tr("Export archive package"),
+                                                    file_->text(), tr("Packages (*.zip)"));
   if (!file.isEmpty()) file_->setText(QDir::toNativeSeparators(file));
 }
 

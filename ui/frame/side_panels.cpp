@@ -24,8 +24,8 @@ SidePanels::SidePanels(QWidget* parent) : QScrollArea(parent) {
   setFocusPolicy(Qt::NoFocus);
   auto* content = new QWidget(this);
   column_ = new QVBoxLayout(content);
-  column_->setContentsMargins(8, 6, 8, 6);
-  column_->setSpacing(4);
+  column_->setContentsMargins(8, 2, 8, 2);
+  column_->setSpacing(1);
   column_->addStretch(1);
   setWidget(content);
   // Wherever the keyboard goes in here, by whatever command, is seen.
@@ -48,25 +48,58 @@ void SidePanels::insert(int index, const QString& title, QWidget* panel) {
   header->setArrowType(Qt::DownArrow);
   header->setFocusPolicy(Qt::StrongFocus);
   header->setStyleSheet(
-      QStringLiteral("QToolButton:focus { border: 1px solid palette(highlight); }"));
+      QStringLiteral("QToolButton { border: 1px solid transparent; padding: 0px; }"
+                     "QToolButton:hover { border: 1px solid palette(mid); }"
+                     "QToolButton:focus { border: 1px solid palette(highlight); }"));
   QFont font = header->font();
   font.setBold(true);
   header->setFont(font);
   header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  connect(header, &QToolButton::clicked, panel, [header, panel] {
-    const bool open = panel->isHidden();
-    header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
-    panel->setVisible(open);
+  connect(header, &QToolButton::clicked, panel, [this, panel] {
+    const bool folded = !panel->isHidden();
+    fold(panel, folded);
+    if (!panel->objectName().isEmpty()) folded_[panel->objectName()] = folded;
   });
   column_->insertWidget(2 * index, header);  // Headers and panels alternate.
   column_->insertWidget(2 * index + 1, panel);
   headers_.insert(headers_.begin() + index, header);
+  fold(panel, folded_.value(panel->objectName(), panel->property(kFoldedAtFirst).toBool()));
   if (window_width_ > 0) fitTo(window_width_);
+}
+
+void SidePanels::addAtPlace(const QString& title, QWidget* panel) {
+  insert(place_++, title, panel);
+}
+
+void SidePanels::fold(QWidget* panel, bool folded) {
+  QToolButton* header = headers_[static_cast<std::size_t>(column_->indexOf(panel) / 2)];
+  header->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
+  header->setAccessibleDescription(folded ? tr("folded") : tr("open"));
+  panel->setVisible(!folded);
+}
+
+QStringList SidePanels::folds() const {
+  QStringList folds;
+  for (auto one = folded_.begin(); one != folded_.end(); ++one) {
+    folds << (one.value() ? '-' : '+') + one.key();
+  }
+  return folds;
+}
+
+void SidePanels::setFolds(const QStringList& folds) {
+  folded_.clear();
+  for (const QString& one : folds) folded_[one.mid(1)] = one.startsWith('-');
+  for (std::size_t i = 0; i < headers_.size(); ++i) {
+    QWidget* panel = column_->itemAt(static_cast<int>(2 * i + 1))->widget();
+    const auto known = folded_.constFind(panel->objectName());
+    if (known != folded_.constEnd()) fold(panel, *known);
+  }
 }
 
 void SidePanels::remove(QWidget* panel) {
   const int index = column_->indexOf(panel);
   if (index < 1) return;
+  if (index / 2 < place_) --place_;
   const auto header = headers_.begin() + index / 2;
   delete *header;
   headers_.erase(header);
@@ -77,8 +110,7 @@ void SidePanels::remove(QWidget* panel) {
 void SidePanels::reveal(QWidget* panel) {
   const int index = column_->indexOf(panel);
   if (index < 1) return;
-  panel->show();
-  headers_[static_cast<std::size_t>(index / 2)]->setArrowType(Qt::DownArrow);
+  fold(panel, false);
   column_->activate();
   widget()->adjustSize();
   ensureWidgetVisible(panel);

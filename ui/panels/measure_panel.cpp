@@ -11,6 +11,7 @@
 #include <QScopedValueRollback>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/measure/measure_text.h"
@@ -102,8 +103,10 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
       plane_row_(new QWidget),
       plane_label_(new QLabel),
       plane_(new QDoubleSpinBox) {
+  setObjectName(QStringLiteral("measure_panel"));
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(6, 0, 0, 6);
+  column->setContentsMargins(6, 0, 0, 2);
+  column->setSpacing(3);
   hint_->setObjectName(QStringLiteral("measure_hint"));
   hint_->setAccessibleName(tr("What to do next"));
   hint_->setWordWrap(true);
@@ -151,6 +154,11 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
   connect(&document_, &Document::surfaceChanged, this, &MeasurePanel::showList);
   connect(&document_, &Document::measurementsChanged, this, &MeasurePanel::showOthers);
   connect(readings_, &MeasureReadings::changed, this, &MeasurePanel::showReadings);
+  // Lines and labels lie on the surface as it is shown.
+  connect(&document_, &Document::windowChanged, this, [this] {
+    const double gain = document_.project().gain;
+    if (std::exchange(shown_gain_, gain) != gain && !measurements().empty()) Q_EMIT changed();
+  });
   tellNext();
   showList();
 }
@@ -415,8 +423,11 @@ void MeasurePanel::showList() {
   list_->resizeRowsToContents();
   list_->setCurrentCell(std::min(selected_row, list_->rowCount() - 1), 0);
   showPlane();
-  remove_->setEnabled(!measurements().empty());
-  save_->setEnabled(!measurements().empty());
+  // Without any, the room is for what is next.
+  for (QWidget* of_some : {static_cast<QWidget*>(list_), static_cast<QWidget*>(remove_),
+                           static_cast<QWidget*>(save_)}) {
+    of_some->setVisible(!measurements().empty());
+  }
   showing_ = false;
   Q_EMIT changed();
 }

@@ -99,6 +99,7 @@ class MeasurePanel : public QWidget {
   std::optional<int> selected() const;
 
   Document& document_;
+  double shown_gain_ = 1;  ///< Of what lies in the views.
   std::optional<Measurement> making_;
   bool by_touch_ = false;
   bool tell_last_ = false;  ///< What the last one reads is said as soon as it is known.

@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QScopedValueRollback>
 
+#include "ui/frame/side_panels.h"
+
 namespace relievo {
 
 PlacesPanel::PlacesPanel(Document& document, QWidget* parent)
@@ -20,6 +22,8 @@ PlacesPanel::PlacesPanel(Document& document, QWidget* parent)
       go_(new QPushButton(tr("Go to"))),
       rename_(new QPushButton(tr("Rename"))),
       remove_(new QPushButton(tr("Delete"))) {
+  setObjectName(QStringLiteral("places_panel"));
+  setProperty(SidePanels::kFoldedAtFirst, true);
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(6, 0, 0, 6);
   layout->setSpacing(5);

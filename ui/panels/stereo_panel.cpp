@@ -15,6 +15,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ui/frame/side_panels.h"
 #include "ui/language/core_words.h"
 #include "ui/style/text.h"
 
@@ -68,6 +69,8 @@ StereoPanel::StereoPanel(QWidget* parent)
       angle_(new QDoubleSpinBox),
       plane_(new QDoubleSpinBox),
       meter_(new QProgressBar) {
+  setObjectName(QStringLiteral("stereo_panel"));
+  setProperty(SidePanels::kFoldedAtFirst, true);
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(6, 0, 0, 6);
   layout->setVerticalSpacing(5);

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "ui/frame/side_panels.h"
 #include "ui/language/spoken_error.h"
 #include "ui/style/text.h"
 
@@ -33,6 +34,8 @@ SuggestPanel::SuggestPanel(Document& document, QWidget* parent)
       result_(note("suggest_result")),
       list_(new QListWidget),
       overlay_(new QCheckBox(tr("Show them in the overview"))) {
+  setObjectName(QStringLiteral("suggest_panel"));
+  setProperty(SidePanels::kFoldedAtFirst, true);
   find_->setObjectName(QStringLiteral("suggest_find"));
   find_->setAccessibleName(find_->text());
   find_->setToolTip(tr("Look for windows with relief that a hand feels (Ctrl+Shift+F)"));
@@ -126,6 +129,12 @@ void SuggestPanel::find() {
           showFound(work->windows);
         }
       });
+}
+
+bool SuggestPanel::cancel() {
+  if (!worker_.cancel()) return false;
+  Q_EMIT said(tr("Cancelled. Nothing was suggested."));
+  return true;
 }
 
 QString SuggestPanel::rowText(std::size_t place) const {

@@ -25,8 +25,8 @@ class SuggestPanel : public QWidget {
 
   /// Looks for them in the background; found() comes.
   void find();
-  /// @return false: nothing was being looked for
-  bool cancel() { return worker_.cancel(); }
+  /// And says so. @return false: nothing was being looked for
+  bool cancel();
   bool busy() const { return worker_.busy(); }
   const std::vector<FeelableWindow>& windows() const { return windows_; }
   /// Of the list; -1: none.

@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -44,9 +45,9 @@ QString levelText(const DetailLadder& ladder, Level level) {
 
 QFormLayout* form(QWidget* panel) {
   auto* layout = new QFormLayout(panel);
-  layout->setContentsMargins(6, 0, 0, 6);
+  layout->setContentsMargins(6, 0, 0, 2);
   layout->setHorizontalSpacing(8);
-  layout->setVerticalSpacing(5);
+  layout->setVerticalSpacing(3);
   layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   return layout;
 }
@@ -124,6 +125,7 @@ QString holesText(const Surface& surface, HoleRule rule) {
 
 SurfacePanel::SurfacePanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document) {
+  setObjectName(QStringLiteral("surface_panel"));
   QFormLayout* layout = form(this);
   file_ = fact(layout, tr("File"), QStringLiteral("surface_file"));
   size_ = fact(layout, tr("Size"), QStringLiteral("surface_size"));
@@ -134,14 +136,8 @@ SurfacePanel::SurfacePanel(Document& document, QWidget* parent)
   for (const LengthUnitFact& u : kLengthUnits) {
     unit_->addItem(unitText(u.unit), static_cast<int>(u.unit));
   }
-  engine_ = field<QComboBox>(layout, tr("En&gine"), QStringLiteral("engine"),
-                             tr("How the depth map is made from points and triangles"));
-  engine_->addItem(tr("Processor"), QStringLiteral("cpu"));
-  engine_->addItem(tr("Depth buffer"), QStringLiteral("depthbuffer"));
   connect(unit_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { Q_EMIT unitChosen(static_cast<LengthUnit>(unit_->currentData().toInt())); });
-  connect(engine_, QOverload<int>::of(&QComboBox::activated), this,
-          [this] { document_.setEngine(engine_->currentData().toString()); });
   connect(&document_, &Document::surfaceChanged, this, &SurfacePanel::showSurface);
   // A choice that was not carried out must not stay on show.
   connect(&document_, &Document::busyChanged, this, &SurfacePanel::showSurface);
@@ -170,19 +166,17 @@ void SurfacePanel::showSurface() {
   cells_->setToolTip(notes.join('\n'));
   holes_->setText(holesText(s, document_.project().options.holes.rule));
   const QSignalBlocker quiet_unit(unit_);
-  const QSignalBlocker quiet_engine(engine_);
   unit_->setCurrentIndex(unit_->findData(static_cast<int>(s.unit)));
   const std::string_view source = name(s.unit_source);
   unit_->setAccessibleDescription(
       QString::fromUtf8(source.data(), static_cast<int>(source.size())));
   unit_->setToolTip(
       tr("Length unit of the file's coordinates (%1)").arg(unit_->accessibleDescription()));
-  engine_->setEnabled(!s.is_raster);
-  engine_->setCurrentIndex(engine_->findData(QString::fromStdString(s.engine)));
 }
 
 RegionPanel::RegionPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document) {
+  setObjectName(QStringLiteral("region_panel"));
   QFormLayout* layout = form(this);
   x_ = mmField(layout, QStringLiteral("&x"), QStringLiteral("region_x"),
                tr("Left edge of the pink window"));
@@ -195,9 +189,10 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   side_->setMinimum(0.01);
   level_ = field<QComboBox>(layout, tr("&Level"), QStringLiteral("region_level"),
                             tr("Which detail feeds the window"));
-  gain_ = field<QDoubleSpinBox>(layout, tr("Gai&n"), QStringLiteral("gain"),
-                                tr("Heights are multiplied by this; 1 is true to scale"));
-  gain_->setAccessibleName(tr("Height gain"));
+  gain_ = new QDoubleSpinBox;
+  gain_->setObjectName(QStringLiteral("gain"));
+  gain_->setToolTip(tr("Heights are multiplied by this; 1 is true to scale"));
+  gain_->setAccessibleName(tr("Vertical exaggeration"));
   gain_->setRange(1 / kMostGain, kMostGain);
   gain_->setDecimals(2);
   gain_->setSingleStep(0.1);
@@ -205,10 +200,15 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   gain_->setKeyboardTracking(false);
   gain_slider_ = new QSlider(Qt::Horizontal);
   gain_slider_->setObjectName(QStringLiteral("gain_slider"));
-  gain_slider_->setAccessibleName(tr("Height gain"));
+  gain_slider_->setAccessibleName(tr("Vertical exaggeration"));
   gain_slider_->setToolTip(tr("Heights are multiplied by this; the middle is true to scale"));
   gain_slider_->setRange(-kGainSteps, kGainSteps);
-  layout->addRow(QString(), gain_slider_);
+  auto* gain_label = new QLabel(tr("Exaggeratio&n"));
+  gain_label->setBuddy(gain_);
+  auto* gain_row = new QHBoxLayout;
+  gain_row->addWidget(gain_);
+  gain_row->addWidget(gain_slider_, 1);
+  layout->addRow(gain_label, gain_row);
   hand_scale_ = new QLabel;
   hand_scale_->setObjectName(QStringLiteral("hand_scale"));
   hand_scale_->setAccessibleName(tr("Hand scale"));
@@ -232,7 +232,7 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
     }
   });
   connect(gain_slider_, &QSlider::sliderReleased, this,
-          [this] { document_.commit(tr("Height gain")); });
+          [this] { document_.commit(tr("Vertical exaggeration")); });
   connect(&document_, &Document::windowChanged, this, &RegionPanel::showWindow);
   showWindow();
 }
@@ -278,7 +278,7 @@ void RegionPanel::showWindow() {
   gain_->setValue(window->gain);
   if (!gain_slider_->isSliderDown()) gain_slider_->setValue(sliderOf(window->gain));
   const double scale = handMapping(*window).objectMmPerHandMm();
-  hand_scale_->setText(tr("1 mm of hand = %1 mm on the object").arg(mmText(scale, scale / 10)));
+  hand_scale_->setText(tr("Hand scale 1 : %1").arg(mmText(scale, scale / 10)));
   showing_ = false;
 }
 

@@ -13,7 +13,7 @@ class QSlider;
 
 namespace relievo {
 
-/// Unit, depth engine and facts of the open surface. [GUI thread]
+/// Unit and facts of the open surface; all else of it is in the depth map dialog. [GUI thread]
 class SurfacePanel : public QWidget {
   Q_OBJECT
  public:
@@ -27,7 +27,7 @@ class SurfacePanel : public QWidget {
 
   Document& document_;
   QLabel *file_, *size_, *cells_, *holes_;
-  QComboBox *unit_, *engine_;
+  QComboBox* unit_;
 };
 
 /// The window on the surface in numbers: corner, side, level, height gain, hand scale.

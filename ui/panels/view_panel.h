@@ -11,11 +11,13 @@ class QSlider;
 
 namespace relievo {
 
-/// From where the object is seen, and from where it is lit. [GUI thread]
+/// From where the object is seen, and, in a part of its own, from where it is lit. [GUI thread]
 class ViewPanel : public QWidget {
   Q_OBJECT
  public:
   explicit ViewPanel(QWidget* parent = nullptr);
+  /// Stands elsewhere; belongs to whoever lays it out.
+  QWidget* lightPart() const { return light_part_; }
   void showView(const QString& name);
   /// "Use this view" and "Straighten" make sense only while the detail view is turned.
   void showTurned(bool turned);
@@ -32,10 +34,12 @@ class ViewPanel : public QWidget {
   void shadingChanged(double shading);  ///< 0 ... 1.
 
  private:
+  void makeLightPart();
   void tellLight();
   void tellShading();
 
   QLabel* now_;
+  QWidget* light_part_;
   QPushButton *use_, *straighten_;
   QSlider *azimuth_, *elevation_;
   QLabel* light_text_;

@@ -186,10 +186,11 @@ void ProfileStrip::showReadout() {
   canvas_->update();
 }
 
-/// A splitter asks for no height for a width: the lines that it wraps into would be cut.
+/// A splitter asks for no height for a width: the lines that it wraps into would be cut. Without
+/// text a label answers -1.
 void ProfileStrip::fitReadout() {
   const int width = readout_->width();
-  if (width > 0) readout_->setMinimumHeight(readout_->heightForWidth(width));
+  if (width > 0) readout_->setMinimumHeight(std::max(0, readout_->heightForWidth(width)));
 }
 
 void ProfileStrip::resizeEvent(QResizeEvent* event) {

@@ -307,6 +307,7 @@ void CloudView::mousePressEvent(QMouseEvent* event) {
 void CloudView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF moved = event->localPos() - last_;
   const bool left = (event->buttons() & Qt::LeftButton) != 0;
+  if (event->buttons() == Qt::NoButton) dragging_ = drawing_ = false;  // The release went astray.
   if (tool_ != Tool::turn && (left || event->buttons() == Qt::NoButton)) {
     setCross(event->localPos());
     if (drawing_ && left && std::hypot(moved.x(), moved.y()) >= kFreehandPx) {

@@ -863,6 +863,981 @@
     </message>
 </context>
 <context>
+    <name>relievo::CommandTable</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>A&amp;nsicht</translation>
+    </message>
+    <message>
+        <source>&amp;Detail view</source>
+        <translation>De&amp;tailansicht</translation>
+    </message>
+    <message>
+        <source>What the left button does, and turning by keys</source>
+        <translation>Was die linke Maustaste tut, und Drehen mit Tasten</translation>
+    </message>
+    <message>
+        <source>Relief ima&amp;ge</source>
+        <translation>Relie&amp;fbild</translation>
+    </message>
+    <message>
+        <source>How heights are painted</source>
+        <translation>Wie Höhen dargestellt werden</translation>
+    </message>
+    <message>
+        <source>R&amp;elief colours</source>
+        <translation>&amp;Relieffarben</translation>
+    </message>
+    <message>
+        <source>Colours of heights, slopes and other values</source>
+        <translation>Farben der Höhen, Neigungen und anderer Werte</translation>
+    </message>
+    <message>
+        <source>Ke&amp;y light</source>
+        <translation>Licht&amp;quelle</translation>
+    </message>
+    <message>
+        <source>From where the light shines; low light brings out detail</source>
+        <translation>Woher das Licht kommt; niedriges Licht zeigt Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Lig&amp;ht or dark</source>
+        <translation>Hell &amp;oder dunkel</translation>
+    </message>
+    <message>
+        <source>Colours of the window</source>
+        <translation>Farben des Fensters</translation>
+    </message>
+    <message>
+        <source>&amp;Surface</source>
+        <translation>&amp;Oberfläche</translation>
+    </message>
+    <message>
+        <source>How the depth map is made</source>
+        <translation>Wie die Tiefenkarte gemacht wird</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>&amp;Touch</source>
+        <translation>&amp;Fühlen</translation>
+    </message>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>&amp;Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Record &amp;as</source>
+        <translation>Aufzeichnen a&amp;ls</translation>
+    </message>
+    <message>
+        <source>Kind of file of the next recording</source>
+        <translation>Dateiart der nächsten Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a scan or a height map</source>
+        <translation>Einen Scan oder eine Höhenkarte öffnen</translation>
+    </message>
+    <message>
+        <source>Open fol&amp;der…</source>
+        <translation>&amp;Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>Open all scans of a folder: parts of one object</source>
+        <translation>Alle Scans eines Ordners öffnen: Teile eines Objekts</translation>
+    </message>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>P&amp;rojekt speichern</translation>
+    </message>
+    <message>
+        <source>Keep this state: file, depth map, window, measurements</source>
+        <translation>Diesen Stand aufheben: Datei, Tiefenkarte, Ausschnitt, Messungen</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as…</source>
+        <translation>Projekt &amp;speichern unter…</translation>
+    </message>
+    <message>
+        <source>Keep this state in another file</source>
+        <translation>Diesen Stand in einer anderen Datei aufheben</translation>
+    </message>
+    <message>
+        <source>&amp;Figure…</source>
+        <translation>&amp;Abbildung…</translation>
+    </message>
+    <message>
+        <source>A figure for print, with scale bar, legend and caption</source>
+        <translation>Eine Abbildung für den Druck, mit Maßstab, Legende und Bildunterschrift</translation>
+    </message>
+    <message>
+        <source>&amp;Image…</source>
+        <translation>B&amp;ild…</translation>
+    </message>
+    <message>
+        <source>Save a picture of a view or of the window</source>
+        <translation>Ein Bild einer Ansicht oder des Fensters speichern</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>A map, mesh, picture, profile or section for other programs</source>
+        <translation>Eine Karte, ein Netz, ein Bild, ein Profil oder ein Schnitt für andere Programme</translation>
+    </message>
+    <message>
+        <source>One zip with project, scan, recordings, figures and checksums</source>
+        <translation>Eine Zip-Datei mit Projekt, Scan, Aufzeichnungen, Abbildungen und Prüfsummen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close the scan and go back to the start page</source>
+        <translation>Den Scan schließen und zur Startseite zurückgehen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close relievo</source>
+        <translation>relievo schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;History…</source>
+        <translation>&amp;Verlauf…</translation>
+    </message>
+    <message>
+        <source>Every step so far; choose one to go back to it</source>
+        <translation>Jeder Schritt bisher; wählen Sie einen, um zu ihm zurückzukehren</translation>
+    </message>
+    <message>
+        <source>&amp;Copy view as text</source>
+        <translation>Ansicht als &amp;Text kopieren</translation>
+    </message>
+    <message>
+        <source>Place, level, gain, light, colours and turn, to be sent or pasted</source>
+        <translation>Ort, Ebene, Überhöhung, Licht, Farben und Drehung, zum Verschicken oder Einfügen</translation>
+    </message>
+    <message>
+        <source>Paste &amp;view</source>
+        <translation>&amp;Ansicht einfügen</translation>
+    </message>
+    <message>
+        <source>Show the view that was copied as text</source>
+        <translation>Die Ansicht zeigen, die als Text kopiert wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Answer the message</source>
+        <translation>&amp;Meldung beantworten</translation>
+    </message>
+    <message>
+        <source>Press the first button of the message above the views</source>
+        <translation>Den ersten Knopf der Meldung über den Ansichten drücken</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Colours, text size, language, units, stereo, device</source>
+        <translation>Farben, Schriftgröße, Sprache, Einheiten, Stereo, Gerät</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>Look from this side and make the relief anew</source>
+        <translation>Von dieser Seite sehen und das Relief neu machen</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>Re&amp;chts</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>O&amp;ben</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>Auto&amp;matisch</translation>
+    </message>
+    <message>
+        <source>Look from the side that shows most</source>
+        <translation>Von der Seite sehen, die am meisten zeigt</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k with the left button</source>
+        <translation>Mit der linken Taste &amp;betrachten</translation>
+    </message>
+    <message>
+        <source>Dragging with the left button turns the detail view</source>
+        <translation>Ziehen mit der linken Taste dreht die Detailansicht</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Betrachten</translation>
+    </message>
+    <message>
+        <source>&amp;Touch with the left button</source>
+        <translation>Mit der linken Taste &amp;fühlen</translation>
+    </message>
+    <message>
+        <source>The left button presses the hand into the surface</source>
+        <translation>Die linke Taste drückt die Hand in die Oberfläche</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>&amp;Switch between look and touch</source>
+        <translation>&amp;Zwischen Betrachten und Fühlen wechseln</translation>
+    </message>
+    <message>
+        <source>What the left button does in the detail view: turn it, or press the hand in</source>
+        <translation>Was die linke Taste in der Detailansicht tut: sie drehen oder die Hand eindrücken</translation>
+    </message>
+    <message>
+        <source>Turn &amp;left</source>
+        <translation>Nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>Turn the detail view by 15 degrees</source>
+        <translation>Die Detailansicht um 15 Grad drehen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;right</source>
+        <translation>Nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;up</source>
+        <translation>Nach &amp;oben drehen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;down</source>
+        <translation>&amp;Nach unten drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Use this view</source>
+        <translation>&amp;Diese Ansicht nehmen</translation>
+    </message>
+    <message>
+        <source>Make the relief anew from where the turned detail view looks</source>
+        <translation>Das Relief neu machen, aus der Richtung der gedrehten Detailansicht</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>Ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>Look straight down on the relief, fitted to the view</source>
+        <translation>Gerade auf das Relief sehen, in die Ansicht eingepasst</translation>
+    </message>
+    <message>
+        <source>&amp;Stereo (red/cyan)</source>
+        <translation>Stereo (rot/c&amp;yan)</translation>
+    </message>
+    <message>
+        <source>Anaglyph for red and cyan glasses</source>
+        <translation>Anaglyphe für rot-cyane Brillen</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>Show or hide the whole object</source>
+        <translation>Das ganze Objekt zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Show or hide the side panels</source>
+        <translation>Die Seitenfelder zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Pl&amp;ots</source>
+        <translation>&amp;Kurven</translation>
+    </message>
+    <message>
+        <source>Show or hide the plots of height and force</source>
+        <translation>Die Kurven von Höhe und Kraft zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Matt stone under lamps</source>
+        <translation>Matter Stein unter Lampen</translation>
+    </message>
+    <message>
+        <source>&amp;Height in colour</source>
+        <translation>Höhe &amp;in Farbe</translation>
+    </message>
+    <message>
+        <source>Lit, with a colour for each height</source>
+        <translation>Beleuchtet, mit einer Farbe für jede Höhe</translation>
+    </message>
+    <message>
+        <source>H&amp;illshade</source>
+        <translation>S&amp;chummerung</translation>
+    </message>
+    <message>
+        <source>Brightness under one light</source>
+        <translation>Helligkeit unter einem Licht</translation>
+    </message>
+    <message>
+        <source>Hillshade, &amp;four lights</source>
+        <translation>&amp;Schummerung, vier Lichter</translation>
+    </message>
+    <message>
+        <source>No direction stays in the dark</source>
+        <translation>Keine Richtung bleibt im Dunkeln</translation>
+    </message>
+    <message>
+        <source>&amp;Slope</source>
+        <translation>&amp;Neigung</translation>
+    </message>
+    <message>
+        <source>Steepness in degrees</source>
+        <translation>Steilheit in Grad</translation>
+    </message>
+    <message>
+        <source>Local &amp;relief</source>
+        <translation>&amp;Lokales Relief</translation>
+    </message>
+    <message>
+        <source>Worn detail without the broad shape</source>
+        <translation>Abgenutzte Einzelheiten ohne die große Form</translation>
+    </message>
+    <message>
+        <source>Sky &amp;view</source>
+        <translation>&amp;Himmelssicht</translation>
+    </message>
+    <message>
+        <source>How much of the sky each place sees</source>
+        <translation>Wieviel vom Himmel jede Stelle sieht</translation>
+    </message>
+    <message>
+        <source>&amp;Openness</source>
+        <translation>&amp;Offenheit</translation>
+    </message>
+    <message>
+        <source>Hollows dark, ridges bright</source>
+        <translation>Vertiefungen dunkel, Grate hell</translation>
+    </message>
+    <message>
+        <source>&amp;Deviation, several scales</source>
+        <translation>Ab&amp;weichung, mehrere Maßstäbe</translation>
+    </message>
+    <message>
+        <source>What stands out from its neighbourhood, at the scale where it does so most</source>
+        <translation>Was aus seiner Nachbarschaft hervortritt, in dem Maßstab, in dem es das am meisten tut</translation>
+    </message>
+    <message>
+        <source>&amp;Curvature, several scales</source>
+        <translation>&amp;Krümmung, mehrere Maßstäbe</translation>
+    </message>
+    <message>
+        <source>Ridges and incisions of several widths, however the ground is tilted</source>
+        <translation>Grate und Einschnitte verschiedener Breite, wie auch immer der Grund geneigt ist</translation>
+    </message>
+    <message>
+        <source>Stone with &amp;ambient occlusion</source>
+        <translation>Stein mit &amp;Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>Lit, and darker in hollows and grooves</source>
+        <translation>Beleuchtet und dunkler in Mulden und Rillen</translation>
+    </message>
+    <message>
+        <source>&amp;Natural colours</source>
+        <translation>N&amp;atürliche Farben</translation>
+    </message>
+    <message>
+        <source>The colours that the scan has</source>
+        <translation>Die Farben, die der Scan hat</translation>
+    </message>
+    <message>
+        <source>In&amp;tensity</source>
+        <translation>In&amp;tensität</translation>
+    </message>
+    <message>
+        <source>How strongly the scanner&apos;s light came back</source>
+        <translation>Wie stark das Licht des Scanners zurückkam</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grau</translation>
+    </message>
+    <message>
+        <source>Colours that grow lighter in even steps</source>
+        <translation>Farben, die in gleichen Stufen heller werden</translation>
+    </message>
+    <message>
+        <source>&amp;Viridis</source>
+        <translation>&amp;Viridis</translation>
+    </message>
+    <message>
+        <source>&amp;Cividis</source>
+        <translation>&amp;Cividis</translation>
+    </message>
+    <message>
+        <source>&amp;Batlow</source>
+        <translation>&amp;Batlow</translation>
+    </message>
+    <message>
+        <source>&amp;Usual light</source>
+        <translation>Üb&amp;liches Licht</translation>
+    </message>
+    <message>
+        <source>From the upper left, 45 degrees high</source>
+        <translation>Von links oben, 45 Grad hoch</translation>
+    </message>
+    <message>
+        <source>Raking from the &amp;left</source>
+        <translation>&amp;Streiflicht von links</translation>
+    </message>
+    <message>
+        <source>Light almost along the surface, 10 degrees above it</source>
+        <translation>Licht fast entlang der Oberfläche, 10 Grad darüber</translation>
+    </message>
+    <message>
+        <source>Raking from the &amp;right</source>
+        <translation>Streiflicht von &amp;rechts</translation>
+    </message>
+    <message>
+        <source>Raking from &amp;above</source>
+        <translation>Streiflicht von &amp;oben</translation>
+    </message>
+    <message>
+        <source>Raking from &amp;below</source>
+        <translation>Strei&amp;flicht von unten</translation>
+    </message>
+    <message>
+        <source>Turn &amp;counterclockwise</source>
+        <translation>&amp;Gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn the light by 5 degrees, counterclockwise</source>
+        <translation>Das Licht um 5 Grad gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn cloc&amp;kwise</source>
+        <translation>Im &amp;Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn the light by 5 degrees, clockwise</source>
+        <translation>Das Licht um 5 Grad im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Higher</source>
+        <translation>&amp;Höher</translation>
+    </message>
+    <message>
+        <source>The light 5 degrees higher</source>
+        <translation>Das Licht 5 Grad höher</translation>
+    </message>
+    <message>
+        <source>Lo&amp;wer</source>
+        <translation>&amp;Niedriger</translation>
+    </message>
+    <message>
+        <source>The light 5 degrees lower: worn detail comes out</source>
+        <translation>Das Licht 5 Grad niedriger: Abgenutztes tritt hervor</translation>
+    </message>
+    <message>
+        <source>Mar&amp;k unmeasured cells</source>
+        <translation>Nicht gemessene &amp;Zellen markieren</translation>
+    </message>
+    <message>
+        <source>Cells that were interpolated in colour, with a legend; holes are always hatched</source>
+        <translation>Interpolierte Zellen in Farbe, mit Legende; Löcher sind immer schraffiert</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>&amp;Wie das System</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>H&amp;ell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Full s&amp;creen detail</source>
+        <translation>Detail &amp;im Vollbild</translation>
+    </message>
+    <message>
+        <source>The detail view alone on the whole screen</source>
+        <translation>Die Detailansicht allein auf dem ganzen Bildschirm</translation>
+    </message>
+    <message>
+        <source>Other vie&amp;w</source>
+        <translation>&amp;Andere Ansicht</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt part</source>
+        <translation>&amp;Nächster Teil</translation>
+    </message>
+    <message>
+        <source>Move the focus to the next part of the window</source>
+        <translation>Den Fokus zum nächsten Teil des Fensters bewegen</translation>
+    </message>
+    <message>
+        <source>Move the focus to the part before</source>
+        <translation>Den Fokus zum Teil davor bewegen</translation>
+    </message>
+    <message>
+        <source>&amp;Finer</source>
+        <translation>&amp;Feiner</translation>
+    </message>
+    <message>
+        <source>Finer detail: a smaller window</source>
+        <translation>Feineres Detail: ein kleinerer Ausschnitt</translation>
+    </message>
+    <message>
+        <source>&amp;Coarser</source>
+        <translation>G&amp;röber</translation>
+    </message>
+    <message>
+        <source>Coarser detail: a larger window</source>
+        <translation>Gröberes Detail: ein größerer Ausschnitt</translation>
+    </message>
+    <message>
+        <source>&amp;Whole object</source>
+        <translation>&amp;Ganzes Objekt</translation>
+    </message>
+    <message>
+        <source>The whole object in the window</source>
+        <translation>Das ganze Objekt im Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Ganz</translation>
+    </message>
+    <message>
+        <source>Move &amp;left</source>
+        <translation>Nach &amp;links</translation>
+    </message>
+    <message>
+        <source>Move the window by a quarter of its side</source>
+        <translation>Den Ausschnitt um ein Viertel seiner Seite verschieben</translation>
+    </message>
+    <message>
+        <source>Move &amp;right</source>
+        <translation>N&amp;ach rechts</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Move &amp;down</source>
+        <translation>Nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>&amp;Type window…</source>
+        <translation>Ausschnitt &amp;eintippen…</translation>
+    </message>
+    <message>
+        <source>Type the window&apos;s place and size in millimetres</source>
+        <translation>Ort und Größe des Ausschnitts in Millimetern eintippen</translation>
+    </message>
+    <message>
+        <source>&amp;Suggest windows</source>
+        <translation>Ausschnitte vors&amp;chlagen</translation>
+    </message>
+    <message>
+        <source>Rank windows by how much of their relief a hand feels</source>
+        <translation>Ausschnitte danach ordnen, wie viel von ihrem Relief eine Hand fühlt</translation>
+    </message>
+    <message>
+        <source>Na&amp;me this place…</source>
+        <translation>&amp;Diese Stelle benennen…</translation>
+    </message>
+    <message>
+        <source>Give the window&apos;s place a name, to come back to it</source>
+        <translation>Der Stelle des Ausschnitts einen Namen geben, um zu ihr zurückzukehren</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt place</source>
+        <translation>&amp;Nächste Stelle</translation>
+    </message>
+    <message>
+        <source>Go to the next place that has a name</source>
+        <translation>Zur nächsten Stelle mit Namen gehen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious place</source>
+        <translation>Vorige &amp;Stelle</translation>
+    </message>
+    <message>
+        <source>Go to the place with a name before this one</source>
+        <translation>Zur Stelle mit Namen vor dieser gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Beacon here</source>
+        <translation>Leuchtfeuer &amp;hier</translation>
+    </message>
+    <message>
+        <source>Mark the place under the hand, or remove the beacon there</source>
+        <translation>Die Stelle unter der Hand markieren, oder das Leuchtfeuer dort entfernen</translation>
+    </message>
+    <message>
+        <source>Prep&amp;are…</source>
+        <translation>Auf&amp;bereiten…</translation>
+    </message>
+    <message>
+        <source>Crop, clean, thin and join scans before the depth map</source>
+        <translation>Scans vor der Tiefenkarte zuschneiden, säubern, ausdünnen und verbinden</translation>
+    </message>
+    <message>
+        <source>Depth ma&amp;p…</source>
+        <translation>&amp;Tiefenkarte…</translation>
+    </message>
+    <message>
+        <source>Everything between the scan and its depth map, with a preview</source>
+        <translation>Alles zwischen dem Scan und seiner Tiefenkarte, mit Vorschau</translation>
+    </message>
+    <message>
+        <source>U&amp;nits…</source>
+        <translation>E&amp;inheiten…</translation>
+    </message>
+    <message>
+        <source>Say which length unit the file&apos;s coordinates have; kept for its folder</source>
+        <translation>Angeben, welche Längeneinheit die Koordinaten der Datei haben; gilt für ihren Ordner</translation>
+    </message>
+    <message>
+        <source>Make the depth map on the processor</source>
+        <translation>Die Tiefenkarte mit dem Prozessor machen</translation>
+    </message>
+    <message>
+        <source>Make the depth map by the graphics card&apos;s depth buffer</source>
+        <translation>Die Tiefenkarte mit dem Tiefenpuffer der Grafikkarte machen</translation>
+    </message>
+    <message>
+        <source>&amp;Point</source>
+        <translation>P&amp;unkt</translation>
+    </message>
+    <message>
+        <source>Height of one place</source>
+        <translation>Höhe einer Stelle</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>D&amp;istanz</translation>
+    </message>
+    <message>
+        <source>Between two places</source>
+        <translation>Zwischen zwei Stellen</translation>
+    </message>
+    <message>
+        <source>Depth di&amp;fference</source>
+        <translation>&amp;Höhenunterschied</translation>
+    </message>
+    <message>
+        <source>How much higher the second place lies</source>
+        <translation>Wieviel höher die zweite Stelle liegt</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>&amp;Winkel</translation>
+    </message>
+    <message>
+        <source>At the second of three places</source>
+        <translation>An der zweiten von drei Stellen</translation>
+    </message>
+    <message>
+        <source>P&amp;rofile</source>
+        <translation>&amp;Profil</translation>
+    </message>
+    <message>
+        <source>Heights along a line</source>
+        <translation>Höhen längs einer Linie</translation>
+    </message>
+    <message>
+        <source>Area and &amp;volume</source>
+        <translation>&amp;Fläche und Volumen</translation>
+    </message>
+    <message>
+        <source>Of a piece of surface above its lowest corner, or another plane</source>
+        <translation>Eines Stücks Oberfläche über seiner tiefsten Ecke, oder einer anderen Ebene</translation>
+    </message>
+    <message>
+        <source>Se&amp;ction</source>
+        <translation>Sch&amp;nitt</translation>
+    </message>
+    <message>
+        <source>Where a plane through one, two or three places cuts the surface</source>
+        <translation>Wo eine Ebene durch eine, zwei oder drei Stellen die Oberfläche schneidet</translation>
+    </message>
+    <message>
+        <source>By &amp;touch</source>
+        <translation>&amp;Durch Ertasten</translation>
+    </message>
+    <message>
+        <source>Taps of the hand that feels the surface give depth differences, strokes profiles</source>
+        <translation>Tippen mit der fühlenden Hand ergibt Tiefenunterschiede, Striche ergeben Profile</translation>
+    </message>
+    <message>
+        <source>Profile c&amp;urve</source>
+        <translation>Profil&amp;kurve</translation>
+    </message>
+    <message>
+        <source>Show or hide the curve of the selected profile under the views</source>
+        <translation>Die Kurve des gewählten Profils unter den Ansichten zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Save profil&amp;e as shown…</source>
+        <translation>Profil wie &amp;gezeigt speichern…</translation>
+    </message>
+    <message>
+        <source>The curve under the views with its cursor as SVG, or its numbers as CSV</source>
+        <translation>Die Kurve unter den Ansichten mit ihrem Zeiger als SVG oder ihre Zahlen als CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
+    </message>
+    <message>
+        <source>The list as CSV, or the selected profile or section as CSV or SVG</source>
+        <translation>Die Liste als CSV, oder das gewählte Profil oder den Schnitt als CSV oder SVG</translation>
+    </message>
+    <message>
+        <source>&amp;CSV</source>
+        <translation>&amp;CSV</translation>
+    </message>
+    <message>
+        <source>A table as text that every program opens</source>
+        <translation>Eine Tabelle als Text, die jedes Programm öffnet</translation>
+    </message>
+    <message>
+        <source>&amp;HDF5</source>
+        <translation>&amp;HDF5</translation>
+    </message>
+    <message>
+        <source>Smaller, with units and surface; for Python and MATLAB</source>
+        <translation>Kleiner, mit Einheiten und Oberfläche; für Python und MATLAB</translation>
+    </message>
+    <message>
+        <source>F&amp;older of recordings…</source>
+        <translation>Or&amp;dner der Aufnahmen …</translation>
+    </message>
+    <message>
+        <source>Where recordings go that are made from now on</source>
+        <translation>Wohin Aufnahmen von jetzt an kommen</translation>
+    </message>
+    <message>
+        <source>Re&amp;play…</source>
+        <translation>&amp;Wiedergabe…</translation>
+    </message>
+    <message>
+        <source>Show a recording of a touch again; no device is moved</source>
+        <translation>Eine Aufzeichnung eines Ertastens noch einmal zeigen; kein Gerät wird bewegt</translation>
+    </message>
+    <message>
+        <source>P&amp;lay or pause</source>
+        <translation>Abspielen &amp;oder halten</translation>
+    </message>
+    <message>
+        <source>Go on with the replay, or halt it</source>
+        <translation>Die Wiedergabe fortsetzen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt event</source>
+        <translation>Nächstes &amp;Ereignis</translation>
+    </message>
+    <message>
+        <source>Go to the next event or note of the recording</source>
+        <translation>Zum nächsten Ereignis oder zur nächsten Notiz der Aufzeichnung gehen</translation>
+    </message>
+    <message>
+        <source>Event &amp;before</source>
+        <translation>Vo&amp;riges Ereignis</translation>
+    </message>
+    <message>
+        <source>Go back to the event or note before</source>
+        <translation>Zum Ereignis oder zur Notiz davor zurückgehen</translation>
+    </message>
+    <message>
+        <source>&amp;Close replay</source>
+        <translation>Wiedergabe &amp;schließen</translation>
+    </message>
+    <message>
+        <source>Back to the window from before</source>
+        <translation>Zurück zum Ausschnitt von vorher</translation>
+    </message>
+    <message>
+        <source>A video of the replay, or of the camera path, frame by frame</source>
+        <translation>Ein Video der Wiedergabe oder des Kamerawegs, Bild für Bild</translation>
+    </message>
+    <message>
+        <source>Video of the vie&amp;w</source>
+        <translation>&amp;Video der Ansicht</translation>
+    </message>
+    <message>
+        <source>Start or stop a video of what the detail view and the plots show</source>
+        <translation>Ein Video dessen, was Detailansicht und Kurven zeigen, beginnen oder beenden</translation>
+    </message>
+    <message>
+        <source>Add &amp;key view</source>
+        <translation>Kamerapunkt &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Let the camera path pass this view, three seconds after the one before</source>
+        <translation>Den Kameraweg durch diese Ansicht führen, drei Sekunden nach der vorigen</translation>
+    </message>
+    <message>
+        <source>Show camera pa&amp;th</source>
+        <translation>Kameraweg &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Run along the key views once, or stop</source>
+        <translation>Die Kamerapunkte einmal durchlaufen, oder anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Forget key views</source>
+        <translation>&amp;Kamerapunkte vergessen</translation>
+    </message>
+    <message>
+        <source>Begin a new camera path</source>
+        <translation>Einen neuen Kameraweg beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>Help in the browser, at the page for what has the keyboard; guide, documentation</source>
+        <translation>Handbuch im Browser, auf der Seite zu dem, wo die Tastatur ist; Hilfe, Anleitung, Dokumentation</translation>
+    </message>
+    <message>
+        <source>&amp;Search commands…</source>
+        <translation>&amp;Befehle suchen…</translation>
+    </message>
+    <message>
+        <source>Find a command by its words and run it</source>
+        <translation>Einen Befehl an seinen Wörtern finden und ausführen</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>All keys on one sheet</source>
+        <translation>Alle Tasten auf einem Blatt</translation>
+    </message>
+    <message>
+        <source>&amp;Introduction</source>
+        <translation>&amp;Einführung</translation>
+    </message>
+    <message>
+        <source>Say what is open and how it is touched</source>
+        <translation>Sagen, was geöffnet ist und wie man es tastet</translation>
+    </message>
+    <message>
+        <source>&amp;About relievo</source>
+        <translation>Über &amp;relievo</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Version und Lizenz</translation>
+    </message>
+    <message>
+        <source>Depth m&amp;ethod</source>
+        <translation>&amp;Verfahren</translation>
+    </message>
+    <message>
+        <source>Export archive pac&amp;kage…</source>
+        <translation>Archiv&amp;paket exportieren…</translation>
+    </message>
+    <message>
+        <source>Over&amp;view</source>
+        <translation>Üb&amp;ersicht</translation>
+    </message>
+    <message>
+        <source>Side pa&amp;nels</source>
+        <translation>&amp;Seitenfelder</translation>
+    </message>
+    <message>
+        <source>Shaded re&amp;lief</source>
+        <translation>&amp;Beleuchtetes Relief</translation>
+    </message>
+    <message>
+        <source>Move the focus between the overview and the detail view</source>
+        <translation>Den Fokus zwischen Übersicht und Detailansicht wechseln</translation>
+    </message>
+    <message>
+        <source>&amp;Previous part</source>
+        <translation>Vori&amp;ger Teil</translation>
+    </message>
+    <message>
+        <source>&amp;CPU</source>
+        <translation>&amp;CPU</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>Save &amp;video…</source>
+        <translation>V&amp;ideo speichern…</translation>
+    </message>
+</context>
+<context>
     <name>relievo::CommandWords</name>
     <message>
         <source>load import file read</source>
@@ -1171,24 +2146,8 @@
         <translation>Rechtshändig, um die Achsen der Ansicht, zuerst x</translation>
     </message>
     <message>
-        <source>&amp;Engine</source>
-        <translation>&amp;Verfahren</translation>
-    </message>
-    <message>
         <source>The processor, or the graphics card&apos;s depth buffer as in the paper</source>
         <translation>Der Prozessor, oder der Tiefenpuffer der Grafikkarte wie im Aufsatz</translation>
-    </message>
-    <message>
-        <source>Processor</source>
-        <translation>Prozessor</translation>
-    </message>
-    <message>
-        <source>Depth buffer</source>
-        <translation>Tiefenpuffer</translation>
-    </message>
-    <message>
-        <source>&amp;Rule</source>
-        <translation>&amp;Regel</translation>
     </message>
     <message>
         <source>Which height a cell gets from the points in it</source>
@@ -1229,10 +2188,6 @@
     <message>
         <source>Distance of neighbouring cells</source>
         <translation>Abstand benachbarter Zellen</translation>
-    </message>
-    <message>
-        <source>&amp;M between levels</source>
-        <translation>&amp;M zwischen den Ebenen</translation>
     </message>
     <message>
         <source>How much coarser each level of the pyramid is; 2 in the paper</source>
@@ -1330,6 +2285,26 @@
         <source>Leave out, groups too</source>
         <translation>Weglassen, auch Gruppen</translation>
     </message>
+    <message>
+        <source>M&amp;ethod</source>
+        <translation>&amp;Verfahren</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Height pe&amp;r cell</source>
+        <translation>Höhe je &amp;Zelle</translation>
+    </message>
+    <message>
+        <source>Pyra&amp;mid factor</source>
+        <translation>Pyra&amp;midenfaktor</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DepthMapPreview</name>
@@ -1361,8 +2336,8 @@
         <translation>Ausschnitt verschieben</translation>
     </message>
     <message>
-        <source>The part inside the pink window. The pointer carries the hand just above the surface. To look, drag with the left button to turn; to touch (F7), hold it to press in, and turn the wheel meanwhile to press deeper. Right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
-        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche. Zum Betrachten drehen Sie mit gezogener linker Taste; zum Fühlen (F7) drückt sie ein, solange sie gehalten wird, und das Rad währenddessen tiefer. Ziehen mit rechts verschiebt den Ausschnitt, das Rad zoomt. Tasten: Pfeile, Bild ab, Bild auf.</translation>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface. What dragging does, F7 changes between the two: %1. %2; the wheel meanwhile presses deeper. Keys: arrows, Page Down, Page Up.</source>
+        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche. Was Ziehen bewirkt, F7 wechselt zwischen beiden: %1. %2; das Rad drückt währenddessen tiefer. Tasten: Pfeile, Bild ab, Bild auf.</translation>
     </message>
 </context>
 <context>
@@ -1640,10 +2615,6 @@
         <translation>Ansicht %1 → %2</translation>
     </message>
     <message>
-        <source>Depth engine → %1</source>
-        <translation>Verfahren → %1</translation>
-    </message>
-    <message>
         <source>Unit %1 → %2</source>
         <translation>Einheit %1 → %2</translation>
     </message>
@@ -1658,10 +2629,6 @@
     <message>
         <source>Choose window</source>
         <translation>Ausschnitt wählen</translation>
-    </message>
-    <message>
-        <source>Height gain</source>
-        <translation>Überhöhung</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -1698,6 +2665,61 @@
     <message>
         <source>Smaller window</source>
         <translation>Kleineres Fenster</translation>
+    </message>
+    <message>
+        <source>Depth method → %1</source>
+        <translation>Verfahren → %1</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration</source>
+        <translation>Überhöhung</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ExportController</name>
+    <message>
+        <source>Cancelled. Nothing was exported.</source>
+        <translation>Abgebrochen. Nichts wurde exportiert.</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels; File &gt; Image asks for others</source>
+        <translation>%1 x %2 Pixel; Datei &gt; Bild fragt nach anderen</translation>
+    </message>
+    <message>
+        <source>Picture of the detail view (.png)</source>
+        <translation>Bild der Detailansicht (.png)</translation>
+    </message>
+    <message>
+        <source>Picture of the whole object (.png)</source>
+        <translation>Bild des ganzen Objekts (.png)</translation>
+    </message>
+    <message>
+        <source>Profile %1, drawing (.svg)</source>
+        <translation>Profil %1, Zeichnung (.svg)</translation>
+    </message>
+    <message>
+        <source>Profile %1, numbers (.csv)</source>
+        <translation>Profil %1, Zahlen (.csv)</translation>
+    </message>
+    <message>
+        <source>Section %1, drawing (.svg)</source>
+        <translation>Schnitt %1, Zeichnung (.svg)</translation>
+    </message>
+    <message>
+        <source>Section %1, numbers (.csv)</source>
+        <translation>Schnitt %1, Zahlen (.csv)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
     </message>
 </context>
 <context>
@@ -1871,10 +2893,6 @@
     <message>
         <source>With force plots of a recording</source>
         <translation>Mit Kraftkurven einer Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Lit stone</source>
-        <translation>Beleuchteter Stein</translation>
     </message>
     <message>
         <source>Height in colour</source>
@@ -2432,6 +3450,10 @@
         <source>Of the neighbourhood that this relief image looks at</source>
         <translation>Der Nachbarschaft, die dieses Reliefbild betrachtet</translation>
     </message>
+    <message>
+        <source>Shaded relief</source>
+        <translation>Beleuchtetes Relief</translation>
+    </message>
 </context>
 <context>
     <name>relievo::FirstViewCard</name>
@@ -2450,6 +3472,47 @@
     <message>
         <source>It can be touched then.</source>
         <translation>Dann kann es ertastet werden.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ForeignFiles</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>Abgebrochen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Files elsewhere</source>
+        <translation>Dateien anderswo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
+        <translation>
+            <numerusform>%1 nennt %n Datei außerhalb seines Ordners, die nach ihrer Prüfsumme nicht die ist, aus der es gemacht wurde:</numerusform>
+            <numerusform>%1 nennt %n Dateien außerhalb seines Ordners, die nach ihren Prüfsummen nicht die sind, aus denen es gemacht wurde:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The work that was kept</source>
+        <translation>Die aufbewahrte Arbeit</translation>
+    </message>
+    <message>
+        <source>Whoever made it chose these names. Shall they be read? What is not read stays named in it, and all else opens.</source>
+        <translation>Wer es gemacht hat, hat diese Namen gewählt. Sollen sie gelesen werden? Was nicht gelesen wird, bleibt darin genannt, und alles andere wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>&amp;Read them</source>
+        <translation>&amp;Lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Do not read them</source>
+        <translation>&amp;Nicht lesen</translation>
     </message>
 </context>
 <context>
@@ -2732,14 +3795,6 @@
         <translation>Nicht &amp;gemessen</translation>
     </message>
     <message>
-        <source>Tic&amp;k there</source>
-        <translation>&amp;Tick dort</translation>
-    </message>
-    <message>
-        <source>K&amp;nock</source>
-        <translation>An&amp;klopfen</translation>
-    </message>
-    <message>
         <source>Ma&amp;gnet</source>
         <translation>Ma&amp;gnet</translation>
     </message>
@@ -2760,10 +3815,6 @@
         <translation>Wie steif gefüllte Lücken und die Grundebene sind, als Teil der Steifigkeit gemessener Stellen. 100 %: kein Unterschied.</translation>
     </message>
     <message>
-        <source>Tick at the border of measured ground, in newtons</source>
-        <translation>Tick am Rand des Gemessenen, in Newton</translation>
-    </message>
-    <message>
         <source> N</source>
         <translation> N</translation>
     </message>
@@ -2782,10 +3833,6 @@
     <message>
         <source>How much of the next finer level is felt, at most, on top of the level that is touched. 0: none.</source>
         <translation>Wieviel von der nächstfeineren Ebene höchstens zusätzlich zur getasteten zu fühlen ist. 0: nichts.</translation>
-    </message>
-    <message>
-        <source>Knock of a new contact, in newtons at most</source>
-        <translation>Anklopfen bei neuer Berührung, höchstens in Newton</translation>
     </message>
     <message>
         <source>A short knock as hard as the hand comes. 0: none.</source>
@@ -2810,10 +3857,6 @@
     <message>
         <source>Pause, zoom, read values, and save as SVG or CSV.</source>
         <translation>Anhalten, vergrößern, Werte ablesen und als SVG oder CSV speichern.</translation>
-    </message>
-    <message>
-        <source>Fi&amp;rm ground</source>
-        <translation>F&amp;ester Grund</translation>
     </message>
     <message>
         <source>What says where the ground is firm</source>
@@ -2842,10 +3885,6 @@
     <message>
         <source>The ground is firm where it was measured.</source>
         <translation>Der Grund ist fest, wo gemessen wurde.</translation>
-    </message>
-    <message>
-        <source>Raster of firm ground</source>
-        <translation>Raster des festen Grunds</translation>
     </message>
     <message>
         <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
@@ -2894,6 +3933,50 @@
     <message>
         <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
         <translation>Solange die Kräfte an sind, hält das Gerät seinen Griff selbst, so schwer, wie die Kalibrierung ihn fand. Nichts geschieht, wo nicht kalibriert wurde oder das Gerät es von sich aus tut.</translation>
+    </message>
+    <message>
+        <source>Stiffness &amp;map</source>
+        <translation>St&amp;eifigkeitskarte</translation>
+    </message>
+    <message>
+        <source>Edge &amp;cue</source>
+        <translation>&amp;Tastmarke am Rand</translation>
+    </message>
+    <message>
+        <source>Co&amp;ntact impulse</source>
+        <translation>Ko&amp;ntaktimpuls</translation>
+    </message>
+    <message>
+        <source>Edge cue at the border of measured ground, in newtons</source>
+        <translation>Tastmarke am Rand des Gemessenen, in Newton</translation>
+    </message>
+    <message>
+        <source>Contact impulse, in newtons at most</source>
+        <translation>Kontaktimpuls, höchstens in Newton</translation>
+    </message>
+    <message>
+        <source>Stiffness map</source>
+        <translation>Steifigkeitskarte</translation>
+    </message>
+    <message>
+        <source>Whether somebody has tried such a device</source>
+        <translation>Ob jemand ein solches Gerät erprobt hat</translation>
+    </message>
+    <message>
+        <source>How warm the motors are</source>
+        <translation>Wie warm die Motoren sind</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: ask who made the plug-in.</source>
+        <translation>An einem echten Gerät erprobt: Fragen Sie, wer das Plug-in gemacht hat.</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: never.</source>
+        <translation>An einem echten Gerät erprobt: nie.</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: %1.</source>
+        <translation>An einem echten Gerät erprobt: %1.</translation>
     </message>
 </context>
 <context>
@@ -2983,14 +4066,6 @@
         <translation>Der Grund ist fest, wo gemessen wurde.</translation>
     </message>
     <message>
-        <source>Firm ground: %1.</source>
-        <translation>Fester Grund: %1.</translation>
-    </message>
-    <message>
-        <source>Firm ground: %1. Set Not measured below 100 % to feel it.</source>
-        <translation>Fester Grund: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um ihn zu fühlen.</translation>
-    </message>
-    <message>
         <source>The recording has ended early.</source>
         <translation>Die Aufzeichnung endete vorzeitig.</translation>
     </message>
@@ -3005,6 +4080,26 @@
     <message>
         <source>Surface made softer to stay steady.</source>
         <translation>Oberfläche weicher gemacht, damit sie ruhig bleibt.</translation>
+    </message>
+    <message>
+        <source>Touch: advanced</source>
+        <translation>Fühlen: erweitert</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1.</source>
+        <translation>Steifigkeitskarte: %1.</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
+        <translation>Steifigkeitskarte: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um sie zu fühlen.</translation>
+    </message>
+    <message>
+        <source>The device %1 is being opened. The mouse is the hand meanwhile.</source>
+        <translation>Das Gerät %1 wird geöffnet. Solange ist die Maus die Hand.</translation>
+    </message>
+    <message>
+        <source>Motors: %1 % of what they can take for good; forces stay below %2 N.</source>
+        <translation>Motoren: %1 % dessen, was sie auf Dauer vertragen; Kräfte bleiben unter %2 N.</translation>
     </message>
 </context>
 <context>
@@ -3053,10 +4148,6 @@
         <translation>Detailansicht</translation>
     </message>
     <message>
-        <source>Reference view</source>
-        <translation>Übersicht</translation>
-    </message>
-    <message>
         <source>Whole window</source>
         <translation>Ganzes Fenster</translation>
     </message>
@@ -3095,6 +4186,10 @@
     <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>Übersicht</translation>
     </message>
 </context>
 <context>
@@ -3144,44 +4239,16 @@
         <translation>Detailansicht: Rad</translation>
     </message>
     <message>
-        <source>Zoom about the pointer</source>
-        <translation>Um den Zeiger vergrößern</translation>
-    </message>
-    <message>
-        <source>Detail view: middle, right button</source>
-        <translation>Detailansicht: mittlere, rechte Maustaste</translation>
-    </message>
-    <message>
-        <source>Turn the view, move the window</source>
-        <translation>Die Ansicht drehen, den Ausschnitt verschieben</translation>
-    </message>
-    <message>
-        <source>Reference view: drag</source>
-        <translation>Übersicht: Ziehen</translation>
-    </message>
-    <message>
         <source>Draw, move or resize the window</source>
         <translation>Den Ausschnitt zeichnen, verschieben oder in der Größe ändern</translation>
-    </message>
-    <message>
-        <source>Reference view: arrows, Shift+arrows</source>
-        <translation>Übersicht: Pfeile, Umschalt+Pfeile</translation>
     </message>
     <message>
         <source>Move, resize the window</source>
         <translation>Den Ausschnitt verschieben, in der Größe ändern</translation>
     </message>
     <message>
-        <source>Reference view: Space, arrows, Enter</source>
-        <translation>Übersicht: Leertaste, Pfeile, Eingabe</translation>
-    </message>
-    <message>
         <source>Draw a window</source>
         <translation>Einen Ausschnitt zeichnen</translation>
-    </message>
-    <message>
-        <source>Reference view: +, −, wheel</source>
-        <translation>Übersicht: +, −, Rad</translation>
     </message>
     <message>
         <source>Finer, coarser</source>
@@ -3194,10 +4261,6 @@
     <message>
         <source>What they do</source>
         <translation>Was sie tun</translation>
-    </message>
-    <message>
-        <source>To look: turn the view; to touch: press the hand in</source>
-        <translation>Betrachten: Ansicht drehen; Fühlen: Hand eindrücken</translation>
     </message>
     <message>
         <source>Other commands</source>
@@ -3219,6 +4282,46 @@
         <source>No key has these words. Ctrl+K finds commands without a key, too.</source>
         <translation>Keine Taste hat diese Wörter. Strg+K findet auch Befehle ohne Taste.</translation>
     </message>
+    <message>
+        <source>Look: %1. Touch: %2</source>
+        <translation>Betrachten: %1. Fühlen: %2</translation>
+    </message>
+    <message>
+        <source>press the hand in</source>
+        <translation>die Hand eindrücken</translation>
+    </message>
+    <message>
+        <source>Detail view: middle button</source>
+        <translation>Detailansicht: mittlere Maustaste</translation>
+    </message>
+    <message>
+        <source>Detail view: right button</source>
+        <translation>Detailansicht: rechte Maustaste</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer; away from you is closer</source>
+        <translation>Um den Zeiger vergrößern; von Ihnen weg ist näher</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer; towards you is closer</source>
+        <translation>Um den Zeiger vergrößern; zu Ihnen hin ist näher</translation>
+    </message>
+    <message>
+        <source>Overview: drag</source>
+        <translation>Übersicht: Ziehen</translation>
+    </message>
+    <message>
+        <source>Overview: arrows, Shift+arrows</source>
+        <translation>Übersicht: Pfeile, Umschalt+Pfeile</translation>
+    </message>
+    <message>
+        <source>Overview: Space, arrows, Enter</source>
+        <translation>Übersicht: Leertaste, Pfeile, Eingabe</translation>
+    </message>
+    <message>
+        <source>Overview: +, −, wheel</source>
+        <translation>Übersicht: +, −, Rad</translation>
+    </message>
 </context>
 <context>
     <name>relievo::LightBall</name>
@@ -3236,6 +4339,45 @@
     </message>
 </context>
 <context>
+    <name>relievo::LookController</name>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Shading of colours</source>
+        <translation>Schattierung der Farben</translation>
+    </message>
+    <message>
+        <source>Relief image</source>
+        <translation>Reliefbild</translation>
+    </message>
+    <message>
+        <source>Unmeasured cells</source>
+        <translation>Nicht gemessene Zellen</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>%1. This relief image has no lamp: the light shows in others.</source>
+        <translation>%1. Dieses Reliefbild hat keine Lampe: Das Licht zeigt sich in anderen.</translation>
+    </message>
+    <message>
+        <source>%1 % of this picture is a strong red or cyan, which one eye sees dark through the glasses. Grey stereo shows it to both</source>
+        <translation>%1 % dieses Bildes sind ein kräftiges Rot oder Cyan, das ein Auge durch die Brille dunkel sieht. Graues Stereo zeigt es beiden</translation>
+    </message>
+    <message>
+        <source>This scan has no colours; it is shown as shaded relief</source>
+        <translation>Dieser Scan hat keine Farben; er wird als beleuchtetes Relief gezeigt</translation>
+    </message>
+    <message>
+        <source>This scan has no intensities; it is shown as shaded relief</source>
+        <translation>Dieser Scan hat keine Intensitäten; er wird als beleuchtetes Relief gezeigt</translation>
+    </message>
+</context>
+<context>
     <name>relievo::LoopDetailsDialog</name>
     <message>
         <source>How the force loop runs</source>
@@ -3249,228 +4391,12 @@
 <context>
     <name>relievo::MainWindow</name>
     <message>
-        <source>&amp;Point</source>
-        <translation>P&amp;unkt</translation>
-    </message>
-    <message>
-        <source>Height of one place</source>
-        <translation>Höhe einer Stelle</translation>
-    </message>
-    <message>
-        <source>&amp;Distance</source>
-        <translation>D&amp;istanz</translation>
-    </message>
-    <message>
-        <source>Between two places</source>
-        <translation>Zwischen zwei Stellen</translation>
-    </message>
-    <message>
-        <source>Depth di&amp;fference</source>
-        <translation>&amp;Höhenunterschied</translation>
-    </message>
-    <message>
-        <source>How much higher the second place lies</source>
-        <translation>Wieviel höher die zweite Stelle liegt</translation>
-    </message>
-    <message>
-        <source>&amp;Angle</source>
-        <translation>&amp;Winkel</translation>
-    </message>
-    <message>
-        <source>At the second of three places</source>
-        <translation>An der zweiten von drei Stellen</translation>
-    </message>
-    <message>
-        <source>P&amp;rofile</source>
-        <translation>&amp;Profil</translation>
-    </message>
-    <message>
-        <source>Heights along a line</source>
-        <translation>Höhen längs einer Linie</translation>
-    </message>
-    <message>
-        <source>Area and &amp;volume</source>
-        <translation>&amp;Fläche und Volumen</translation>
-    </message>
-    <message>
-        <source>&amp;Save…</source>
-        <translation>&amp;Speichern…</translation>
-    </message>
-    <message>
-        <source>&amp;Lit stone</source>
-        <translation>&amp;Beleuchteter Stein</translation>
-    </message>
-    <message>
-        <source>Matt stone under lamps</source>
-        <translation>Matter Stein unter Lampen</translation>
-    </message>
-    <message>
-        <source>&amp;Height in colour</source>
-        <translation>Höhe &amp;in Farbe</translation>
-    </message>
-    <message>
-        <source>Lit, with a colour for each height</source>
-        <translation>Beleuchtet, mit einer Farbe für jede Höhe</translation>
-    </message>
-    <message>
-        <source>H&amp;illshade</source>
-        <translation>S&amp;chummerung</translation>
-    </message>
-    <message>
-        <source>Brightness under one light</source>
-        <translation>Helligkeit unter einem Licht</translation>
-    </message>
-    <message>
-        <source>Hillshade, &amp;four lights</source>
-        <translation>&amp;Schummerung, vier Lichter</translation>
-    </message>
-    <message>
-        <source>No direction stays in the dark</source>
-        <translation>Keine Richtung bleibt im Dunkeln</translation>
-    </message>
-    <message>
-        <source>&amp;Slope</source>
-        <translation>&amp;Neigung</translation>
-    </message>
-    <message>
-        <source>Steepness in degrees</source>
-        <translation>Steilheit in Grad</translation>
-    </message>
-    <message>
-        <source>Local &amp;relief</source>
-        <translation>&amp;Lokales Relief</translation>
-    </message>
-    <message>
-        <source>Worn detail without the broad shape</source>
-        <translation>Abgenutzte Einzelheiten ohne die große Form</translation>
-    </message>
-    <message>
-        <source>Sky &amp;view</source>
-        <translation>&amp;Himmelssicht</translation>
-    </message>
-    <message>
-        <source>How much of the sky each place sees</source>
-        <translation>Wieviel vom Himmel jede Stelle sieht</translation>
-    </message>
-    <message>
-        <source>&amp;Openness</source>
-        <translation>&amp;Offenheit</translation>
-    </message>
-    <message>
-        <source>Hollows dark, ridges bright</source>
-        <translation>Vertiefungen dunkel, Grate hell</translation>
-    </message>
-    <message>
-        <source>&amp;Grey</source>
-        <translation>&amp;Grau</translation>
-    </message>
-    <message>
-        <source>&amp;Viridis</source>
-        <translation>&amp;Viridis</translation>
-    </message>
-    <message>
-        <source>&amp;Cividis</source>
-        <translation>&amp;Cividis</translation>
-    </message>
-    <message>
-        <source>Colours that grow lighter in even steps</source>
-        <translation>Farben, die in gleichen Stufen heller werden</translation>
-    </message>
-    <message>
-        <source>Save measurements</source>
-        <translation>Messungen speichern</translation>
-    </message>
-    <message>
-        <source>List of measurements (*.csv)</source>
-        <translation>Liste der Messungen (*.csv)</translation>
-    </message>
-    <message>
-        <source>%1 is saved</source>
-        <translation>%1 ist gespeichert</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
         <source>Open &amp;recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>Files opened before</source>
         <translation>Zuvor geöffnete Dateien</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>A&amp;nsicht</translation>
-    </message>
-    <message>
-        <source>Relief ima&amp;ge</source>
-        <translation>Relie&amp;fbild</translation>
-    </message>
-    <message>
-        <source>How heights are painted</source>
-        <translation>Wie Höhen dargestellt werden</translation>
-    </message>
-    <message>
-        <source>R&amp;elief colours</source>
-        <translation>&amp;Relieffarben</translation>
-    </message>
-    <message>
-        <source>Colours of heights, slopes and other values</source>
-        <translation>Farben der Höhen, Neigungen und anderer Werte</translation>
-    </message>
-    <message>
-        <source>&amp;Surface</source>
-        <translation>&amp;Oberfläche</translation>
-    </message>
-    <message>
-        <source>Depth &amp;engine</source>
-        <translation>&amp;Verfahren</translation>
-    </message>
-    <message>
-        <source>How the depth map is made</source>
-        <translation>Wie die Tiefenkarte gemacht wird</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Messen</translation>
-    </message>
-    <message>
-        <source>&amp;Touch</source>
-        <translation>&amp;Fühlen</translation>
-    </message>
-    <message>
-        <source>Re&amp;cord</source>
-        <translation>&amp;Aufzeichnen</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>As the &amp;system</source>
-        <translation>&amp;Wie das System</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>H&amp;ell</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>&amp;Dunkel</translation>
-    </message>
-    <message>
-        <source>&amp;High contrast</source>
-        <translation>&amp;Hoher Kontrast</translation>
-    </message>
-    <message>
-        <source>Colours of the window</source>
-        <translation>Farben des Fensters</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -3493,52 +4419,12 @@
         <translation>Welches Detail den Ausschnitt speist</translation>
     </message>
     <message>
-        <source>Whole</source>
-        <translation>Ganz</translation>
-    </message>
-    <message>
-        <source>Stereo</source>
-        <translation>Stereo</translation>
-    </message>
-    <message>
         <source>&amp;Clear this list</source>
         <translation>&amp;Diese Liste leeren</translation>
     </message>
     <message>
         <source>Forget these files</source>
         <translation>Diese Dateien vergessen</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Scans, height maps, projects and figures (%1)</source>
-        <translation>Scans, Höhenkarten, Projekte und Abbildungen (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>Verlauf</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
-    </message>
-    <message>
-        <source>As opened</source>
-        <translation>Wie geöffnet</translation>
     </message>
     <message>
         <source>About relievo</source>
@@ -3549,431 +4435,8 @@
         <translation>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;Scans von Reliefs sehen und fühlen: eine Tiefenkarte, ihre Pyramide und ein Ausschnitt daraus, der in Stereo gezeigt und gefühlt wird.&lt;br&gt;&lt;br&gt;BSD-3-Clause-Lizenz.</translation>
     </message>
     <message>
-        <source>%1 needs %2, which has moved. Nothing was changed. Find it, or choose another file. (E501)</source>
-        <translation>%1 braucht %2; diese Datei ist nicht mehr dort. Nichts wurde geändert. Suchen Sie sie oder wählen Sie eine andere Datei. (E501)</translation>
-    </message>
-    <message>
-        <source>&amp;Find it…</source>
-        <translation>&amp;Suchen…</translation>
-    </message>
-    <message>
-        <source>Find %1</source>
-        <translation>%1 suchen</translation>
-    </message>
-    <message>
-        <source>%1 has changed since this was saved (its checksum differs). It is shown as it is now; results may differ. (E501)</source>
-        <translation>%1 hat sich seit dem Speichern geändert (die Prüfsumme ist eine andere). Es wird gezeigt, wie es jetzt ist; Ergebnisse können abweichen. (E501)</translation>
-    </message>
-    <message>
-        <source>Save project</source>
-        <translation>Projekt speichern</translation>
-    </message>
-    <message>
-        <source>Projects (*.relievo.json)</source>
-        <translation>Projekte (*.relievo.json)</translation>
-    </message>
-    <message>
-        <source>Na&amp;me this place…</source>
-        <translation>&amp;Diese Stelle benennen…</translation>
-    </message>
-    <message>
-        <source>Give the window&apos;s place a name, to come back to it</source>
-        <translation>Der Stelle des Ausschnitts einen Namen geben, um zu ihr zurückzukehren</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt place</source>
-        <translation>&amp;Nächste Stelle</translation>
-    </message>
-    <message>
-        <source>Go to the next place that has a name</source>
-        <translation>Zur nächsten Stelle mit Namen gehen</translation>
-    </message>
-    <message>
-        <source>Pre&amp;vious place</source>
-        <translation>Vorige &amp;Stelle</translation>
-    </message>
-    <message>
-        <source>Go to the place with a name before this one</source>
-        <translation>Zur Stelle mit Namen vor dieser gehen</translation>
-    </message>
-    <message>
-        <source>%1 lies on a finer detail than this map has. The window was not moved.</source>
-        <translation>%1 liegt auf einem feineren Detail, als diese Karte hat. Der Ausschnitt wurde nicht verschoben.</translation>
-    </message>
-    <message>
-        <source>Go to %1</source>
-        <translation>Gehe zu %1</translation>
-    </message>
-    <message>
-        <source>%1. Detail %2 of %3</source>
-        <translation>%1. Detail %2 von %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
-        <translation>
-            <numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritt).</numerusform>
-            <numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritte).</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>&amp;Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Verwerfen</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>Ö&amp;ffnen…</translation>
-    </message>
-    <message>
-        <source>Open a scan or a height map</source>
-        <translation>Einen Scan oder eine Höhenkarte öffnen</translation>
-    </message>
-    <message>
-        <source>&amp;Save project</source>
-        <translation>P&amp;rojekt speichern</translation>
-    </message>
-    <message>
-        <source>Keep this state: file, depth map, window, measurements</source>
-        <translation>Diesen Stand aufheben: Datei, Tiefenkarte, Ausschnitt, Messungen</translation>
-    </message>
-    <message>
-        <source>Save project &amp;as…</source>
-        <translation>Projekt &amp;speichern unter…</translation>
-    </message>
-    <message>
-        <source>Keep this state in another file</source>
-        <translation>Diesen Stand in einer anderen Datei aufheben</translation>
-    </message>
-    <message>
-        <source>&amp;Figure…</source>
-        <translation>&amp;Abbildung…</translation>
-    </message>
-    <message>
-        <source>A figure for print, with scale bar, legend and caption</source>
-        <translation>Eine Abbildung für den Druck, mit Maßstab, Legende und Bildunterschrift</translation>
-    </message>
-    <message>
-        <source>&amp;Image…</source>
-        <translation>B&amp;ild…</translation>
-    </message>
-    <message>
-        <source>Save a picture of a view or of the window</source>
-        <translation>Ein Bild einer Ansicht oder des Fensters speichern</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>Close relievo</source>
-        <translation>relievo schließen</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>&amp;Keys</source>
-        <translation>&amp;Tasten</translation>
-    </message>
-    <message>
-        <source>All keys on one sheet</source>
-        <translation>Alle Tasten auf einem Blatt</translation>
-    </message>
-    <message>
-        <source>&amp;History…</source>
-        <translation>&amp;Verlauf…</translation>
-    </message>
-    <message>
-        <source>Every step so far; choose one to go back to it</source>
-        <translation>Jeder Schritt bisher; wählen Sie einen, um zu ihm zurückzukehren</translation>
-    </message>
-    <message>
-        <source>&amp;Preferences…</source>
-        <translation>&amp;Einstellungen…</translation>
-    </message>
-    <message>
-        <source>Colours, text size, language, units, stereo, device</source>
-        <translation>Farben, Schriftgröße, Sprache, Einheiten, Stereo, Gerät</translation>
-    </message>
-    <message>
-        <source>&amp;Search commands…</source>
-        <translation>&amp;Befehle suchen…</translation>
-    </message>
-    <message>
-        <source>Find a command by its words and run it</source>
-        <translation>Einen Befehl an seinen Wörtern finden und ausführen</translation>
-    </message>
-    <message>
-        <source>&amp;About relievo</source>
-        <translation>Über &amp;relievo</translation>
-    </message>
-    <message>
-        <source>Version and licence</source>
-        <translation>Version und Lizenz</translation>
-    </message>
-    <message>
         <source>Detail %1 of %2</source>
         <translation>Detail %1 von %2</translation>
-    </message>
-    <message>
-        <source>This is the finest detail</source>
-        <translation>Das ist das feinste Detail</translation>
-    </message>
-    <message>
-        <source>This is the whole object</source>
-        <translation>Das ist das ganze Objekt</translation>
-    </message>
-    <message>
-        <source>&amp;Finer</source>
-        <translation>&amp;Feiner</translation>
-    </message>
-    <message>
-        <source>Finer detail: a smaller window</source>
-        <translation>Feineres Detail: ein kleinerer Ausschnitt</translation>
-    </message>
-    <message>
-        <source>&amp;Coarser</source>
-        <translation>G&amp;röber</translation>
-    </message>
-    <message>
-        <source>Coarser detail: a larger window</source>
-        <translation>Gröberes Detail: ein größerer Ausschnitt</translation>
-    </message>
-    <message>
-        <source>&amp;Whole object</source>
-        <translation>&amp;Ganzes Objekt</translation>
-    </message>
-    <message>
-        <source>The whole object in the window</source>
-        <translation>Das ganze Objekt im Ausschnitt</translation>
-    </message>
-    <message>
-        <source>Whole object</source>
-        <translation>Ganzes Objekt</translation>
-    </message>
-    <message>
-        <source>Move &amp;left</source>
-        <translation>Nach &amp;links</translation>
-    </message>
-    <message>
-        <source>Move &amp;right</source>
-        <translation>N&amp;ach rechts</translation>
-    </message>
-    <message>
-        <source>Move &amp;up</source>
-        <translation>Nach &amp;oben</translation>
-    </message>
-    <message>
-        <source>Move &amp;down</source>
-        <translation>Nach &amp;unten</translation>
-    </message>
-    <message>
-        <source>Move the window by a quarter of its side</source>
-        <translation>Den Ausschnitt um ein Viertel seiner Seite verschieben</translation>
-    </message>
-    <message>
-        <source>Edge</source>
-        <translation>Rand</translation>
-    </message>
-    <message>
-        <source>&amp;Type window…</source>
-        <translation>Ausschnitt &amp;eintippen…</translation>
-    </message>
-    <message>
-        <source>Type the window&apos;s place and size in millimetres</source>
-        <translation>Ort und Größe des Ausschnitts in Millimetern eintippen</translation>
-    </message>
-    <message>
-        <source>Depth ma&amp;p…</source>
-        <translation>&amp;Tiefenkarte…</translation>
-    </message>
-    <message>
-        <source>Everything between the scan and its depth map, with a preview</source>
-        <translation>Alles zwischen dem Scan und seiner Tiefenkarte, mit Vorschau</translation>
-    </message>
-    <message>
-        <source>U&amp;nits…</source>
-        <translation>E&amp;inheiten…</translation>
-    </message>
-    <message>
-        <source>Say which length unit the file&apos;s coordinates have; kept for its folder</source>
-        <translation>Angeben, welche Längeneinheit die Koordinaten der Datei haben; gilt für ihren Ordner</translation>
-    </message>
-    <message>
-        <source>&amp;Front</source>
-        <translation>&amp;Vorn</translation>
-    </message>
-    <message>
-        <source>&amp;Back</source>
-        <translation>&amp;Hinten</translation>
-    </message>
-    <message>
-        <source>&amp;Left</source>
-        <translation>&amp;Links</translation>
-    </message>
-    <message>
-        <source>&amp;Right</source>
-        <translation>Re&amp;chts</translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation>O&amp;ben</translation>
-    </message>
-    <message>
-        <source>Botto&amp;m</source>
-        <translation>&amp;Unten</translation>
-    </message>
-    <message>
-        <source>Look from this side and make the relief anew</source>
-        <translation>Von dieser Seite sehen und das Relief neu machen</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic</source>
-        <translation>Auto&amp;matisch</translation>
-    </message>
-    <message>
-        <source>Look from the side that shows most</source>
-        <translation>Von der Seite sehen, die am meisten zeigt</translation>
-    </message>
-    <message>
-        <source>Turn &amp;left</source>
-        <translation>Nach &amp;links drehen</translation>
-    </message>
-    <message>
-        <source>Turn &amp;right</source>
-        <translation>Nach &amp;rechts drehen</translation>
-    </message>
-    <message>
-        <source>Turn &amp;up</source>
-        <translation>Nach &amp;oben drehen</translation>
-    </message>
-    <message>
-        <source>Turn &amp;down</source>
-        <translation>&amp;Nach unten drehen</translation>
-    </message>
-    <message>
-        <source>Turn the detail view by 15 degrees</source>
-        <translation>Die Detailansicht um 15 Grad drehen</translation>
-    </message>
-    <message>
-        <source>&amp;Use this view</source>
-        <translation>&amp;Diese Ansicht nehmen</translation>
-    </message>
-    <message>
-        <source>Make the relief anew from where the turned detail view looks</source>
-        <translation>Das Relief neu machen, aus der Richtung der gedrehten Detailansicht</translation>
-    </message>
-    <message>
-        <source>&amp;Processor</source>
-        <translation>&amp;Prozessor</translation>
-    </message>
-    <message>
-        <source>Make the depth map on the processor</source>
-        <translation>Die Tiefenkarte mit dem Prozessor machen</translation>
-    </message>
-    <message>
-        <source>&amp;Depth buffer</source>
-        <translation>&amp;Tiefenpuffer</translation>
-    </message>
-    <message>
-        <source>Make the depth map by the graphics card&apos;s depth buffer</source>
-        <translation>Die Tiefenkarte mit dem Tiefenpuffer der Grafikkarte machen</translation>
-    </message>
-    <message>
-        <source>F&amp;it</source>
-        <translation>Ein&amp;passen</translation>
-    </message>
-    <message>
-        <source>Look straight down on the relief, fitted to the view</source>
-        <translation>Gerade auf das Relief sehen, in die Ansicht eingepasst</translation>
-    </message>
-    <message>
-        <source>&amp;Stereo (red/cyan)</source>
-        <translation>Stereo (rot/c&amp;yan)</translation>
-    </message>
-    <message>
-        <source>Anaglyph for red and cyan glasses</source>
-        <translation>Anaglyphe für rot-cyane Brillen</translation>
-    </message>
-    <message>
-        <source>Side &amp;panels</source>
-        <translation>&amp;Seitenfelder</translation>
-    </message>
-    <message>
-        <source>Show or hide the side panels</source>
-        <translation>Die Seitenfelder zeigen oder verbergen</translation>
-    </message>
-    <message>
-        <source>Refere&amp;nce view</source>
-        <translation>Üb&amp;ersicht</translation>
-    </message>
-    <message>
-        <source>Show or hide the whole object</source>
-        <translation>Das ganze Objekt zeigen oder verbergen</translation>
-    </message>
-    <message>
-        <source>Pl&amp;ots</source>
-        <translation>&amp;Kurven</translation>
-    </message>
-    <message>
-        <source>Show or hide the plots of height and force</source>
-        <translation>Die Kurven von Höhe und Kraft zeigen oder verbergen</translation>
-    </message>
-    <message>
-        <source>Full s&amp;creen detail</source>
-        <translation>Detail &amp;im Vollbild</translation>
-    </message>
-    <message>
-        <source>The detail view alone on the whole screen</source>
-        <translation>Die Detailansicht allein auf dem ganzen Bildschirm</translation>
-    </message>
-    <message>
-        <source>Other vie&amp;w</source>
-        <translation>&amp;Andere Ansicht</translation>
-    </message>
-    <message>
-        <source>Move the focus between the reference view and the detail view</source>
-        <translation>Den Fokus zwischen Übersicht und Detailansicht wechseln</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt part</source>
-        <translation>&amp;Nächster Teil</translation>
-    </message>
-    <message>
-        <source>Move the focus to the next part of the window</source>
-        <translation>Den Fokus zum nächsten Teil des Fensters bewegen</translation>
-    </message>
-    <message>
-        <source>Pre&amp;vious part</source>
-        <translation>Vori&amp;ger Teil</translation>
-    </message>
-    <message>
-        <source>Move the focus to the part before</source>
-        <translation>Den Fokus zum Teil davor bewegen</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>Oberfläche</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>Ausschnitt</translation>
-    </message>
-    <message>
-        <source>Measure</source>
-        <translation>Messen</translation>
-    </message>
-    <message>
-        <source>Places</source>
-        <translation>Stellen</translation>
     </message>
     <message>
         <source>Cancelled. Nothing was changed.</source>
@@ -3992,776 +4455,16 @@
         <translation>%1 F5 schaltet die Kräfte ein.</translation>
     </message>
     <message>
-        <source>Press depth %1 mm of hand</source>
-        <translation>Eindrücktiefe %1 mm der Hand</translation>
-    </message>
-    <message>
-        <source>REFERENCE</source>
-        <translation>ÜBERSICHT</translation>
-    </message>
-    <message>
-        <source>DETAIL %1 of %2</source>
-        <translation>DETAIL %1 von %2</translation>
-    </message>
-    <message>
-        <source>1 mm of hand = %1 mm</source>
-        <translation>1 mm der Hand = %1 mm</translation>
-    </message>
-    <message>
-        <source>heights × %1   |   </source>
-        <translation>Höhen × %1   |   </translation>
-    </message>
-    <message>
         <source>Detail %1/%2</source>
         <translation>Detail %1/%2</translation>
-    </message>
-    <message>
-        <source>&amp;Load what is there</source>
-        <translation>&amp;Laden, was da ist</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>Wä&amp;hlen…</translation>
-    </message>
-    <message>
-        <source>in %1 %2</source>
-        <translation>als %1 %2</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3</source>
-        <translation>%1 × %2 × %3</translation>
-    </message>
-    <message>
-        <source>%1: %2. Which unit?</source>
-        <translation>%1: %2. Welche Einheit?</translation>
-    </message>
-    <message>
-        <source>The points carry no unit. %1 – %2. Most likely %3. Shown as millimetres until you say. (E103)</source>
-        <translation>Die Punkte tragen keine Einheit. %1 – %2. Am wahrscheinlichsten %3. Als Millimeter gezeigt, bis Sie es sagen. (E103)</translation>
     </message>
     <message>
         <source>Only files on this computer can be opened. Nothing was opened.</source>
         <translation>Nur Dateien auf diesem Rechner lassen sich öffnen. Nichts wurde geöffnet.</translation>
     </message>
     <message>
-        <source>measured</source>
-        <translation>gemessen</translation>
-    </message>
-    <message>
-        <source>interpolated</source>
-        <translation>interpoliert</translation>
-    </message>
-    <message>
-        <source>hole, on base plane</source>
-        <translation>Loch, auf Grundebene</translation>
-    </message>
-    <message>
-        <source>steep</source>
-        <translation>steil</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>außerhalb</translation>
-    </message>
-    <message>
-        <source>x %1  y %2  z %3 mm</source>
-        <translation>x %1  y %2  z %3 mm</translation>
-    </message>
-    <message>
-        <source>%1, %2. Detail %3 of %4</source>
-        <translation>%1, %2. Detail %3 von %4</translation>
-    </message>
-    <message>
-        <source>%1/%2 N</source>
-        <translation>%1/%2 N</translation>
-    </message>
-    <message>
-        <source>forces off</source>
-        <translation>Kräfte aus</translation>
-    </message>
-    <message>
-        <source>Force on the hand and its limit</source>
-        <translation>Kraft auf die Hand und ihre Grenze</translation>
-    </message>
-    <message>
-        <source>Press F5 to switch forces on</source>
-        <translation>F5 schaltet die Kräfte ein</translation>
-    </message>
-    <message>
-        <source>Device: %1</source>
-        <translation>Gerät: %1</translation>
-    </message>
-    <message>
-        <source>Worst period: %1 ms</source>
-        <translation>Längste Periode: %1 ms</translation>
-    </message>
-    <message>
-        <source>Real-time priority</source>
-        <translation>Echtzeitpriorität</translation>
-    </message>
-    <message>
-        <source>No real-time priority: %1</source>
-        <translation>Keine Echtzeitpriorität: %1</translation>
-    </message>
-    <message>
-        <source>%1/s, late %2</source>
-        <translation>%1/s, verspätet %2</translation>
-    </message>
-    <message>
-        <source>recording %1</source>
-        <translation>Aufzeichnung %1</translation>
-    </message>
-    <message>
-        <source>Touch is not available: %1 Viewing works.</source>
-        <translation>Fühlen ist nicht möglich: %1 Sehen geht.</translation>
-    </message>
-    <message>
         <source>the haptics plugin was not found.</source>
         <translation>das Haptik-Plugin wurde nicht gefunden.</translation>
-    </message>
-    <message>
-        <source>Re&amp;play…</source>
-        <translation>&amp;Wiedergabe…</translation>
-    </message>
-    <message>
-        <source>Show a recording of a touch again; no device is moved</source>
-        <translation>Eine Aufzeichnung eines Ertastens noch einmal zeigen; kein Gerät wird bewegt</translation>
-    </message>
-    <message>
-        <source>P&amp;lay or pause</source>
-        <translation>Abspielen &amp;oder halten</translation>
-    </message>
-    <message>
-        <source>Go on with the replay, or halt it</source>
-        <translation>Die Wiedergabe fortsetzen oder anhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Close replay</source>
-        <translation>Wiedergabe &amp;schließen</translation>
-    </message>
-    <message>
-        <source>Back to the window from before</source>
-        <translation>Zurück zum Ausschnitt von vorher</translation>
-    </message>
-    <message>
-        <source>Replay</source>
-        <translation>Wiedergabe</translation>
-    </message>
-    <message>
-        <source>Recordings (*.csv *.h5 *.hdf5)</source>
-        <translation>Aufzeichnungen (*.csv *.h5 *.hdf5)</translation>
-    </message>
-    <message>
-        <source>A recording is running. Nothing was opened. Stop it first (Ctrl+R).</source>
-        <translation>Eine Aufzeichnung läuft. Nichts wurde geöffnet. Halten Sie sie zuerst an (Strg+R).</translation>
-    </message>
-    <message>
-        <source>%1 Nothing was changed.</source>
-        <translation>%1 Nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>&amp;Open its input</source>
-        <translation>&amp;Ihre Quelle öffnen</translation>
-    </message>
-    <message>
-        <source>%1 N</source>
-        <translation>%1 N</translation>
-    </message>
-    <message>
-        <source>Force when it was recorded</source>
-        <translation>Kraft bei der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>replay %1</source>
-        <translation>Wiedergabe %1</translation>
-    </message>
-    <message>
-        <source>Forces are on: the replay was closed.</source>
-        <translation>Die Kräfte sind an: die Wiedergabe wurde geschlossen.</translation>
-    </message>
-    <message>
-        <source>&amp;Video…</source>
-        <translation>V&amp;ideo…</translation>
-    </message>
-    <message>
-        <source>A video of the replay, or of the camera path, frame by frame</source>
-        <translation>Ein Video der Wiedergabe oder des Kamerawegs, Bild für Bild</translation>
-    </message>
-    <message>
-        <source>Video of the vie&amp;w</source>
-        <translation>&amp;Video der Ansicht</translation>
-    </message>
-    <message>
-        <source>Start or stop a video of what the detail view and the plots show</source>
-        <translation>Ein Video dessen, was Detailansicht und Kurven zeigen, beginnen oder beenden</translation>
-    </message>
-    <message>
-        <source>Add &amp;key view</source>
-        <translation>Kamerapunkt &amp;hinzufügen</translation>
-    </message>
-    <message>
-        <source>Let the camera path pass this view, three seconds after the one before</source>
-        <translation>Den Kameraweg durch diese Ansicht führen, drei Sekunden nach der vorigen</translation>
-    </message>
-    <message>
-        <source>Show camera pa&amp;th</source>
-        <translation>Kameraweg &amp;zeigen</translation>
-    </message>
-    <message>
-        <source>Run along the key views once, or stop</source>
-        <translation>Die Kamerapunkte einmal durchlaufen, oder anhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Forget key views</source>
-        <translation>&amp;Kamerapunkte vergessen</translation>
-    </message>
-    <message>
-        <source>Begin a new camera path</source>
-        <translation>Einen neuen Kameraweg beginnen</translation>
-    </message>
-    <message>
-        <source>The camera path is empty</source>
-        <translation>Der Kameraweg ist leer</translation>
-    </message>
-    <message>
-        <source>End of the camera path</source>
-        <translation>Ende des Kamerawegs</translation>
-    </message>
-    <message>
-        <source>Video</source>
-        <translation>Video</translation>
-    </message>
-    <message>
-        <source>The program ffmpeg is not installed: a folder of pictures can be made.</source>
-        <translation>Das Programm ffmpeg ist nicht installiert: ein Ordner mit Bildern ist möglich.</translation>
-    </message>
-    <message>
-        <source>Video to %1</source>
-        <translation>Video in %1</translation>
-    </message>
-    <message>
-        <source>The program ffmpeg, which packs videos, is not installed. Nothing was made. Install the package ffmpeg, or keep a folder of pictures.</source>
-        <translation>Das Programm ffmpeg, das Videos packt, ist nicht installiert. Nichts wurde gemacht. Installieren Sie das Paket ffmpeg, oder behalten Sie einen Ordner mit Bildern.</translation>
-    </message>
-    <message>
-        <source>&amp;Keep pictures</source>
-        <translation>&amp;Bilder behalten</translation>
-    </message>
-    <message>
-        <source>Camera path</source>
-        <translation>Kameraweg</translation>
-    </message>
-    <message>
-        <source>Key view %1 at %2 s</source>
-        <translation>Kamerapunkt %1 bei %2 s</translation>
-    </message>
-    <message>
-        <source>&amp;Introduction</source>
-        <translation>&amp;Einführung</translation>
-    </message>
-    <message>
-        <source>Say what is open and how it is touched</source>
-        <translation>Sagen, was geöffnet ist und wie man es tastet</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>Unten</translation>
-    </message>
-    <message>
-        <source>%1. Window at %2, %3 mm</source>
-        <translation>%1. Ausschnitt bei %2, %3 mm</translation>
-    </message>
-    <message>
-        <source>Nothing is open. Open a scan with Ctrl+O.</source>
-        <translation>Nichts ist geöffnet. Öffnen Sie einen Scan mit Strg+O.</translation>
-    </message>
-    <message>
-        <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
-        <translation>%1, %2 mal %3 mm, in %4 Details. Zum Fühlen die Hand eindrücken; F5 schaltet die Kräfte ein. Plus: feiner; Minus: gröber; beide zwei Sekunden lang: Hilfe.</translation>
-    </message>
-    <message>
-        <source>Beacon %1</source>
-        <translation>Leuchtfeuer %1</translation>
-    </message>
-    <message>
-        <source>&amp;Beacon here</source>
-        <translation>Leuchtfeuer &amp;hier</translation>
-    </message>
-    <message>
-        <source>Mark the place under the hand, or remove the beacon there</source>
-        <translation>Die Stelle unter der Hand markieren, oder das Leuchtfeuer dort entfernen</translation>
-    </message>
-    <message>
-        <source>%1 removed.</source>
-        <translation>%1 entfernt.</translation>
-    </message>
-    <message>
-        <source>There are %1 beacons already. Remove one first.</source>
-        <translation>Es gibt schon %1 Leuchtfeuer. Entfernen Sie zuerst eines.</translation>
-    </message>
-    <message>
-        <source>%1 set.</source>
-        <translation>%1 gesetzt.</translation>
-    </message>
-    <message>
-        <source>Unsaved work</source>
-        <translation>Nicht gespeicherte Arbeit</translation>
-    </message>
-    <message>
-        <source>Work on %1 is in no file yet: places, measurements, camera paths or settings.</source>
-        <translation>Arbeit an %1 steht noch in keiner Datei: Orte, Messungen, Kamerawege oder Einstellungen.</translation>
-    </message>
-    <message>
-        <source>Save it as a project?</source>
-        <translation>Als Projekt speichern?</translation>
-    </message>
-    <message>
-        <source>relievo could not be started again. Nothing was changed. Close it and start it yourself.</source>
-        <translation>relievo konnte nicht neu gestartet werden. Nichts wurde geändert. Beenden Sie es und starten Sie es selbst.</translation>
-    </message>
-    <message>
-        <source>A folder of pictures (*)</source>
-        <translation>Ein Ordner mit Bildern (*)</translation>
-    </message>
-    <message>
-        <source>Videos (*.mp4)</source>
-        <translation>Videos (*.mp4)</translation>
-    </message>
-    <message>
-        <source>By &amp;touch</source>
-        <translation>&amp;Durch Ertasten</translation>
-    </message>
-    <message>
-        <source>Taps of the hand that feels the surface give depth differences, strokes profiles</source>
-        <translation>Tippen mit der fühlenden Hand ergibt Tiefenunterschiede, Striche ergeben Profile</translation>
-    </message>
-    <message>
-        <source>&amp;Batlow</source>
-        <translation>&amp;Batlow</translation>
-    </message>
-    <message>
-        <source>&amp;Answer the message</source>
-        <translation>&amp;Meldung beantworten</translation>
-    </message>
-    <message>
-        <source>Press the first button of the message above the views</source>
-        <translation>Den ersten Knopf der Meldung über den Ansichten drücken</translation>
-    </message>
-    <message>
-        <source>Lig&amp;ht or dark</source>
-        <translation>Hell &amp;oder dunkel</translation>
-    </message>
-    <message>
-        <source>Cancelled. No picture was saved.</source>
-        <translation>Abgebrochen. Kein Bild wurde gespeichert.</translation>
-    </message>
-    <message>
-        <source>relievo closes when the picture is saved</source>
-        <translation>relievo schließt, sobald das Bild gespeichert ist</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <comment>undo, step</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>&amp;Copy view as text</source>
-        <translation>Ansicht als &amp;Text kopieren</translation>
-    </message>
-    <message>
-        <source>Place, level, gain, light, colours and turn, to be sent or pasted</source>
-        <translation>Ort, Ebene, Überhöhung, Licht, Farben und Drehung, zum Verschicken oder Einfügen</translation>
-    </message>
-    <message>
-        <source>Paste &amp;view</source>
-        <translation>&amp;Ansicht einfügen</translation>
-    </message>
-    <message>
-        <source>Show the view that was copied as text</source>
-        <translation>Die Ansicht zeigen, die als Text kopiert wurde</translation>
-    </message>
-    <message>
-        <source>The view is copied as text</source>
-        <translation>Die Ansicht ist als Text kopiert</translation>
-    </message>
-    <message>
-        <source>The copied view does not lie on this map. The window was not moved. Open the scan that it was copied from.</source>
-        <translation>Die kopierte Ansicht liegt nicht auf dieser Karte. Der Ausschnitt wurde nicht verschoben. Öffnen Sie den Scan, von dem sie kopiert wurde.</translation>
-    </message>
-    <message>
-        <source>Paste view</source>
-        <translation>Ansicht einfügen</translation>
-    </message>
-    <message>
-        <source>The copied view is shown. Detail %1 of %2</source>
-        <translation>Die kopierte Ansicht wird gezeigt. Detail %1 von %2</translation>
-    </message>
-    <message>
-        <source>Pac&amp;kage for citation…</source>
-        <translation>&amp;Paket zum Zitieren…</translation>
-    </message>
-    <message>
-        <source>One zip with project, scan, recordings, figures and checksums</source>
-        <translation>Eine Zip-Datei mit Projekt, Scan, Aufzeichnungen, Abbildungen und Prüfsummen</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was packed.</source>
-        <translation>Abgebrochen. Nichts wurde gepackt.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 is packed: %n file(s), each with its checksum</source>
-        <translation>
-            <numerusform>%1 ist gepackt: %n Datei mit ihrer Prüfsumme</numerusform>
-            <numerusform>%1 ist gepackt: %n Dateien, jede mit ihrer Prüfsumme</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Relief image</source>
-        <translation>Reliefbild</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>Licht</translation>
-    </message>
-    <message>
-        <source>Of a piece of surface above its lowest corner, or another plane</source>
-        <translation>Eines Stücks Oberfläche über seiner tiefsten Ecke, oder einer anderen Ebene</translation>
-    </message>
-    <message>
-        <source>Se&amp;ction</source>
-        <translation>Sch&amp;nitt</translation>
-    </message>
-    <message>
-        <source>Where a plane through one, two or three places cuts the surface</source>
-        <translation>Wo eine Ebene durch eine, zwei oder drei Stellen die Oberfläche schneidet</translation>
-    </message>
-    <message>
-        <source>The list as CSV, or the selected profile or section as CSV or SVG</source>
-        <translation>Die Liste als CSV, oder das gewählte Profil oder den Schnitt als CSV oder SVG</translation>
-    </message>
-    <message>
-        <source>Selected profile or section (*.csv *.svg)</source>
-        <translation>Gewähltes Profil oder Schnitt (*.csv *.svg)</translation>
-    </message>
-    <message>
-        <source>%1 is saved in %2</source>
-        <translation>%1 ist in %2 gespeichert</translation>
-    </message>
-    <message>
-        <source>%1[*] – relievo</source>
-        <translation>%1[*] – relievo</translation>
-    </message>
-    <message>
-        <source>&amp;Choose another…</source>
-        <translation>Andere &amp;wählen…</translation>
-    </message>
-    <message>
-        <source>&amp;Work that was kept…</source>
-        <translation>Auf&amp;gehobene Arbeit…</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt event</source>
-        <translation>Nächstes &amp;Ereignis</translation>
-    </message>
-    <message>
-        <source>Go to the next event or note of the recording</source>
-        <translation>Zum nächsten Ereignis oder zur nächsten Notiz der Aufzeichnung gehen</translation>
-    </message>
-    <message>
-        <source>Event &amp;before</source>
-        <translation>Vo&amp;riges Ereignis</translation>
-    </message>
-    <message>
-        <source>Go back to the event or note before</source>
-        <translation>Zum Ereignis oder zur Notiz davor zurückgehen</translation>
-    </message>
-    <message>
-        <source>Record &amp;as</source>
-        <translation>Aufzeichnen a&amp;ls</translation>
-    </message>
-    <message>
-        <source>Kind of file of the next recording</source>
-        <translation>Dateiart der nächsten Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>&amp;CSV</source>
-        <translation>&amp;CSV</translation>
-    </message>
-    <message>
-        <source>A table as text that every program opens</source>
-        <translation>Eine Tabelle als Text, die jedes Programm öffnet</translation>
-    </message>
-    <message>
-        <source>&amp;HDF5</source>
-        <translation>&amp;HDF5</translation>
-    </message>
-    <message>
-        <source>Smaller, with units and surface; for Python and MATLAB</source>
-        <translation>Kleiner, mit Einheiten und Oberfläche; für Python und MATLAB</translation>
-    </message>
-    <message>
-        <source>The next recording is %1</source>
-        <translation>Die nächste Aufzeichnung ist %1</translation>
-    </message>
-    <message>
-        <source>F&amp;older of recordings…</source>
-        <translation>Or&amp;dner der Aufnahmen …</translation>
-    </message>
-    <message>
-        <source>Where recordings go that are made from now on</source>
-        <translation>Wohin Aufnahmen von jetzt an kommen</translation>
-    </message>
-    <message>
-        <source>Folder of recordings</source>
-        <translation>Ordner der Aufnahmen</translation>
-    </message>
-    <message>
-        <source>Recordings go to %1</source>
-        <translation>Aufnahmen kommen nach %1</translation>
-    </message>
-    <message>
-        <source>Recordings are kept in %1.</source>
-        <translation>Aufnahmen liegen in %1.</translation>
-    </message>
-    <message>
-        <source>Another &amp;folder…</source>
-        <translation>Anderer &amp;Ordner …</translation>
-    </message>
-    <message>
-        <source>&amp;Natural colours</source>
-        <translation>N&amp;atürliche Farben</translation>
-    </message>
-    <message>
-        <source>The colours that the scan has</source>
-        <translation>Die Farben, die der Scan hat</translation>
-    </message>
-    <message>
-        <source>In&amp;tensity</source>
-        <translation>In&amp;tensität</translation>
-    </message>
-    <message>
-        <source>How strongly the scanner&apos;s light came back</source>
-        <translation>Wie stark das Licht des Scanners zurückkam</translation>
-    </message>
-    <message>
-        <source>%1 % of this picture is a strong red or cyan, which one eye sees dark through the glasses. Grey stereo shows it to both</source>
-        <translation>%1 % dieses Bildes sind ein kräftiges Rot oder Cyan, das ein Auge durch die Brille dunkel sieht. Graues Stereo zeigt es beiden</translation>
-    </message>
-    <message>
-        <source>This scan has no colours; it is shown as lit stone</source>
-        <translation>Dieser Scan hat keine Farben; er wird als beleuchteter Stein gezeigt</translation>
-    </message>
-    <message>
-        <source>This scan has no intensities; it is shown as lit stone</source>
-        <translation>Dieser Scan hat keine Intensitäten; er wird als beleuchteter Stein gezeigt</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>E&amp;xportieren…</translation>
-    </message>
-    <message>
-        <source>&amp;Keep them</source>
-        <translation>&amp;Behalten</translation>
-    </message>
-    <message>
-        <source>&amp;Leave them out</source>
-        <translation>&amp;Weglassen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 heights are %3, which often stands for a missing one. They are shown as heights.</source>
-        <translation>%1 von %2 Höhen sind %3, was oft für eine fehlende steht. Sie werden als Höhen gezeigt.</translation>
-    </message>
-    <message>
-        <source>&amp;Take as missing</source>
-        <translation>Als &amp;fehlend nehmen</translation>
-    </message>
-    <message>
-        <source>&amp;Keep as heights</source>
-        <translation>Als Höhen &amp;behalten</translation>
-    </message>
-    <message>
-        <source>How this object stands is not certain. From where shall it be seen?</source>
-        <translation>Wie dieses Objekt steht, ist nicht sicher. Von wo soll es gesehen werden?</translation>
-    </message>
-    <message>
-        <source>The points carry no unit. %1 – %2. The coordinates are those of a map projection; shown as %3 until you say. (E103)</source>
-        <translation>Die Punkte tragen keine Einheit. %1 – %2. Die Koordinaten sind die einer Kartenprojektion; gezeigt als %3, bis Sie es sagen. (E103)</translation>
-    </message>
-    <message>
-        <source>One of %1 points lies %2 % of the box away from all others.</source>
-        <translation>Einer von %1 Punkten liegt %2 % des Kastens von allen anderen entfernt.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points lie %3 % of the box away from all others.</source>
-        <translation>%1 von %2 Punkten liegen %3 % des Kastens von allen anderen entfernt.</translation>
-    </message>
-    <message>
-        <source>Kept, and so most of the map is empty.</source>
-        <translation>Sie bleiben, und so ist der größte Teil der Karte leer.</translation>
-    </message>
-    <message>
-        <source>Left out.</source>
-        <translation>Weggelassen.</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was exported.</source>
-        <translation>Abgebrochen. Nichts wurde exportiert.</translation>
-    </message>
-    <message>
-        <source>Shading of colours</source>
-        <translation>Schattierung der Farben</translation>
-    </message>
-    <message>
-        <source>Open fol&amp;der…</source>
-        <translation>&amp;Ordner öffnen…</translation>
-    </message>
-    <message>
-        <source>Open all scans of a folder: parts of one object</source>
-        <translation>Alle Scans eines Ordners öffnen: Teile eines Objekts</translation>
-    </message>
-    <message>
-        <source>Prep&amp;are…</source>
-        <translation>Auf&amp;bereiten…</translation>
-    </message>
-    <message>
-        <source>Crop, clean, thin and join scans before the depth map</source>
-        <translation>Scans vor der Tiefenkarte zuschneiden, säubern, ausdünnen und verbinden</translation>
-    </message>
-    <message>
-        <source>Open folder</source>
-        <translation>Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>There is no scan in %1. Nothing was opened.</source>
-        <translation>In %1 ist kein Scan. Nichts wurde geöffnet.</translation>
-    </message>
-    <message>
-        <source>%1 files are more than the %2 scans that can be joined. Nothing was opened.</source>
-        <translation>%1 Dateien sind mehr als die %2 Scans, die verbunden werden können. Nichts wurde geöffnet.</translation>
-    </message>
-    <message>
-        <source>Prepare</source>
-        <translation>Aufbereiten</translation>
-    </message>
-    <message>
-        <source>Cells that were interpolated in colour, with a legend; holes are always hatched</source>
-        <translation>Interpolierte Zellen in Farbe, mit Legende; Löcher sind immer schraffiert</translation>
-    </message>
-    <message>
-        <source>Unmeasured cells</source>
-        <translation>Nicht gemessene Zellen</translation>
-    </message>
-    <message>
-        <source>Undone: %1</source>
-        <translation>Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>Done again: %1</source>
-        <translation>Wiederholt: %1</translation>
-    </message>
-    <message>
-        <source>relievo closes when the package is written</source>
-        <translation>relievo schließt, wenn das Paket geschrieben ist</translation>
-    </message>
-    <message>
-        <source>relievo closes when the video is saved; Escape stops both</source>
-        <translation>relievo schließt, wenn das Video gespeichert ist; Escape bricht beides ab</translation>
-    </message>
-    <message>
-        <source>relievo closes when the map is written</source>
-        <translation>relievo schließt, wenn die Karte geschrieben ist</translation>
-    </message>
-    <message>
-        <source>Mar&amp;k unmeasured cells</source>
-        <translation>Nicht gemessene &amp;Zellen markieren</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points lie together, %3 % of the box away from all others.</source>
-        <translation>%1 von %2 Punkten liegen beisammen, %3 % des Kastens von allen anderen entfernt.</translation>
-    </message>
-    <message>
-        <source>Kept, as they may belong to the object.</source>
-        <translation>Sie bleiben, da sie zum Objekt gehören können.</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>und %n weitere</numerusform>
-            <numerusform>und %n weitere</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Files elsewhere</source>
-        <translation>Dateien anderswo</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
-        <translation>
-            <numerusform>%1 nennt %n Datei außerhalb seines Ordners, die nach ihrer Prüfsumme nicht die ist, aus der es gemacht wurde:</numerusform>
-            <numerusform>%1 nennt %n Dateien außerhalb seines Ordners, die nach ihren Prüfsummen nicht die sind, aus denen es gemacht wurde:</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The work that was kept</source>
-        <translation>Die aufbewahrte Arbeit</translation>
-    </message>
-    <message>
-        <source>Whoever made it chose these names. Shall they be read? What is not read stays named in it, and all else opens.</source>
-        <translation>Wer es gemacht hat, hat diese Namen gewählt. Sollen sie gelesen werden? Was nicht gelesen wird, bleibt darin genannt, und alles andere wird geöffnet.</translation>
-    </message>
-    <message>
-        <source>&amp;Read them</source>
-        <translation>&amp;Lesen</translation>
-    </message>
-    <message>
-        <source>&amp;Do not read them</source>
-        <translation>&amp;Nicht lesen</translation>
-    </message>
-    <message>
-        <source>%1 was not opened: it needs %2, which is outside of its folder and was not read. Nothing was changed. Find it, or choose another file.</source>
-        <translation>%1 wurde nicht geöffnet: Es braucht %2, das außerhalb seines Ordners liegt und nicht gelesen wurde. Nichts wurde geändert. Suchen Sie es, oder wählen Sie eine andere Datei.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s) that this project names were not read. They stay named in it, and are offered for no package and no figure.</source>
-        <translation>
-            <numerusform>%n Datei, die dieses Projekt nennt, wurde nicht gelesen. Sie bleibt darin genannt und wird für kein Paket und keine Abbildung angeboten.</numerusform>
-            <numerusform>%n Dateien, die dieses Projekt nennt, wurden nicht gelesen. Sie bleiben darin genannt und werden für kein Paket und keine Abbildung angeboten.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was opened.</source>
-        <translation>Abgebrochen. Nichts wurde geöffnet.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n part(s) of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</source>
-        <translation>
-            <numerusform>%n Teil von %1 ist nicht, wie er gepackt wurde. Nichts wurde geöffnet. „relievo project verify“ nennt ihn.</numerusform>
-            <numerusform>%n Teile von %1 sind nicht, wie sie gepackt wurden. Nichts wurde geöffnet. „relievo project verify“ nennt sie.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Unpack elsewhere…</source>
-        <translation>&amp;Anderswo entpacken…</translation>
-    </message>
-    <message>
-        <source>%1 was unpacked into %2</source>
-        <translation>%1 wurde nach %2 entpackt</translation>
-    </message>
-    <message>
-        <source>Unpack %1 into</source>
-        <translation>%1 entpacken nach</translation>
     </message>
     <message>
         <source>Level 0 of the pyramid: not smoothed</source>
@@ -4772,240 +4475,16 @@
         <translation>Ebene %1 der Pyramide, geglättet durch eine Gauß-Funktion mit σ = %2</translation>
     </message>
     <message>
-        <source>&amp;Deviation, several scales</source>
-        <translation>Ab&amp;weichung, mehrere Maßstäbe</translation>
-    </message>
-    <message>
-        <source>What stands out from its neighbourhood, at the scale where it does so most</source>
-        <translation>Was aus seiner Nachbarschaft hervortritt, in dem Maßstab, in dem es das am meisten tut</translation>
-    </message>
-    <message>
-        <source>&amp;Curvature, several scales</source>
-        <translation>&amp;Krümmung, mehrere Maßstäbe</translation>
-    </message>
-    <message>
-        <source>Ridges and incisions of several widths, however the ground is tilted</source>
-        <translation>Grate und Einschnitte verschiedener Breite, wie auch immer der Grund geneigt ist</translation>
-    </message>
-    <message>
-        <source>Stone with &amp;ambient occlusion</source>
-        <translation>Stein mit &amp;Umgebungsverdeckung</translation>
-    </message>
-    <message>
-        <source>Lit, and darker in hollows and grooves</source>
-        <translation>Beleuchtet und dunkler in Mulden und Rillen</translation>
-    </message>
-    <message>
-        <source>&amp;Manual</source>
-        <translation>&amp;Handbuch</translation>
-    </message>
-    <message>
-        <source>Help in the browser, at the page for what has the keyboard; guide, documentation</source>
-        <translation>Handbuch im Browser, auf der Seite zu dem, wo die Tastatur ist; Hilfe, Anleitung, Dokumentation</translation>
-    </message>
-    <message>
-        <source>&amp;Detail view</source>
-        <translation>De&amp;tailansicht</translation>
-    </message>
-    <message>
-        <source>What the left button does, and turning by keys</source>
-        <translation>Was die linke Maustaste tut, und Drehen mit Tasten</translation>
-    </message>
-    <message>
-        <source>Ke&amp;y light</source>
-        <translation>Licht&amp;quelle</translation>
-    </message>
-    <message>
-        <source>From where the light shines; low light brings out detail</source>
-        <translation>Woher das Licht kommt; niedriges Licht zeigt Einzelheiten</translation>
-    </message>
-    <message>
-        <source>Loo&amp;k with the left button</source>
-        <translation>Mit der linken Taste &amp;betrachten</translation>
-    </message>
-    <message>
-        <source>Dragging with the left button turns the detail view</source>
-        <translation>Ziehen mit der linken Taste dreht die Detailansicht</translation>
-    </message>
-    <message>
-        <source>&amp;Touch with the left button</source>
-        <translation>Mit der linken Taste &amp;fühlen</translation>
-    </message>
-    <message>
-        <source>The left button presses the hand into the surface</source>
-        <translation>Die linke Taste drückt die Hand in die Oberfläche</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>Betrachten</translation>
-    </message>
-    <message>
-        <source>Touch</source>
-        <translation>Fühlen</translation>
-    </message>
-    <message>
-        <source>&amp;Switch between look and touch</source>
-        <translation>&amp;Zwischen Betrachten und Fühlen wechseln</translation>
-    </message>
-    <message>
-        <source>What the left button does in the detail view: turn it, or press the hand in</source>
-        <translation>Was die linke Taste in der Detailansicht tut: sie drehen oder die Hand eindrücken</translation>
-    </message>
-    <message>
-        <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
-        <translation>Was die Maus in der Detailansicht tut; F7 wechselt zwischen Betrachten und Fühlen, die Einstellungen belegen die Tasten</translation>
-    </message>
-    <message>
-        <source>Turn &amp;counterclockwise</source>
-        <translation>&amp;Gegen den Uhrzeigersinn drehen</translation>
-    </message>
-    <message>
-        <source>Turn the light by 5 degrees, counterclockwise</source>
-        <translation>Das Licht um 5 Grad gegen den Uhrzeigersinn drehen</translation>
-    </message>
-    <message>
-        <source>Turn cloc&amp;kwise</source>
-        <translation>Im &amp;Uhrzeigersinn drehen</translation>
-    </message>
-    <message>
-        <source>Turn the light by 5 degrees, clockwise</source>
-        <translation>Das Licht um 5 Grad im Uhrzeigersinn drehen</translation>
-    </message>
-    <message>
-        <source>&amp;Higher</source>
-        <translation>&amp;Höher</translation>
-    </message>
-    <message>
-        <source>The light 5 degrees higher</source>
-        <translation>Das Licht 5 Grad höher</translation>
-    </message>
-    <message>
-        <source>Lo&amp;wer</source>
-        <translation>&amp;Niedriger</translation>
-    </message>
-    <message>
-        <source>The light 5 degrees lower: worn detail comes out</source>
-        <translation>Das Licht 5 Grad niedriger: Abgenutztes tritt hervor</translation>
-    </message>
-    <message>
-        <source>Light almost along the surface, 10 degrees above it</source>
-        <translation>Licht fast entlang der Oberfläche, 10 Grad darüber</translation>
-    </message>
-    <message>
-        <source>&amp;Usual light</source>
-        <translation>Üb&amp;liches Licht</translation>
-    </message>
-    <message>
-        <source>From the upper left, 45 degrees high</source>
-        <translation>Von links oben, 45 Grad hoch</translation>
-    </message>
-    <message>
-        <source>Raking from the &amp;left</source>
-        <translation>&amp;Streiflicht von links</translation>
-    </message>
-    <message>
-        <source>Raking from the &amp;right</source>
-        <translation>Streiflicht von &amp;rechts</translation>
-    </message>
-    <message>
-        <source>Raking from &amp;above</source>
-        <translation>Streiflicht von &amp;oben</translation>
-    </message>
-    <message>
-        <source>Raking from &amp;below</source>
-        <translation>Strei&amp;flicht von unten</translation>
-    </message>
-    <message>
-        <source>%1. This relief image has no lamp: the light shows in others.</source>
-        <translation>%1. Dieses Reliefbild hat keine Lampe: Das Licht zeigt sich in anderen.</translation>
-    </message>
-    <message>
-        <source>A map, mesh, picture, profile or section for other programs</source>
-        <translation>Eine Karte, ein Netz, ein Bild, ein Profil oder ein Schnitt für andere Programme</translation>
-    </message>
-    <message>
-        <source>%1 x %2 pixels; File &gt; Image asks for others</source>
-        <translation>%1 x %2 Pixel; Datei &gt; Bild fragt nach anderen</translation>
-    </message>
-    <message>
-        <source>Picture of the detail view (.png)</source>
-        <translation>Bild der Detailansicht (.png)</translation>
-    </message>
-    <message>
-        <source>Picture of the whole object (.png)</source>
-        <translation>Bild des ganzen Objekts (.png)</translation>
-    </message>
-    <message>
-        <source>Profile %1, drawing (.svg)</source>
-        <translation>Profil %1, Zeichnung (.svg)</translation>
-    </message>
-    <message>
-        <source>Profile %1, numbers (.csv)</source>
-        <translation>Profil %1, Zahlen (.csv)</translation>
-    </message>
-    <message>
-        <source>Section %1, drawing (.svg)</source>
-        <translation>Schnitt %1, Zeichnung (.svg)</translation>
-    </message>
-    <message>
-        <source>Section %1, numbers (.csv)</source>
-        <translation>Schnitt %1, Zahlen (.csv)</translation>
-    </message>
-    <message>
-        <source>Profile c&amp;urve</source>
-        <translation>Profil&amp;kurve</translation>
-    </message>
-    <message>
-        <source>Show or hide the curve of the selected profile under the views</source>
-        <translation>Die Kurve des gewählten Profils unter den Ansichten zeigen oder verbergen</translation>
-    </message>
-    <message>
-        <source>Save profil&amp;e as shown…</source>
-        <translation>Profil wie &amp;gezeigt speichern…</translation>
-    </message>
-    <message>
-        <source>The curve under the views with its cursor as SVG, or its numbers as CSV</source>
-        <translation>Die Kurve unter den Ansichten mit ihrem Zeiger als SVG oder ihre Zahlen als CSV</translation>
-    </message>
-    <message>
-        <source>Save profile</source>
-        <translation>Profil speichern</translation>
-    </message>
-    <message>
-        <source>As it is shown (*.svg)</source>
-        <translation>Wie gezeigt (*.svg)</translation>
-    </message>
-    <message>
-        <source>Its numbers (*.csv)</source>
-        <translation>Seine Zahlen (*.csv)</translation>
-    </message>
-    <message>
         <source>%1 is closed</source>
         <translation>%1 ist geschlossen</translation>
     </message>
     <message>
-        <source>&amp;Close</source>
-        <translation>S&amp;chließen</translation>
+        <source>%1 is closed when the recording is saved</source>
+        <translation>%1 wird geschlossen, wenn die Aufnahme gesichert ist</translation>
     </message>
     <message>
-        <source>Close the scan and go back to the start page</source>
-        <translation>Den Scan schließen und zur Startseite zurückgehen</translation>
-    </message>
-    <message>
-        <source>&amp;Suggest windows</source>
-        <translation>Ausschnitte vors&amp;chlagen</translation>
-    </message>
-    <message>
-        <source>Rank windows by how much of their relief a hand feels</source>
-        <translation>Ausschnitte danach ordnen, wie viel von ihrem Relief eine Hand fühlt</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was suggested.</source>
-        <translation>Abgebrochen. Nichts wurde vorgeschlagen.</translation>
-    </message>
-    <message>
-        <source>Suggestions</source>
-        <translation>Vorschläge</translation>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
     </message>
 </context>
 <context>
@@ -5021,6 +4500,37 @@
     <message>
         <source>The manual opens in the browser: %1</source>
         <translation>Das Handbuch öffnet sich im Browser: %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::MeasureController</name>
+    <message>
+        <source>Save measurements</source>
+        <translation>Messungen speichern</translation>
+    </message>
+    <message>
+        <source>List of measurements (*.csv)</source>
+        <translation>Liste der Messungen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Selected profile or section (*.csv *.svg)</source>
+        <translation>Gewähltes Profil oder Schnitt (*.csv *.svg)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
+    </message>
+    <message>
+        <source>Save profile</source>
+        <translation>Profil speichern</translation>
+    </message>
+    <message>
+        <source>As it is shown (*.svg)</source>
+        <translation>Wie gezeigt (*.svg)</translation>
+    </message>
+    <message>
+        <source>Its numbers (*.csv)</source>
+        <translation>Seine Zahlen (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -8203,6 +7713,10 @@
         <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces, say it again, louder, softer, help. Press again to take it. Hold for a second and a half: forces off.</source>
         <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächster Ort, voriger Ort, zurück, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt es. Anderthalb Sekunden halten: Kräfte aus.</translation>
     </message>
+    <message>
+        <source>The plug-in %1 is not run: others may change %2. Take that right from them (&apos;chmod go-w&apos;), or keep the plug-in where only you write, then try again.</source>
+        <translation>Das Plug-in %1 wird nicht ausgeführt: Andere können %2 ändern. Nehmen Sie ihnen dieses Recht („chmod go-w“), oder legen Sie das Plug-in dorthin, wo nur Sie schreiben, und versuchen Sie es noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -8267,6 +7781,88 @@
     </message>
 </context>
 <context>
+    <name>relievo::OpenController</name>
+    <message>
+        <source>%1 needs %2, which has moved. Nothing was changed. Find it, or choose another file. (E501)</source>
+        <translation>%1 braucht %2; diese Datei ist nicht mehr dort. Nichts wurde geändert. Suchen Sie sie oder wählen Sie eine andere Datei. (E501)</translation>
+    </message>
+    <message>
+        <source>&amp;Find it…</source>
+        <translation>&amp;Suchen…</translation>
+    </message>
+    <message>
+        <source>&amp;Choose another…</source>
+        <translation>Andere &amp;wählen…</translation>
+    </message>
+    <message>
+        <source>Find %1</source>
+        <translation>%1 suchen</translation>
+    </message>
+    <message>
+        <source>%1 has changed since this was saved (its checksum differs). It is shown as it is now; results may differ. (E501)</source>
+        <translation>%1 hat sich seit dem Speichern geändert (die Prüfsumme ist eine andere). Es wird gezeigt, wie es jetzt ist; Ergebnisse können abweichen. (E501)</translation>
+    </message>
+    <message>
+        <source>&amp;Work that was kept…</source>
+        <translation>Auf&amp;gehobene Arbeit…</translation>
+    </message>
+    <message>
+        <source>&amp;Load what is there</source>
+        <translation>&amp;Laden, was da ist</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>Wä&amp;hlen…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Scans, height maps, projects and figures (%1)</source>
+        <translation>Scans, Höhenkarten, Projekte und Abbildungen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: it needs %2, which is outside of its folder and was not read. Nothing was changed. Find it, or choose another file.</source>
+        <translation>%1 wurde nicht geöffnet: Es braucht %2, das außerhalb seines Ordners liegt und nicht gelesen wurde. Nichts wurde geändert. Suchen Sie es, oder wählen Sie eine andere Datei.</translation>
+    </message>
+    <message numerus="yes">
+        <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
+        <translation>
+            <numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritt).</numerusform>
+            <numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritte).</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>There is no scan in %1. Nothing was opened.</source>
+        <translation>In %1 ist kein Scan. Nichts wurde geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1 files are more than the %2 scans that can be joined. Nothing was opened.</source>
+        <translation>%1 Dateien sind mehr als die %2 Scans, die verbunden werden können. Nichts wurde geöffnet.</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Aufbereiten</translation>
+    </message>
+</context>
+<context>
     <name>relievo::OverviewInset</name>
     <message>
         <source>Place of the window on the object</source>
@@ -8274,11 +7870,44 @@
     </message>
 </context>
 <context>
-    <name>relievo::PackageDialog</name>
+    <name>relievo::PackageController</name>
     <message>
-        <source>Package for citation</source>
-        <translation>Paket zum Zitieren</translation>
+        <source>Cancelled. Nothing was packed.</source>
+        <translation>Abgebrochen. Nichts wurde gepackt.</translation>
     </message>
+    <message>
+        <source>Cancelled. Nothing was opened.</source>
+        <translation>Abgebrochen. Nichts wurde geöffnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is packed: %n file(s), each with its checksum</source>
+        <translation>
+            <numerusform>%1 ist gepackt: %n Datei mit ihrer Prüfsumme</numerusform>
+            <numerusform>%1 ist gepackt: %n Dateien, jede mit ihrer Prüfsumme</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s) of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</source>
+        <translation>
+            <numerusform>%n Teil von %1 ist nicht, wie er gepackt wurde. Nichts wurde geöffnet. „relievo project verify“ nennt ihn.</numerusform>
+            <numerusform>%n Teile von %1 sind nicht, wie sie gepackt wurden. Nichts wurde geöffnet. „relievo project verify“ nennt sie.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Unpack elsewhere…</source>
+        <translation>&amp;Anderswo entpacken…</translation>
+    </message>
+    <message>
+        <source>%1 was unpacked into %2</source>
+        <translation>%1 wurde nach %2 entpackt</translation>
+    </message>
+    <message>
+        <source>Unpack %1 into</source>
+        <translation>%1 entpacken nach</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PackageDialog</name>
     <message>
         <source>One zip with this work as a project, what is ticked here, a README, and the checksum of each file. Recordings bring the rasters along that they need to be repeated.</source>
         <translation>Eine Zip-Datei mit dieser Arbeit als Projekt, dem hier Angekreuzten, einer README und der Prüfsumme jeder Datei. Aufzeichnungen bringen die Raster mit, die sie zur Wiederholung brauchen.</translation>
@@ -8354,6 +7983,72 @@
     <message>
         <source>Packages (*.zip)</source>
         <translation>Pakete (*.zip)</translation>
+    </message>
+    <message>
+        <source>Export archive package</source>
+        <translation>Archivpaket exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PictureController</name>
+    <message>
+        <source>Cancelled. No picture was saved.</source>
+        <translation>Abgebrochen. Kein Bild wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 is saved in %2</source>
+        <translation>%1 ist in %2 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PlaceController</name>
+    <message>
+        <source>Beacon %1</source>
+        <translation>Leuchtfeuer %1</translation>
+    </message>
+    <message>
+        <source>%1 removed.</source>
+        <translation>%1 entfernt.</translation>
+    </message>
+    <message>
+        <source>There are %1 beacons already. Remove one first.</source>
+        <translation>Es gibt schon %1 Leuchtfeuer. Entfernen Sie zuerst eines.</translation>
+    </message>
+    <message>
+        <source>%1 set.</source>
+        <translation>%1 gesetzt.</translation>
+    </message>
+    <message>
+        <source>%1 lies on a finer detail than this map has. The window was not moved.</source>
+        <translation>%1 liegt auf einem feineren Detail, als diese Karte hat. Der Ausschnitt wurde nicht verschoben.</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Gehe zu %1</translation>
+    </message>
+    <message>
+        <source>%1. Detail %2 of %3</source>
+        <translation>%1. Detail %2 von %3</translation>
+    </message>
+    <message>
+        <source>The view is copied as text</source>
+        <translation>Die Ansicht ist als Text kopiert</translation>
+    </message>
+    <message>
+        <source>The copied view does not lie on this map. The window was not moved. Open the scan that it was copied from.</source>
+        <translation>Die kopierte Ansicht liegt nicht auf dieser Karte. Der Ausschnitt wurde nicht verschoben. Öffnen Sie den Scan, von dem sie kopiert wurde.</translation>
+    </message>
+    <message>
+        <source>Paste view</source>
+        <translation>Ansicht einfügen</translation>
+    </message>
+    <message>
+        <source>The copied view is shown. Detail %1 of %2</source>
+        <translation>Die kopierte Ansicht wird gezeigt. Detail %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -8480,6 +8175,29 @@
     <message>
         <source>Touch</source>
         <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>turn the view</source>
+        <translation>die Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>move the window</source>
+        <translation>den Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>vergrößern</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PointerController</name>
+    <message>
+        <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
+        <translation>Was die Maus in der Detailansicht tut; F7 wechselt zwischen Betrachten und Fühlen, die Einstellungen belegen die Tasten</translation>
     </message>
 </context>
 <context>
@@ -9353,6 +9071,91 @@
     </message>
 </context>
 <context>
+    <name>relievo::QuestionController</name>
+    <message>
+        <source>&amp;Keep them</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Leave them out</source>
+        <translation>&amp;Weglassen</translation>
+    </message>
+    <message>
+        <source>One of %1 points lies %2 % of the box away from all others.</source>
+        <translation>Einer von %1 Punkten liegt %2 % des Kastens von allen anderen entfernt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie %3 % of the box away from all others.</source>
+        <translation>%1 von %2 Punkten liegen %3 % des Kastens von allen anderen entfernt.</translation>
+    </message>
+    <message>
+        <source>Kept, and so most of the map is empty.</source>
+        <translation>Sie bleiben, und so ist der größte Teil der Karte leer.</translation>
+    </message>
+    <message>
+        <source>Left out.</source>
+        <translation>Weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie together, %3 % of the box away from all others.</source>
+        <translation>%1 von %2 Punkten liegen beisammen, %3 % des Kastens von allen anderen entfernt.</translation>
+    </message>
+    <message>
+        <source>Kept, as they may belong to the object.</source>
+        <translation>Sie bleiben, da sie zum Objekt gehören können.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are %3, which often stands for a missing one. They are shown as heights.</source>
+        <translation>%1 von %2 Höhen sind %3, was oft für eine fehlende steht. Sie werden als Höhen gezeigt.</translation>
+    </message>
+    <message>
+        <source>&amp;Take as missing</source>
+        <translation>Als &amp;fehlend nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as heights</source>
+        <translation>Als Höhen &amp;behalten</translation>
+    </message>
+    <message>
+        <source>How this object stands is not certain. From where shall it be seen?</source>
+        <translation>Wie dieses Objekt steht, ist nicht sicher. Von wo soll es gesehen werden?</translation>
+    </message>
+    <message>
+        <source>in %1 %2</source>
+        <translation>als %1 %2</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3</source>
+        <translation>%1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>%1: %2. Which unit?</source>
+        <translation>%1: %2. Welche Einheit?</translation>
+    </message>
+    <message>
+        <source>The points carry no unit. %1 – %2. The coordinates are those of a map projection; shown as %3 until you say. (E103)</source>
+        <translation>Die Punkte tragen keine Einheit. %1 – %2. Die Koordinaten sind die einer Kartenprojektion; gezeigt als %3, bis Sie es sagen. (E103)</translation>
+    </message>
+    <message>
+        <source>The points carry no unit. %1 – %2. Most likely %3. Shown as millimetres until you say. (E103)</source>
+        <translation>Die Punkte tragen keine Einheit. %1 – %2. Am wahrscheinlichsten %3. Als Millimeter gezeigt, bis Sie es sagen. (E103)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) that this project names were not read. They stay named in it, and are offered for no package and no figure.</source>
+        <translation>
+            <numerusform>%n Datei, die dieses Projekt nennt, wurde nicht gelesen. Sie bleibt darin genannt und wird für kein Paket und keine Abbildung angeboten.</numerusform>
+            <numerusform>%n Dateien, die dieses Projekt nennt, wurden nicht gelesen. Sie bleiben darin genannt und werden für kein Paket und keine Abbildung angeboten.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>relievo::RecordingsEnd</name>
+    <message>
+        <source>Recording saved: %1</source>
+        <translation>Aufnahme gesichert: %1</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ReferenceView</name>
     <message>
         <source>Draw window</source>
@@ -9367,10 +9170,6 @@
         <translation>Größe des Ausschnitts ändern</translation>
     </message>
     <message>
-        <source>Reference view</source>
-        <translation>Übersicht</translation>
-    </message>
-    <message>
         <source>The whole object. The pink window is what the detail view shows: drag inside it to move it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the detail. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window.</source>
         <translation>Das ganze Objekt. Der rosa Ausschnitt ist, was die Detailansicht zeigt: Ziehen darin verschiebt ihn, Ziehen an den Rändern ändert seine Größe, Ziehen außerhalb zeichnet einen neuen. Das Rad wechselt das Detail. Tasten: Pfeile, Umschalt+Pfeile, + und -; Leertaste, Pfeile und Eingabe zeichnen einen Ausschnitt.</translation>
     </message>
@@ -9381,6 +9180,10 @@
     <message>
         <source>Drawing a window from x %1, y %2. Arrows carry the other corner, Enter ends, Escape returns</source>
         <translation>Ausschnitt ab x %1, y %2. Pfeile führen die andere Ecke, Eingabe beendet, Esc kehrt zurück</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>Übersicht</translation>
     </message>
 </context>
 <context>
@@ -9418,16 +9221,8 @@
         <translation>Welches Detail den Ausschnitt speist</translation>
     </message>
     <message>
-        <source>Gai&amp;n</source>
-        <translation>Übe&amp;rhöhung</translation>
-    </message>
-    <message>
         <source>Heights are multiplied by this; 1 is true to scale</source>
         <translation>Höhen werden damit vervielfacht; 1 ist maßstabsgetreu</translation>
-    </message>
-    <message>
-        <source>Height gain</source>
-        <translation>Überhöhung</translation>
     </message>
     <message>
         <source>Heights are multiplied by this; the middle is true to scale</source>
@@ -9438,16 +9233,24 @@
         <translation>Maßstab der Hand</translation>
     </message>
     <message>
-        <source>1 mm of hand = %1 mm on the object</source>
-        <translation>1 mm der Hand = %1 mm auf dem Objekt</translation>
-    </message>
-    <message>
         <source>%1 of %2, level 0</source>
         <translation>%1/%2, Ebene 0</translation>
     </message>
     <message>
         <source>%1 of %2, level %3, σ %4</source>
         <translation>%1/%2, Ebene %3, σ %4</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration</source>
+        <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>Exaggeratio&amp;n</source>
+        <translation>Übe&amp;rhöhung</translation>
+    </message>
+    <message>
+        <source>Hand scale 1 : %1</source>
+        <translation>Maßstab der Hand 1 : %1</translation>
     </message>
 </context>
 <context>
@@ -9510,6 +9313,53 @@
     <message>
         <source>Playing</source>
         <translation>Wiedergabe</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ReplayController</name>
+    <message>
+        <source>The next recording is %1</source>
+        <translation>Die nächste Aufzeichnung ist %1</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Ordner der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Recordings go to %1</source>
+        <translation>Aufnahmen kommen nach %1</translation>
+    </message>
+    <message>
+        <source>Recordings are kept in %1.</source>
+        <translation>Aufnahmen liegen in %1.</translation>
+    </message>
+    <message>
+        <source>Another &amp;folder…</source>
+        <translation>Anderer &amp;Ordner …</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>Aufzeichnungen (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>A recording is running. Nothing was opened. Stop it first (Ctrl+R).</source>
+        <translation>Eine Aufzeichnung läuft. Nichts wurde geöffnet. Halten Sie sie zuerst an (Strg+R).</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was changed.</source>
+        <translation>%1 Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>&amp;Open its input</source>
+        <translation>&amp;Ihre Quelle öffnen</translation>
     </message>
 </context>
 <context>
@@ -9652,6 +9502,57 @@
     </message>
 </context>
 <context>
+    <name>relievo::SaveController</name>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Nicht gespeicherte Arbeit</translation>
+    </message>
+    <message>
+        <source>Work on %1 is in no file yet: places, measurements, camera paths or settings.</source>
+        <translation>Arbeit an %1 steht noch in keiner Datei: Orte, Messungen, Kamerawege oder Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Save it as a project?</source>
+        <translation>Als Projekt speichern?</translation>
+    </message>
+    <message>
+        <source>relievo could not be started again. Nothing was changed. Close it and start it yourself.</source>
+        <translation>relievo konnte nicht neu gestartet werden. Nichts wurde geändert. Beenden Sie es und starten Sie es selbst.</translation>
+    </message>
+    <message>
+        <source>relievo closes when the package is written</source>
+        <translation>relievo schließt, wenn das Paket geschrieben ist</translation>
+    </message>
+    <message>
+        <source>relievo closes when the map is written</source>
+        <translation>relievo schließt, wenn die Karte geschrieben ist</translation>
+    </message>
+    <message>
+        <source>relievo closes when the video is saved; Escape stops both</source>
+        <translation>relievo schließt, wenn das Video gespeichert ist; Escape bricht beides ab</translation>
+    </message>
+    <message>
+        <source>relievo closes when the picture is saved</source>
+        <translation>relievo schließt, sobald das Bild gespeichert ist</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Projects (*.relievo.json)</source>
+        <translation>Projekte (*.relievo.json)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
+    </message>
+    <message>
+        <source>%1[*] – relievo</source>
+        <translation>%1[*] – relievo</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ScopeDialog</name>
     <message>
         <source>Force and height against time</source>
@@ -9750,6 +9651,14 @@
     <message>
         <source>%1 panel</source>
         <translation>Feld %1</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>zugeklappt</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>aufgeklappt</translation>
     </message>
 </context>
 <context>
@@ -10310,6 +10219,86 @@
         <source>Windows: %1, the best first</source>
         <translation>Ausschnitte: %1, der beste zuerst</translation>
     </message>
+    <message>
+        <source>Cancelled. Nothing was suggested.</source>
+        <translation>Abgebrochen. Nichts wurde vorgeschlagen.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SurfaceController</name>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>Wiederholt: %1</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>Ganzes Objekt</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2</source>
+        <translation>Detail %1 von %2</translation>
+    </message>
+    <message>
+        <source>This is the finest detail</source>
+        <translation>Das ist das feinste Detail</translation>
+    </message>
+    <message>
+        <source>This is the whole object</source>
+        <translation>Das ist das ganze Objekt</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>%1. Window at %2, %3 mm</source>
+        <translation>%1. Ausschnitt bei %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>undo, step</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
 </context>
 <context>
     <name>relievo::SurfacePanel</name>
@@ -10336,22 +10325,6 @@
     <message>
         <source>Length unit of the file&apos;s coordinates</source>
         <translation>Längeneinheit der Koordinaten in der Datei</translation>
-    </message>
-    <message>
-        <source>En&amp;gine</source>
-        <translation>&amp;Verfahren</translation>
-    </message>
-    <message>
-        <source>How the depth map is made from points and triangles</source>
-        <translation>Wie die Tiefenkarte aus Punkten und Dreiecken gemacht wird</translation>
-    </message>
-    <message>
-        <source>Processor</source>
-        <translation>Prozessor</translation>
-    </message>
-    <message>
-        <source>Depth buffer</source>
-        <translation>Tiefenpuffer</translation>
     </message>
     <message>
         <source>%1 × %2, %3 apart</source>
@@ -10585,6 +10558,109 @@
     </message>
 </context>
 <context>
+    <name>relievo::TouchController</name>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpoliert</translation>
+    </message>
+    <message>
+        <source>hole, on base plane</source>
+        <translation>Loch, auf Grundebene</translation>
+    </message>
+    <message>
+        <source>steep</source>
+        <translation>steil</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>Press depth %1 mm of hand</source>
+        <translation>Eindrücktiefe %1 mm der Hand</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  z %3 mm</source>
+        <translation>x %1  y %2  z %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2. Detail %3 of %4</source>
+        <translation>%1, %2. Detail %3 von %4</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Force when it was recorded</source>
+        <translation>Kraft bei der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>replay %1</source>
+        <translation>Wiedergabe %1</translation>
+    </message>
+    <message>
+        <source>%1/%2 N</source>
+        <translation>%1/%2 N</translation>
+    </message>
+    <message>
+        <source>forces off</source>
+        <translation>Kräfte aus</translation>
+    </message>
+    <message>
+        <source>Force on the hand and its limit</source>
+        <translation>Kraft auf die Hand und ihre Grenze</translation>
+    </message>
+    <message>
+        <source>Press F5 to switch forces on</source>
+        <translation>F5 schaltet die Kräfte ein</translation>
+    </message>
+    <message>
+        <source>Forces are on: the replay was closed.</source>
+        <translation>Die Kräfte sind an: die Wiedergabe wurde geschlossen.</translation>
+    </message>
+    <message>
+        <source>Device: %1</source>
+        <translation>Gerät: %1</translation>
+    </message>
+    <message>
+        <source>Worst period: %1 ms</source>
+        <translation>Längste Periode: %1 ms</translation>
+    </message>
+    <message>
+        <source>Real-time priority</source>
+        <translation>Echtzeitpriorität</translation>
+    </message>
+    <message>
+        <source>No real-time priority: %1</source>
+        <translation>Keine Echtzeitpriorität: %1</translation>
+    </message>
+    <message>
+        <source>%1/s, late %2</source>
+        <translation>%1/s, verspätet %2</translation>
+    </message>
+    <message>
+        <source>recording %1</source>
+        <translation>Aufzeichnung %1</translation>
+    </message>
+    <message>
+        <source>Touch is not available: %1 Viewing works.</source>
+        <translation>Fühlen ist nicht möglich: %1 Sehen geht.</translation>
+    </message>
+    <message>
+        <source>Nothing is open. Open a scan with Ctrl+O.</source>
+        <translation>Nichts ist geöffnet. Öffnen Sie einen Scan mit Strg+O.</translation>
+    </message>
+    <message>
+        <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
+        <translation>%1, %2 mal %3 mm, in %4 Details. Zum Fühlen die Hand eindrücken; F5 schaltet die Kräfte ein. Plus: feiner; Minus: gröber; beide zwei Sekunden lang: Hilfe.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::VideoControl</name>
     <message>
         <source>Video saved: %1 s, %2 frames in %3</source>
@@ -10601,6 +10677,53 @@
     <message>
         <source>The video has ended early</source>
         <translation>Das Video endete vorzeitig</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::VideoController</name>
+    <message>
+        <source>End of the camera path</source>
+        <translation>Ende des Kamerawegs</translation>
+    </message>
+    <message>
+        <source>The camera path is empty</source>
+        <translation>Der Kameraweg ist leer</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg is not installed: a folder of pictures can be made.</source>
+        <translation>Das Programm ffmpeg ist nicht installiert: ein Ordner mit Bildern ist möglich.</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>Video</translation>
+    </message>
+    <message>
+        <source>A folder of pictures (*)</source>
+        <translation>Ein Ordner mit Bildern (*)</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4)</source>
+        <translation>Videos (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Video to %1</source>
+        <translation>Video in %1</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg, which packs videos, is not installed. Nothing was made. Install the package ffmpeg, or keep a folder of pictures.</source>
+        <translation>Das Programm ffmpeg, das Videos packt, ist nicht installiert. Nichts wurde gemacht. Installieren Sie das Paket ffmpeg, oder behalten Sie einen Ordner mit Bildern.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep pictures</source>
+        <translation>&amp;Bilder behalten</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>Kameraweg</translation>
+    </message>
+    <message>
+        <source>Key view %1 at %2 s</source>
+        <translation>Kamerapunkt %1 bei %2 s</translation>
     </message>
 </context>
 <context>
@@ -10960,6 +11083,64 @@
     <message>
         <source>%1 is too large for the memory and was not used. Make it coarser; it is laid over the whole map.</source>
         <translation>%1 ist zu groß für den Speicher und wurde nicht verwendet. Machen Sie es gröber; es wird über die ganze Karte gelegt.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::WindowMessages</name>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::WorkArea</name>
+    <message>
+        <source>Window</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>Vorschläge</translation>
+    </message>
+    <message>
+        <source>DETAIL %1 of %2</source>
+        <translation>DETAIL %1 von %2</translation>
+    </message>
+    <message>
+        <source>heights × %1   |   </source>
+        <translation>Höhen × %1   |   </translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>OVERVIEW</source>
+        <translation>ÜBERSICHT</translation>
+    </message>
+    <message>
+        <source>hand scale 1 : %1</source>
+        <translation>Maßstab der Hand 1 : %1</translation>
     </message>
 </context>
 </TS>

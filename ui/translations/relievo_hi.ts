@@ -863,6 +863,981 @@
     </message>
 </context>
 <context>
+    <name>relievo::CommandTable</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>फ़ाइल (&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>संपादन (&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>दृश्य (&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Detail view</source>
+        <translation>विवरण दृश्य (&amp;D)</translation>
+    </message>
+    <message>
+        <source>What the left button does, and turning by keys</source>
+        <translation>बायाँ बटन क्या करता है, और कुंजियों से घुमाना</translation>
+    </message>
+    <message>
+        <source>Relief ima&amp;ge</source>
+        <translation>उभार का चित्र (&amp;G)</translation>
+    </message>
+    <message>
+        <source>How heights are painted</source>
+        <translation>ऊँचाइयाँ कैसे रंगी जाती हैं</translation>
+    </message>
+    <message>
+        <source>R&amp;elief colours</source>
+        <translation>उभार के रंग (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Colours of heights, slopes and other values</source>
+        <translation>ऊँचाइयों, ढालों और दूसरे मानों के रंग</translation>
+    </message>
+    <message>
+        <source>Ke&amp;y light</source>
+        <translation>मुख्य प्रकाश (&amp;Y)</translation>
+    </message>
+    <message>
+        <source>From where the light shines; low light brings out detail</source>
+        <translation>प्रकाश कहाँ से आता है; नीचा प्रकाश बारीकियाँ उभारता है</translation>
+    </message>
+    <message>
+        <source>Lig&amp;ht or dark</source>
+        <translation>हल्का या गहरा (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Colours of the window</source>
+        <translation>खिड़की के रंग</translation>
+    </message>
+    <message>
+        <source>&amp;Surface</source>
+        <translation>सतह (&amp;S)</translation>
+    </message>
+    <message>
+        <source>How the depth map is made</source>
+        <translation>गहराई मानचित्र कैसे बनता है</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>माप (&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Touch</source>
+        <translation>स्पर्श (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>रिकॉर्ड (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Record &amp;as</source>
+        <translation>रिकॉर्डिंग का रूप (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Kind of file of the next recording</source>
+        <translation>अगली रिकॉर्डिंग की फ़ाइल का प्रकार</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>सहायता (&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>खोलें (&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a scan or a height map</source>
+        <translation>स्कैन या ऊँचाई मानचित्र खोलें</translation>
+    </message>
+    <message>
+        <source>Open fol&amp;der…</source>
+        <translation>फ़ोल्डर खोलें (&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Open all scans of a folder: parts of one object</source>
+        <translation>फ़ोल्डर के सभी स्कैन खोलें: एक वस्तु के भाग</translation>
+    </message>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>परियोजना सहेजें (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Keep this state: file, depth map, window, measurements</source>
+        <translation>यह स्थिति रखें: फ़ाइल, गहराई मानचित्र, विंडो, माप</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as…</source>
+        <translation>परियोजना इस रूप में सहेजें (&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Keep this state in another file</source>
+        <translation>यह स्थिति दूसरी फ़ाइल में रखें</translation>
+    </message>
+    <message>
+        <source>&amp;Figure…</source>
+        <translation>चित्र (&amp;F)…</translation>
+    </message>
+    <message>
+        <source>A figure for print, with scale bar, legend and caption</source>
+        <translation>छपाई के लिए चित्र, पैमाना पट्टी, संकेत सूची और शीर्षक के साथ</translation>
+    </message>
+    <message>
+        <source>&amp;Image…</source>
+        <translation>तस्वीर (&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Save a picture of a view or of the window</source>
+        <translation>किसी दृश्य या खिड़की की तस्वीर सहेजें</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>निर्यात (&amp;X)…</translation>
+    </message>
+    <message>
+        <source>A map, mesh, picture, profile or section for other programs</source>
+        <translation>दूसरे कार्यक्रमों के लिए मानचित्र, जाल, चित्र, प्रोफ़ाइल या काट</translation>
+    </message>
+    <message>
+        <source>One zip with project, scan, recordings, figures and checksums</source>
+        <translation>परियोजना, स्कैन, रिकॉर्डिंग, चित्र और जाँच-योग की एक zip फ़ाइल</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>बंद करें (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Close the scan and go back to the start page</source>
+        <translation>स्कैन बंद करें और आरंभ पृष्ठ पर लौटें</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>बाहर निकलें (&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Close relievo</source>
+        <translation>relievo बंद करें</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>पूर्ववत (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>पूर्ववत</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>फिर करें (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>फिर करें</translation>
+    </message>
+    <message>
+        <source>&amp;History…</source>
+        <translation>इतिहास (&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Every step so far; choose one to go back to it</source>
+        <translation>अब तक का हर चरण; लौटने के लिए एक चुनें</translation>
+    </message>
+    <message>
+        <source>&amp;Copy view as text</source>
+        <translation>दृश्य को पाठ के रूप में कॉपी करें (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Place, level, gain, light, colours and turn, to be sent or pasted</source>
+        <translation>जगह, स्तर, गुणक, प्रकाश, रंग और घुमाव, भेजने या चिपकाने के लिए</translation>
+    </message>
+    <message>
+        <source>Paste &amp;view</source>
+        <translation>दृश्य चिपकाएँ (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Show the view that was copied as text</source>
+        <translation>पाठ के रूप में कॉपी किया गया दृश्य दिखाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Answer the message</source>
+        <translation>संदेश का उत्तर दें (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Press the first button of the message above the views</source>
+        <translation>दृश्यों के ऊपर के संदेश का पहला बटन दबाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>वरीयताएँ (&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Colours, text size, language, units, stereo, device</source>
+        <translation>रंग, पाठ का आकार, भाषा, इकाइयाँ, स्टीरियो, उपकरण</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>सामने (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Look from this side and make the relief anew</source>
+        <translation>इस ओर से देखें और उभार फिर बनाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>पीछे (&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>बाएँ (&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>दाएँ (&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>ऊपर (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>नीचे (&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>स्वचालित (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Look from the side that shows most</source>
+        <translation>उस ओर से देखें जहाँ से सबसे अधिक दिखे</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k with the left button</source>
+        <translation>बाएँ बटन से देखें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Dragging with the left button turns the detail view</source>
+        <translation>बाएँ बटन से खींचना विवरण दृश्य को घुमाता है</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>देखना</translation>
+    </message>
+    <message>
+        <source>&amp;Touch with the left button</source>
+        <translation>बाएँ बटन से स्पर्श करें (&amp;T)</translation>
+    </message>
+    <message>
+        <source>The left button presses the hand into the surface</source>
+        <translation>बायाँ बटन हाथ को सतह में दबाता है</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>स्पर्श</translation>
+    </message>
+    <message>
+        <source>&amp;Switch between look and touch</source>
+        <translation>देखने और स्पर्श के बीच बदलें (&amp;S)</translation>
+    </message>
+    <message>
+        <source>What the left button does in the detail view: turn it, or press the hand in</source>
+        <translation>बायाँ बटन विवरण दृश्य में क्या करता है: उसे घुमाना, या हाथ भीतर दबाना</translation>
+    </message>
+    <message>
+        <source>Turn &amp;left</source>
+        <translation>बाएँ घुमाएँ (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Turn the detail view by 15 degrees</source>
+        <translation>विवरण दृश्य को 15 डिग्री घुमाएँ</translation>
+    </message>
+    <message>
+        <source>Turn &amp;right</source>
+        <translation>दाएँ घुमाएँ (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Turn &amp;up</source>
+        <translation>ऊपर घुमाएँ (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Turn &amp;down</source>
+        <translation>नीचे घुमाएँ (&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Use this view</source>
+        <translation>यह दृश्य लें (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Make the relief anew from where the turned detail view looks</source>
+        <translation>घुमाए गए विवरण दृश्य की दिशा से उभार फिर बनाएँ</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>समाएँ (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Look straight down on the relief, fitted to the view</source>
+        <translation>उभार को सीधे ऊपर से देखें, दृश्य में समाया हुआ</translation>
+    </message>
+    <message>
+        <source>&amp;Stereo (red/cyan)</source>
+        <translation>स्टीरियो (लाल/सियान) (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Anaglyph for red and cyan glasses</source>
+        <translation>लाल-सियान चश्मे के लिए एनाग्लिफ़</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>स्टीरियो</translation>
+    </message>
+    <message>
+        <source>Show or hide the whole object</source>
+        <translation>पूरी वस्तु दिखाएँ या छिपाएँ</translation>
+    </message>
+    <message>
+        <source>Show or hide the side panels</source>
+        <translation>पार्श्व पटल दिखाएँ या छिपाएँ</translation>
+    </message>
+    <message>
+        <source>Pl&amp;ots</source>
+        <translation>आलेख (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show or hide the plots of height and force</source>
+        <translation>ऊँचाई और बल के आलेख दिखाएँ या छिपाएँ</translation>
+    </message>
+    <message>
+        <source>Matt stone under lamps</source>
+        <translation>दीपों के नीचे फीका पत्थर</translation>
+    </message>
+    <message>
+        <source>&amp;Height in colour</source>
+        <translation>रंग में ऊँचाई (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Lit, with a colour for each height</source>
+        <translation>प्रकाशित, हर ऊँचाई का एक रंग</translation>
+    </message>
+    <message>
+        <source>H&amp;illshade</source>
+        <translation>पहाड़ी छाया (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Brightness under one light</source>
+        <translation>एक प्रकाश में उजाला</translation>
+    </message>
+    <message>
+        <source>Hillshade, &amp;four lights</source>
+        <translation>पहाड़ी छाया, चार प्रकाश (&amp;F)</translation>
+    </message>
+    <message>
+        <source>No direction stays in the dark</source>
+        <translation>कोई दिशा अँधेरे में नहीं रहती</translation>
+    </message>
+    <message>
+        <source>&amp;Slope</source>
+        <translation>ढाल (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Steepness in degrees</source>
+        <translation>ढाल का कोण, डिग्री में</translation>
+    </message>
+    <message>
+        <source>Local &amp;relief</source>
+        <translation>स्थानीय उभार (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Worn detail without the broad shape</source>
+        <translation>बड़े आकार के बिना घिसे विवरण</translation>
+    </message>
+    <message>
+        <source>Sky &amp;view</source>
+        <translation>आकाश-दृश्य (&amp;V)</translation>
+    </message>
+    <message>
+        <source>How much of the sky each place sees</source>
+        <translation>हर जगह से आकाश कितना दिखता है</translation>
+    </message>
+    <message>
+        <source>&amp;Openness</source>
+        <translation>खुलापन (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Hollows dark, ridges bright</source>
+        <translation>गड्ढे गहरे, धारियाँ उजली</translation>
+    </message>
+    <message>
+        <source>&amp;Deviation, several scales</source>
+        <translation>विचलन, कई पैमाने (&amp;D)</translation>
+    </message>
+    <message>
+        <source>What stands out from its neighbourhood, at the scale where it does so most</source>
+        <translation>जो अपने पड़ोस से उभरता है, उस पैमाने पर जहाँ वह सबसे अधिक उभरता है</translation>
+    </message>
+    <message>
+        <source>&amp;Curvature, several scales</source>
+        <translation>वक्रता, कई पैमाने (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ridges and incisions of several widths, however the ground is tilted</source>
+        <translation>अलग-अलग चौड़ाई की धारियाँ और खाँचे, ज़मीन चाहे जैसे झुकी हो</translation>
+    </message>
+    <message>
+        <source>Stone with &amp;ambient occlusion</source>
+        <translation>परिवेशी अवरोधन के साथ पत्थर (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Lit, and darker in hollows and grooves</source>
+        <translation>प्रकाशित, और गड्ढों तथा खाँचों में गहरा</translation>
+    </message>
+    <message>
+        <source>&amp;Natural colours</source>
+        <translation>प्राकृतिक रंग (&amp;N)</translation>
+    </message>
+    <message>
+        <source>The colours that the scan has</source>
+        <translation>वे रंग जो स्कैन में हैं</translation>
+    </message>
+    <message>
+        <source>In&amp;tensity</source>
+        <translation>तीव्रता (&amp;T)</translation>
+    </message>
+    <message>
+        <source>How strongly the scanner&apos;s light came back</source>
+        <translation>स्कैनर का प्रकाश कितना तेज़ लौटा</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>धूसर (&amp;G)</translation>
+    </message>
+    <message>
+        <source>Colours that grow lighter in even steps</source>
+        <translation>रंग जो समान चरणों में उजले होते हैं</translation>
+    </message>
+    <message>
+        <source>&amp;Viridis</source>
+        <translation>Viridis (&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Cividis</source>
+        <translation>Cividis (&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Batlow</source>
+        <translation>Batlow (&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Usual light</source>
+        <translation>सामान्य प्रकाश (&amp;U)</translation>
+    </message>
+    <message>
+        <source>From the upper left, 45 degrees high</source>
+        <translation>ऊपर बाएँ से, 45 अंश ऊँचा</translation>
+    </message>
+    <message>
+        <source>Raking from the &amp;left</source>
+        <translation>बाएँ से तिरछा प्रकाश (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Light almost along the surface, 10 degrees above it</source>
+        <translation>लगभग सतह के साथ-साथ प्रकाश, उससे 10 अंश ऊपर</translation>
+    </message>
+    <message>
+        <source>Raking from the &amp;right</source>
+        <translation>दाएँ से तिरछा प्रकाश (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Raking from &amp;above</source>
+        <translation>ऊपर से तिरछा प्रकाश (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Raking from &amp;below</source>
+        <translation>नीचे से तिरछा प्रकाश (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Turn &amp;counterclockwise</source>
+        <translation>घड़ी की उलटी दिशा में घुमाएँ (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Turn the light by 5 degrees, counterclockwise</source>
+        <translation>प्रकाश को 5 अंश घड़ी की उलटी दिशा में घुमाएँ</translation>
+    </message>
+    <message>
+        <source>Turn cloc&amp;kwise</source>
+        <translation>घड़ी की दिशा में घुमाएँ (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Turn the light by 5 degrees, clockwise</source>
+        <translation>प्रकाश को 5 अंश घड़ी की दिशा में घुमाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Higher</source>
+        <translation>ऊँचा (&amp;H)</translation>
+    </message>
+    <message>
+        <source>The light 5 degrees higher</source>
+        <translation>प्रकाश 5 अंश ऊँचा</translation>
+    </message>
+    <message>
+        <source>Lo&amp;wer</source>
+        <translation>नीचा (&amp;W)</translation>
+    </message>
+    <message>
+        <source>The light 5 degrees lower: worn detail comes out</source>
+        <translation>प्रकाश 5 अंश नीचा: घिसी बारीकियाँ उभरती हैं</translation>
+    </message>
+    <message>
+        <source>Mar&amp;k unmeasured cells</source>
+        <translation>बिना मापी कोशिकाएँ दिखाएँ (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Cells that were interpolated in colour, with a legend; holes are always hatched</source>
+        <translation>अंतर्वेशित कोशिकाएँ रंग में, कुंजी के साथ; छेद हमेशा रेखांकित रहते हैं</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>प्रणाली जैसा (&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>हल्का (&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>गहरा (&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>उच्च कंट्रास्ट (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Full s&amp;creen detail</source>
+        <translation>पूर्ण स्क्रीन विवरण (&amp;C)</translation>
+    </message>
+    <message>
+        <source>The detail view alone on the whole screen</source>
+        <translation>केवल विवरण दृश्य पूरी स्क्रीन पर</translation>
+    </message>
+    <message>
+        <source>Other vie&amp;w</source>
+        <translation>दूसरा दृश्य (&amp;W)</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt part</source>
+        <translation>अगला भाग (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Move the focus to the next part of the window</source>
+        <translation>फ़ोकस खिड़की के अगले भाग पर ले जाएँ</translation>
+    </message>
+    <message>
+        <source>Move the focus to the part before</source>
+        <translation>फ़ोकस पिछले भाग पर ले जाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Finer</source>
+        <translation>बारीक (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Finer detail: a smaller window</source>
+        <translation>और बारीक विवरण: छोटी विंडो</translation>
+    </message>
+    <message>
+        <source>&amp;Coarser</source>
+        <translation>मोटा (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Coarser detail: a larger window</source>
+        <translation>और मोटा विवरण: बड़ी विंडो</translation>
+    </message>
+    <message>
+        <source>&amp;Whole object</source>
+        <translation>पूरी वस्तु (&amp;W)</translation>
+    </message>
+    <message>
+        <source>The whole object in the window</source>
+        <translation>पूरी वस्तु विंडो में</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>पूरा</translation>
+    </message>
+    <message>
+        <source>Move &amp;left</source>
+        <translation>बाएँ खिसकाएँ (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Move the window by a quarter of its side</source>
+        <translation>विंडो को उसकी भुजा के चौथाई से खिसकाएँ</translation>
+    </message>
+    <message>
+        <source>Move &amp;right</source>
+        <translation>दाएँ खिसकाएँ (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>ऊपर खिसकाएँ (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Move &amp;down</source>
+        <translation>नीचे खिसकाएँ (&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Type window…</source>
+        <translation>विंडो टाइप करें (&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Type the window&apos;s place and size in millimetres</source>
+        <translation>विंडो की जगह और आकार मिलीमीटर में टाइप करें</translation>
+    </message>
+    <message>
+        <source>&amp;Suggest windows</source>
+        <translation>विंडो सुझाएँ (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Rank windows by how much of their relief a hand feels</source>
+        <translation>विंडो को इससे क्रम दें कि उनके उभार का कितना भाग हाथ महसूस करता है</translation>
+    </message>
+    <message>
+        <source>Na&amp;me this place…</source>
+        <translation>इस जगह को नाम दें (&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Give the window&apos;s place a name, to come back to it</source>
+        <translation>विंडो की जगह को नाम दें, ताकि लौट सकें</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt place</source>
+        <translation>अगली जगह (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Go to the next place that has a name</source>
+        <translation>नाम वाली अगली जगह पर जाएँ</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious place</source>
+        <translation>पिछली जगह (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Go to the place with a name before this one</source>
+        <translation>इससे पहले की नाम वाली जगह पर जाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Beacon here</source>
+        <translation>यहाँ संकेतक (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Mark the place under the hand, or remove the beacon there</source>
+        <translation>हाथ के नीचे की जगह चिह्नित करें, या वहाँ का संकेतक हटाएँ</translation>
+    </message>
+    <message>
+        <source>Prep&amp;are…</source>
+        <translation>तैयार करें (&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Crop, clean, thin and join scans before the depth map</source>
+        <translation>गहराई मानचित्र से पहले स्कैन काटें, साफ़ करें, विरल करें और जोड़ें</translation>
+    </message>
+    <message>
+        <source>Depth ma&amp;p…</source>
+        <translation>गहराई मानचित्र (&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Everything between the scan and its depth map, with a preview</source>
+        <translation>स्कैन और उसके गहराई मानचित्र के बीच सब कुछ, पूर्वावलोकन के साथ</translation>
+    </message>
+    <message>
+        <source>U&amp;nits…</source>
+        <translation>इकाइयाँ (&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Say which length unit the file&apos;s coordinates have; kept for its folder</source>
+        <translation>बताएँ कि फ़ाइल के निर्देशांक किस इकाई में हैं; उसके फ़ोल्डर के लिए याद रहता है</translation>
+    </message>
+    <message>
+        <source>Make the depth map on the processor</source>
+        <translation>गहराई मानचित्र प्रोसेसर से बनाएँ</translation>
+    </message>
+    <message>
+        <source>Make the depth map by the graphics card&apos;s depth buffer</source>
+        <translation>गहराई मानचित्र ग्राफ़िक्स कार्ड के गहराई बफ़र से बनाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Point</source>
+        <translation>बिंदु (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Height of one place</source>
+        <translation>एक जगह की ऊँचाई</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>दूरी (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Between two places</source>
+        <translation>दो जगहों के बीच</translation>
+    </message>
+    <message>
+        <source>Depth di&amp;fference</source>
+        <translation>गहराई का अंतर (&amp;F)</translation>
+    </message>
+    <message>
+        <source>How much higher the second place lies</source>
+        <translation>दूसरी जगह कितनी ऊँची है</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>कोण (&amp;A)</translation>
+    </message>
+    <message>
+        <source>At the second of three places</source>
+        <translation>तीन में से दूसरी जगह पर</translation>
+    </message>
+    <message>
+        <source>P&amp;rofile</source>
+        <translation>प्रोफ़ाइल (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Heights along a line</source>
+        <translation>रेखा के साथ ऊँचाइयाँ</translation>
+    </message>
+    <message>
+        <source>Area and &amp;volume</source>
+        <translation>क्षेत्रफल और आयतन (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Of a piece of surface above its lowest corner, or another plane</source>
+        <translation>सतह के एक भाग का, उसके सबसे नीचे के कोने या किसी दूसरे समतल के ऊपर</translation>
+    </message>
+    <message>
+        <source>Se&amp;ction</source>
+        <translation>काट (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Where a plane through one, two or three places cuts the surface</source>
+        <translation>जहाँ एक, दो या तीन जगहों से होकर जाता समतल सतह को काटता है</translation>
+    </message>
+    <message>
+        <source>By &amp;touch</source>
+        <translation>स्पर्श से (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Taps of the hand that feels the surface give depth differences, strokes profiles</source>
+        <translation>सतह को महसूस करते हाथ की टैप से गहराई का अंतर मिलता है, खींची रेखा से प्रोफ़ाइल</translation>
+    </message>
+    <message>
+        <source>Profile c&amp;urve</source>
+        <translation>प्रोफ़ाइल वक्र (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Show or hide the curve of the selected profile under the views</source>
+        <translation>चुनी प्रोफ़ाइल का वक्र दृश्यों के नीचे दिखाएँ या छिपाएँ</translation>
+    </message>
+    <message>
+        <source>Save profil&amp;e as shown…</source>
+        <translation>प्रोफ़ाइल जैसी दिखती है सहेजें… (&amp;E)</translation>
+    </message>
+    <message>
+        <source>The curve under the views with its cursor as SVG, or its numbers as CSV</source>
+        <translation>दृश्यों के नीचे का वक्र अपने सूचक के साथ SVG में, या उसकी संख्याएँ CSV में</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>सहेजें (&amp;S)…</translation>
+    </message>
+    <message>
+        <source>The list as CSV, or the selected profile or section as CSV or SVG</source>
+        <translation>सूची CSV में, या चुना प्रोफ़ाइल या काट CSV या SVG में</translation>
+    </message>
+    <message>
+        <source>&amp;CSV</source>
+        <translation>&amp;CSV</translation>
+    </message>
+    <message>
+        <source>A table as text that every program opens</source>
+        <translation>पाठ की तालिका जिसे हर प्रोग्राम खोलता है</translation>
+    </message>
+    <message>
+        <source>&amp;HDF5</source>
+        <translation>&amp;HDF5</translation>
+    </message>
+    <message>
+        <source>Smaller, with units and surface; for Python and MATLAB</source>
+        <translation>छोटी, इकाइयों और सतह के साथ; Python और MATLAB के लिए</translation>
+    </message>
+    <message>
+        <source>F&amp;older of recordings…</source>
+        <translation>रिकॉर्डिंग का फ़ोल्डर… (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Where recordings go that are made from now on</source>
+        <translation>अब से बनने वाली रिकॉर्डिंग कहाँ जाएँगी</translation>
+    </message>
+    <message>
+        <source>Re&amp;play…</source>
+        <translation>पुनः दिखाएँ (&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Show a recording of a touch again; no device is moved</source>
+        <translation>स्पर्श की रिकॉर्डिंग फिर दिखाएँ; कोई उपकरण नहीं हिलता</translation>
+    </message>
+    <message>
+        <source>P&amp;lay or pause</source>
+        <translation>चलाएँ या रोकें (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Go on with the replay, or halt it</source>
+        <translation>पुनर्प्रदर्शन जारी रखें या रोकें</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt event</source>
+        <translation>अगली घटना (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Go to the next event or note of the recording</source>
+        <translation>रिकॉर्डिंग की अगली घटना या टिप्पणी पर जाएँ</translation>
+    </message>
+    <message>
+        <source>Event &amp;before</source>
+        <translation>पिछली घटना (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Go back to the event or note before</source>
+        <translation>पिछली घटना या टिप्पणी पर लौटें</translation>
+    </message>
+    <message>
+        <source>&amp;Close replay</source>
+        <translation>पुनर्प्रदर्शन बंद करें (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Back to the window from before</source>
+        <translation>पहले वाली विंडो पर वापस</translation>
+    </message>
+    <message>
+        <source>A video of the replay, or of the camera path, frame by frame</source>
+        <translation>पुनर्प्रदर्शन या कैमरा पथ का वीडियो, फ़्रेम दर फ़्रेम</translation>
+    </message>
+    <message>
+        <source>Video of the vie&amp;w</source>
+        <translation>दृश्य का वीडियो (&amp;W)</translation>
+    </message>
+    <message>
+        <source>Start or stop a video of what the detail view and the plots show</source>
+        <translation>विवरण दृश्य और आलेख जो दिखाते हैं उसका वीडियो शुरू या बंद करें</translation>
+    </message>
+    <message>
+        <source>Add &amp;key view</source>
+        <translation>मुख्य दृश्य जोड़ें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Let the camera path pass this view, three seconds after the one before</source>
+        <translation>कैमरा पथ इस दृश्य से गुज़रे, पिछले के तीन सेकंड बाद</translation>
+    </message>
+    <message>
+        <source>Show camera pa&amp;th</source>
+        <translation>कैमरा पथ दिखाएँ (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Run along the key views once, or stop</source>
+        <translation>मुख्य दृश्यों से एक बार गुज़रें, या रोकें</translation>
+    </message>
+    <message>
+        <source>&amp;Forget key views</source>
+        <translation>मुख्य दृश्य भूलें (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Begin a new camera path</source>
+        <translation>नया कैमरा पथ शुरू करें</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>पुस्तिका (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Help in the browser, at the page for what has the keyboard; guide, documentation</source>
+        <translation>ब्राउज़र में पुस्तिका, उस भाग के पृष्ठ पर जहाँ कुंजीपटल है; सहायता, मार्गदर्शिका, दस्तावेज़</translation>
+    </message>
+    <message>
+        <source>&amp;Search commands…</source>
+        <translation>आदेश खोजें (&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Find a command by its words and run it</source>
+        <translation>शब्दों से आदेश खोजें और चलाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>कुंजियाँ (&amp;K)</translation>
+    </message>
+    <message>
+        <source>All keys on one sheet</source>
+        <translation>सब कुंजियाँ एक पन्ने पर</translation>
+    </message>
+    <message>
+        <source>&amp;Introduction</source>
+        <translation>परिचय (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Say what is open and how it is touched</source>
+        <translation>बताएँ कि क्या खुला है और उसे कैसे छुएँ</translation>
+    </message>
+    <message>
+        <source>&amp;About relievo</source>
+        <translation>relievo के बारे में (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>संस्करण और लाइसेंस</translation>
+    </message>
+    <message>
+        <source>Depth m&amp;ethod</source>
+        <translation>गहराई विधि (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Export archive pac&amp;kage…</source>
+        <translation>संग्रह पैकेज निर्यात… (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Over&amp;view</source>
+        <translation>अवलोकन (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Side pa&amp;nels</source>
+        <translation>पार्श्व पटल (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Shaded re&amp;lief</source>
+        <translation>छायांकित उभार (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Move the focus between the overview and the detail view</source>
+        <translation>फ़ोकस को अवलोकन और विवरण दृश्य के बीच बदलें</translation>
+    </message>
+    <message>
+        <source>&amp;Previous part</source>
+        <translation>पिछला भाग (&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;CPU</source>
+        <translation>&amp;CPU</translation>
+    </message>
+    <message>
+        <source>&amp;OpenGL</source>
+        <translation>&amp;OpenGL</translation>
+    </message>
+    <message>
+        <source>Save &amp;video…</source>
+        <translation>वीडियो सहेजें… (&amp;V)</translation>
+    </message>
+</context>
+<context>
     <name>relievo::CommandWords</name>
     <message>
         <source>load import file read</source>
@@ -1171,24 +2146,8 @@
         <translation>दाहिने हाथ का नियम, दृश्य के अपने अक्षों पर, पहले x</translation>
     </message>
     <message>
-        <source>&amp;Engine</source>
-        <translation>विधि (&amp;E)</translation>
-    </message>
-    <message>
         <source>The processor, or the graphics card&apos;s depth buffer as in the paper</source>
         <translation>प्रोसेसर, या लेख की तरह ग्राफ़िक्स कार्ड का गहराई बफ़र</translation>
-    </message>
-    <message>
-        <source>Processor</source>
-        <translation>प्रोसेसर</translation>
-    </message>
-    <message>
-        <source>Depth buffer</source>
-        <translation>गहराई बफ़र</translation>
-    </message>
-    <message>
-        <source>&amp;Rule</source>
-        <translation>नियम (&amp;R)</translation>
     </message>
     <message>
         <source>Which height a cell gets from the points in it</source>
@@ -1229,10 +2188,6 @@
     <message>
         <source>Distance of neighbouring cells</source>
         <translation>पड़ोसी सेलों की दूरी</translation>
-    </message>
-    <message>
-        <source>&amp;M between levels</source>
-        <translation>स्तरों के बीच M (&amp;M)</translation>
     </message>
     <message>
         <source>How much coarser each level of the pyramid is; 2 in the paper</source>
@@ -1330,6 +2285,26 @@
         <source>Leave out, groups too</source>
         <translation>छोड़ दें, समूह भी</translation>
     </message>
+    <message>
+        <source>M&amp;ethod</source>
+        <translation>विधि (&amp;E)</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Height pe&amp;r cell</source>
+        <translation>प्रति कोष्ठ ऊँचाई (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Pyra&amp;mid factor</source>
+        <translation>पिरामिड गुणक (&amp;M)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DepthMapPreview</name>
@@ -1361,8 +2336,8 @@
         <translation>विंडो खिसकाएँ</translation>
     </message>
     <message>
-        <source>The part inside the pink window. The pointer carries the hand just above the surface. To look, drag with the left button to turn; to touch (F7), hold it to press in, and turn the wheel meanwhile to press deeper. Right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
-        <translation>गुलाबी विंडो के भीतर का भाग। सूचक हाथ को सतह के ठीक ऊपर ले जाता है। देखने के लिए बाएँ बटन से खींचकर घुमाएँ; स्पर्श के लिए (F7) उसे दबाए रखकर भीतर दबाएँ, और उस समय पहिया घुमाकर और गहरा। दाएँ से खींचना विंडो को खिसकाता है, पहिया पास-दूर करता है। कुंजियाँ: तीर, Page Down, Page Up।</translation>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface. What dragging does, F7 changes between the two: %1. %2; the wheel meanwhile presses deeper. Keys: arrows, Page Down, Page Up.</source>
+        <translation>गुलाबी विंडो के भीतर का भाग। सूचक हाथ को सतह के ठीक ऊपर ले जाता है। खींचने से क्या होता है, F7 दोनों के बीच बदलता है: %1। %2; उस समय पहिया और गहरा दबाता है। कुंजियाँ: तीर, Page Down, Page Up।</translation>
     </message>
 </context>
 <context>
@@ -1640,10 +2615,6 @@
         <translation>दृश्य %1 → %2</translation>
     </message>
     <message>
-        <source>Depth engine → %1</source>
-        <translation>विधि → %1</translation>
-    </message>
-    <message>
         <source>Unit %1 → %2</source>
         <translation>इकाई %1 → %2</translation>
     </message>
@@ -1658,10 +2629,6 @@
     <message>
         <source>Choose window</source>
         <translation>विंडो चुनें</translation>
-    </message>
-    <message>
-        <source>Height gain</source>
-        <translation>ऊँचाई का गुणक</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -1698,6 +2665,61 @@
     <message>
         <source>Smaller window</source>
         <translation>छोटी खिड़की</translation>
+    </message>
+    <message>
+        <source>Depth method → %1</source>
+        <translation>विधि → %1</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration</source>
+        <translation>ऊर्ध्व अतिरंजन</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ExportController</name>
+    <message>
+        <source>Cancelled. Nothing was exported.</source>
+        <translation>रद्द किया गया। कुछ निर्यात नहीं किया गया।</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels; File &gt; Image asks for others</source>
+        <translation>%1 x %2 पिक्सेल; फ़ाइल &gt; चित्र दूसरे पूछता है</translation>
+    </message>
+    <message>
+        <source>Picture of the detail view (.png)</source>
+        <translation>विवरण दृश्य का चित्र (.png)</translation>
+    </message>
+    <message>
+        <source>Picture of the whole object (.png)</source>
+        <translation>पूरी वस्तु का चित्र (.png)</translation>
+    </message>
+    <message>
+        <source>Profile %1, drawing (.svg)</source>
+        <translation>प्रोफ़ाइल %1, रेखाचित्र (.svg)</translation>
+    </message>
+    <message>
+        <source>Profile %1, numbers (.csv)</source>
+        <translation>प्रोफ़ाइल %1, संख्याएँ (.csv)</translation>
+    </message>
+    <message>
+        <source>Section %1, drawing (.svg)</source>
+        <translation>काट %1, रेखाचित्र (.svg)</translation>
+    </message>
+    <message>
+        <source>Section %1, numbers (.csv)</source>
+        <translation>काट %1, संख्याएँ (.csv)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजी गई</translation>
     </message>
 </context>
 <context>
@@ -1871,10 +2893,6 @@
     <message>
         <source>With force plots of a recording</source>
         <translation>रिकॉर्डिंग के बल आलेखों के साथ</translation>
-    </message>
-    <message>
-        <source>Lit stone</source>
-        <translation>प्रकाशित पत्थर</translation>
     </message>
     <message>
         <source>Height in colour</source>
@@ -2432,6 +3450,10 @@
         <source>Of the neighbourhood that this relief image looks at</source>
         <translation>उस पड़ोस का, जिसे यह उभार-चित्र देखता है</translation>
     </message>
+    <message>
+        <source>Shaded relief</source>
+        <translation>छायांकित उभार</translation>
+    </message>
 </context>
 <context>
     <name>relievo::FirstViewCard</name>
@@ -2450,6 +3472,47 @@
     <message>
         <source>It can be touched then.</source>
         <translation>तब इसे छुआ जा सकेगा।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ForeignFiles</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>और %n अन्य</numerusform>
+            <numerusform>और %n अन्य</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>रद्द किया गया। कुछ नहीं बदला।</translation>
+    </message>
+    <message>
+        <source>Files elsewhere</source>
+        <translation>अन्यत्र की फ़ाइलें</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
+        <translation>
+            <numerusform>%1 अपने फ़ोल्डर से बाहर की %n फ़ाइल का नाम लेता है, जो अपने चेकसम के अनुसार वह नहीं है जिससे यह बना था:</numerusform>
+            <numerusform>%1 अपने फ़ोल्डर से बाहर की %n फ़ाइलों के नाम लेता है, जो अपने चेकसम के अनुसार वे नहीं हैं जिनसे यह बना था:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The work that was kept</source>
+        <translation>रखा गया काम</translation>
+    </message>
+    <message>
+        <source>Whoever made it chose these names. Shall they be read? What is not read stays named in it, and all else opens.</source>
+        <translation>जिसने इसे बनाया, उसी ने ये नाम चुने। क्या इन्हें पढ़ा जाए? जो नहीं पढ़ा जाता, उसका नाम इसमें बना रहता है, और बाकी सब खुलता है।</translation>
+    </message>
+    <message>
+        <source>&amp;Read them</source>
+        <translation>&amp;पढ़ें</translation>
+    </message>
+    <message>
+        <source>&amp;Do not read them</source>
+        <translation>&amp;न पढ़ें</translation>
     </message>
 </context>
 <context>
@@ -2732,14 +3795,6 @@
         <translation>मापा नहीं गया (&amp;D)</translation>
     </message>
     <message>
-        <source>Tic&amp;k there</source>
-        <translation>वहाँ टिक (&amp;K)</translation>
-    </message>
-    <message>
-        <source>K&amp;nock</source>
-        <translation>ठोकर (&amp;N)</translation>
-    </message>
-    <message>
         <source>Ma&amp;gnet</source>
         <translation>चुंबक (&amp;G)</translation>
     </message>
@@ -2760,10 +3815,6 @@
         <translation>भरे अंतराल और आधार तल कितने कठोर हैं, मापी जगह की कठोरता के अंश में। 100 %: कोई अंतर नहीं।</translation>
     </message>
     <message>
-        <source>Tick at the border of measured ground, in newtons</source>
-        <translation>मापी जगह की सीमा पर टिक, न्यूटन में</translation>
-    </message>
-    <message>
         <source> N</source>
         <translation> N</translation>
     </message>
@@ -2782,10 +3833,6 @@
     <message>
         <source>How much of the next finer level is felt, at most, on top of the level that is touched. 0: none.</source>
         <translation>छुए जा रहे स्तर के ऊपर अगला बारीक स्तर अधिकतम कितना महसूस हो। 0: कुछ नहीं।</translation>
-    </message>
-    <message>
-        <source>Knock of a new contact, in newtons at most</source>
-        <translation>नए स्पर्श की ठोकर, अधिकतम न्यूटन में</translation>
     </message>
     <message>
         <source>A short knock as hard as the hand comes. 0: none.</source>
@@ -2810,10 +3857,6 @@
     <message>
         <source>Pause, zoom, read values, and save as SVG or CSV.</source>
         <translation>रोकें, पास लाएँ, मान पढ़ें और SVG या CSV में सहेजें।</translation>
-    </message>
-    <message>
-        <source>Fi&amp;rm ground</source>
-        <translation>ठोस जगह (&amp;R)</translation>
     </message>
     <message>
         <source>What says where the ground is firm</source>
@@ -2842,10 +3885,6 @@
     <message>
         <source>The ground is firm where it was measured.</source>
         <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
-    </message>
-    <message>
-        <source>Raster of firm ground</source>
-        <translation>ठोस जगह का ग्रिड</translation>
     </message>
     <message>
         <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
@@ -2894,6 +3933,50 @@
     <message>
         <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
         <translation>जब तक बल चालू हैं, उपकरण अपनी ग्रिप को उतने भार से थामता है जितना अंशांकन ने पाया। जहाँ अंशांकन नहीं हुआ या उपकरण स्वयं ऐसा करता है वहाँ कुछ नहीं होता।</translation>
+    </message>
+    <message>
+        <source>Stiffness &amp;map</source>
+        <translation>कठोरता मानचित्र (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Edge &amp;cue</source>
+        <translation>किनारे का संकेत (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Co&amp;ntact impulse</source>
+        <translation>स्पर्श का आवेग (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Edge cue at the border of measured ground, in newtons</source>
+        <translation>मापी जगह के किनारे का संकेत, न्यूटन में</translation>
+    </message>
+    <message>
+        <source>Contact impulse, in newtons at most</source>
+        <translation>स्पर्श का आवेग, अधिकतम न्यूटन में</translation>
+    </message>
+    <message>
+        <source>Stiffness map</source>
+        <translation>कठोरता मानचित्र</translation>
+    </message>
+    <message>
+        <source>Whether somebody has tried such a device</source>
+        <translation>क्या किसी ने ऐसा उपकरण आज़माया है</translation>
+    </message>
+    <message>
+        <source>How warm the motors are</source>
+        <translation>मोटर कितनी गरम हैं</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: ask who made the plug-in.</source>
+        <translation>वास्तविक उपकरण पर आज़माया गया: जिसने प्लग-इन बनाया, उससे पूछें।</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: never.</source>
+        <translation>वास्तविक उपकरण पर आज़माया गया: कभी नहीं।</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: %1.</source>
+        <translation>वास्तविक उपकरण पर आज़माया गया: %1।</translation>
     </message>
 </context>
 <context>
@@ -2983,14 +4066,6 @@
         <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
     </message>
     <message>
-        <source>Firm ground: %1.</source>
-        <translation>ठोस जगह: %1।</translation>
-    </message>
-    <message>
-        <source>Firm ground: %1. Set Not measured below 100 % to feel it.</source>
-        <translation>ठोस जगह: %1। इसे महसूस करने के लिए “मापा नहीं गया” को 100 % से कम रखें।</translation>
-    </message>
-    <message>
         <source>The recording has ended early.</source>
         <translation>रिकॉर्डिंग समय से पहले समाप्त हुई।</translation>
     </message>
@@ -3005,6 +4080,26 @@
     <message>
         <source>Surface made softer to stay steady.</source>
         <translation>सतह स्थिर रखने के लिए नरम की गई।</translation>
+    </message>
+    <message>
+        <source>Touch: advanced</source>
+        <translation>स्पर्श: उन्नत</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1.</source>
+        <translation>कठोरता मानचित्र: %1।</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
+        <translation>कठोरता मानचित्र: %1। इसे महसूस करने के लिए “मापा नहीं गया” को 100 % से कम रखें।</translation>
+    </message>
+    <message>
+        <source>The device %1 is being opened. The mouse is the hand meanwhile.</source>
+        <translation>उपकरण %1 खोला जा रहा है। तब तक माउस हाथ है।</translation>
+    </message>
+    <message>
+        <source>Motors: %1 % of what they can take for good; forces stay below %2 N.</source>
+        <translation>मोटर: जितना वे लगातार सह सकती हैं उसका %1 %; बल %2 N से कम रहते हैं।</translation>
     </message>
 </context>
 <context>
@@ -3053,10 +4148,6 @@
         <translation>विवरण दृश्य</translation>
     </message>
     <message>
-        <source>Reference view</source>
-        <translation>संदर्भ दृश्य</translation>
-    </message>
-    <message>
         <source>Whole window</source>
         <translation>पूरी खिड़की</translation>
     </message>
@@ -3095,6 +4186,10 @@
     <message>
         <source>&amp;File</source>
         <translation>फ़ाइल (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>अवलोकन</translation>
     </message>
 </context>
 <context>
@@ -3144,44 +4239,16 @@
         <translation>विवरण दृश्य: पहिया</translation>
     </message>
     <message>
-        <source>Zoom about the pointer</source>
-        <translation>सूचक के पास लाएँ</translation>
-    </message>
-    <message>
-        <source>Detail view: middle, right button</source>
-        <translation>विवरण दृश्य: बीच का, दायाँ बटन</translation>
-    </message>
-    <message>
-        <source>Turn the view, move the window</source>
-        <translation>दृश्य घुमाएँ, विंडो खिसकाएँ</translation>
-    </message>
-    <message>
-        <source>Reference view: drag</source>
-        <translation>संदर्भ दृश्य: खींचना</translation>
-    </message>
-    <message>
         <source>Draw, move or resize the window</source>
         <translation>विंडो बनाएँ, खिसकाएँ या आकार बदलें</translation>
-    </message>
-    <message>
-        <source>Reference view: arrows, Shift+arrows</source>
-        <translation>संदर्भ दृश्य: तीर, Shift+तीर</translation>
     </message>
     <message>
         <source>Move, resize the window</source>
         <translation>विंडो खिसकाएँ, आकार बदलें</translation>
     </message>
     <message>
-        <source>Reference view: Space, arrows, Enter</source>
-        <translation>संदर्भ दृश्य: Space, तीर, Enter</translation>
-    </message>
-    <message>
         <source>Draw a window</source>
         <translation>विंडो बनाएँ</translation>
-    </message>
-    <message>
-        <source>Reference view: +, −, wheel</source>
-        <translation>संदर्भ दृश्य: +, −, पहिया</translation>
     </message>
     <message>
         <source>Finer, coarser</source>
@@ -3194,10 +4261,6 @@
     <message>
         <source>What they do</source>
         <translation>वे क्या करती हैं</translation>
-    </message>
-    <message>
-        <source>To look: turn the view; to touch: press the hand in</source>
-        <translation>देखना: दृश्य घुमाएँ; स्पर्श: हाथ भीतर दबाएँ</translation>
     </message>
     <message>
         <source>Other commands</source>
@@ -3219,6 +4282,46 @@
         <source>No key has these words. Ctrl+K finds commands without a key, too.</source>
         <translation>किसी कुंजी में ये शब्द नहीं। Ctrl+K बिना कुंजी के आदेश भी खोजता है।</translation>
     </message>
+    <message>
+        <source>Look: %1. Touch: %2</source>
+        <translation>देखना: %1। स्पर्श: %2</translation>
+    </message>
+    <message>
+        <source>press the hand in</source>
+        <translation>हाथ भीतर दबाएँ</translation>
+    </message>
+    <message>
+        <source>Detail view: middle button</source>
+        <translation>विवरण दृश्य: बीच का बटन</translation>
+    </message>
+    <message>
+        <source>Detail view: right button</source>
+        <translation>विवरण दृश्य: दायाँ बटन</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer; away from you is closer</source>
+        <translation>सूचक के पास लाएँ; आपसे दूर घुमाना पास लाता है</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer; towards you is closer</source>
+        <translation>सूचक के पास लाएँ; आपकी ओर घुमाना पास लाता है</translation>
+    </message>
+    <message>
+        <source>Overview: drag</source>
+        <translation>अवलोकन: खींचना</translation>
+    </message>
+    <message>
+        <source>Overview: arrows, Shift+arrows</source>
+        <translation>अवलोकन: तीर, Shift+तीर</translation>
+    </message>
+    <message>
+        <source>Overview: Space, arrows, Enter</source>
+        <translation>अवलोकन: Space, तीर, Enter</translation>
+    </message>
+    <message>
+        <source>Overview: +, −, wheel</source>
+        <translation>अवलोकन: +, −, पहिया</translation>
+    </message>
 </context>
 <context>
     <name>relievo::LightBall</name>
@@ -3236,6 +4339,45 @@
     </message>
 </context>
 <context>
+    <name>relievo::LookController</name>
+    <message>
+        <source>Light</source>
+        <translation>प्रकाश</translation>
+    </message>
+    <message>
+        <source>Shading of colours</source>
+        <translation>रंगों का छायांकन</translation>
+    </message>
+    <message>
+        <source>Relief image</source>
+        <translation>उभार चित्र</translation>
+    </message>
+    <message>
+        <source>Unmeasured cells</source>
+        <translation>बिना मापी कोशिकाएँ</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>स्टीरियो</translation>
+    </message>
+    <message>
+        <source>%1. This relief image has no lamp: the light shows in others.</source>
+        <translation>%1। इस उभार चित्र में कोई दीपक नहीं: प्रकाश दूसरों में दिखता है।</translation>
+    </message>
+    <message>
+        <source>%1 % of this picture is a strong red or cyan, which one eye sees dark through the glasses. Grey stereo shows it to both</source>
+        <translation>इस चित्र का %1 % गहरा लाल या सियान है, जो चश्मे से एक आँख को काला दिखता है। धूसर स्टीरियो दोनों को दिखाता है</translation>
+    </message>
+    <message>
+        <source>This scan has no colours; it is shown as shaded relief</source>
+        <translation>इस स्कैन में रंग नहीं हैं; यह छायांकित उभार के रूप में दिखता है</translation>
+    </message>
+    <message>
+        <source>This scan has no intensities; it is shown as shaded relief</source>
+        <translation>इस स्कैन में तीव्रताएँ नहीं हैं; यह छायांकित उभार के रूप में दिखता है</translation>
+    </message>
+</context>
+<context>
     <name>relievo::LoopDetailsDialog</name>
     <message>
         <source>How the force loop runs</source>
@@ -3249,228 +4391,12 @@
 <context>
     <name>relievo::MainWindow</name>
     <message>
-        <source>&amp;Point</source>
-        <translation>बिंदु (&amp;P)</translation>
-    </message>
-    <message>
-        <source>Height of one place</source>
-        <translation>एक जगह की ऊँचाई</translation>
-    </message>
-    <message>
-        <source>&amp;Distance</source>
-        <translation>दूरी (&amp;D)</translation>
-    </message>
-    <message>
-        <source>Between two places</source>
-        <translation>दो जगहों के बीच</translation>
-    </message>
-    <message>
-        <source>Depth di&amp;fference</source>
-        <translation>गहराई का अंतर (&amp;F)</translation>
-    </message>
-    <message>
-        <source>How much higher the second place lies</source>
-        <translation>दूसरी जगह कितनी ऊँची है</translation>
-    </message>
-    <message>
-        <source>&amp;Angle</source>
-        <translation>कोण (&amp;A)</translation>
-    </message>
-    <message>
-        <source>At the second of three places</source>
-        <translation>तीन में से दूसरी जगह पर</translation>
-    </message>
-    <message>
-        <source>P&amp;rofile</source>
-        <translation>प्रोफ़ाइल (&amp;R)</translation>
-    </message>
-    <message>
-        <source>Heights along a line</source>
-        <translation>रेखा के साथ ऊँचाइयाँ</translation>
-    </message>
-    <message>
-        <source>Area and &amp;volume</source>
-        <translation>क्षेत्रफल और आयतन (&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Save…</source>
-        <translation>सहेजें (&amp;S)…</translation>
-    </message>
-    <message>
-        <source>&amp;Lit stone</source>
-        <translation>प्रकाशित पत्थर (&amp;L)</translation>
-    </message>
-    <message>
-        <source>Matt stone under lamps</source>
-        <translation>दीपों के नीचे फीका पत्थर</translation>
-    </message>
-    <message>
-        <source>&amp;Height in colour</source>
-        <translation>रंग में ऊँचाई (&amp;H)</translation>
-    </message>
-    <message>
-        <source>Lit, with a colour for each height</source>
-        <translation>प्रकाशित, हर ऊँचाई का एक रंग</translation>
-    </message>
-    <message>
-        <source>H&amp;illshade</source>
-        <translation>पहाड़ी छाया (&amp;I)</translation>
-    </message>
-    <message>
-        <source>Brightness under one light</source>
-        <translation>एक प्रकाश में उजाला</translation>
-    </message>
-    <message>
-        <source>Hillshade, &amp;four lights</source>
-        <translation>पहाड़ी छाया, चार प्रकाश (&amp;F)</translation>
-    </message>
-    <message>
-        <source>No direction stays in the dark</source>
-        <translation>कोई दिशा अँधेरे में नहीं रहती</translation>
-    </message>
-    <message>
-        <source>&amp;Slope</source>
-        <translation>ढाल (&amp;S)</translation>
-    </message>
-    <message>
-        <source>Steepness in degrees</source>
-        <translation>ढाल का कोण, डिग्री में</translation>
-    </message>
-    <message>
-        <source>Local &amp;relief</source>
-        <translation>स्थानीय उभार (&amp;R)</translation>
-    </message>
-    <message>
-        <source>Worn detail without the broad shape</source>
-        <translation>बड़े आकार के बिना घिसे विवरण</translation>
-    </message>
-    <message>
-        <source>Sky &amp;view</source>
-        <translation>आकाश-दृश्य (&amp;V)</translation>
-    </message>
-    <message>
-        <source>How much of the sky each place sees</source>
-        <translation>हर जगह से आकाश कितना दिखता है</translation>
-    </message>
-    <message>
-        <source>&amp;Openness</source>
-        <translation>खुलापन (&amp;O)</translation>
-    </message>
-    <message>
-        <source>Hollows dark, ridges bright</source>
-        <translation>गड्ढे गहरे, धारियाँ उजली</translation>
-    </message>
-    <message>
-        <source>&amp;Grey</source>
-        <translation>धूसर (&amp;G)</translation>
-    </message>
-    <message>
-        <source>&amp;Viridis</source>
-        <translation>Viridis (&amp;V)</translation>
-    </message>
-    <message>
-        <source>&amp;Cividis</source>
-        <translation>Cividis (&amp;C)</translation>
-    </message>
-    <message>
-        <source>Colours that grow lighter in even steps</source>
-        <translation>रंग जो समान चरणों में उजले होते हैं</translation>
-    </message>
-    <message>
-        <source>Save measurements</source>
-        <translation>माप सहेजें</translation>
-    </message>
-    <message>
-        <source>List of measurements (*.csv)</source>
-        <translation>मापों की सूची (*.csv)</translation>
-    </message>
-    <message>
-        <source>%1 is saved</source>
-        <translation>%1 सहेजी गई</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>फ़ाइल (&amp;F)</translation>
-    </message>
-    <message>
         <source>Open &amp;recent</source>
         <translation>हाल की फ़ाइलें (&amp;R)</translation>
     </message>
     <message>
         <source>Files opened before</source>
         <translation>पहले खोली गई फ़ाइलें</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>संपादन (&amp;E)</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>दृश्य (&amp;V)</translation>
-    </message>
-    <message>
-        <source>Relief ima&amp;ge</source>
-        <translation>उभार का चित्र (&amp;G)</translation>
-    </message>
-    <message>
-        <source>How heights are painted</source>
-        <translation>ऊँचाइयाँ कैसे रंगी जाती हैं</translation>
-    </message>
-    <message>
-        <source>R&amp;elief colours</source>
-        <translation>उभार के रंग (&amp;E)</translation>
-    </message>
-    <message>
-        <source>Colours of heights, slopes and other values</source>
-        <translation>ऊँचाइयों, ढालों और दूसरे मानों के रंग</translation>
-    </message>
-    <message>
-        <source>&amp;Surface</source>
-        <translation>सतह (&amp;S)</translation>
-    </message>
-    <message>
-        <source>Depth &amp;engine</source>
-        <translation>गहराई विधि (&amp;E)</translation>
-    </message>
-    <message>
-        <source>How the depth map is made</source>
-        <translation>गहराई मानचित्र कैसे बनता है</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>माप (&amp;M)</translation>
-    </message>
-    <message>
-        <source>&amp;Touch</source>
-        <translation>स्पर्श (&amp;T)</translation>
-    </message>
-    <message>
-        <source>Re&amp;cord</source>
-        <translation>रिकॉर्ड (&amp;C)</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>सहायता (&amp;H)</translation>
-    </message>
-    <message>
-        <source>As the &amp;system</source>
-        <translation>प्रणाली जैसा (&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>हल्का (&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>गहरा (&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;High contrast</source>
-        <translation>उच्च कंट्रास्ट (&amp;H)</translation>
-    </message>
-    <message>
-        <source>Colours of the window</source>
-        <translation>खिड़की के रंग</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -3493,52 +4419,12 @@
         <translation>विंडो में कौन-सा विवरण है</translation>
     </message>
     <message>
-        <source>Whole</source>
-        <translation>पूरा</translation>
-    </message>
-    <message>
-        <source>Stereo</source>
-        <translation>स्टीरियो</translation>
-    </message>
-    <message>
         <source>&amp;Clear this list</source>
         <translation>यह सूची खाली करें (&amp;C)</translation>
     </message>
     <message>
         <source>Forget these files</source>
         <translation>ये फ़ाइलें भूल जाएँ</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>पूर्ववत (&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>फिर करें (&amp;R)</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>खोलें</translation>
-    </message>
-    <message>
-        <source>Scans, height maps, projects and figures (%1)</source>
-        <translation>स्कैन, ऊँचाई मानचित्र, परियोजनाएँ और चित्र (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>सभी फ़ाइलें (*)</translation>
-    </message>
-    <message>
-        <source>History</source>
-        <translation>इतिहास</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>चरण</translation>
-    </message>
-    <message>
-        <source>As opened</source>
-        <translation>जैसा खोला गया</translation>
     </message>
     <message>
         <source>About relievo</source>
@@ -3549,431 +4435,8 @@
         <translation>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;उभारों के स्कैन देखें और छुएँ: गहराई मानचित्र, उसका पिरामिड, और उस पर एक विंडो जो स्टीरियो में दिखती और महसूस होती है।&lt;br&gt;&lt;br&gt;BSD-3-Clause लाइसेंस।</translation>
     </message>
     <message>
-        <source>%1 needs %2, which has moved. Nothing was changed. Find it, or choose another file. (E501)</source>
-        <translation>%1 को %2 चाहिए, जो हट गई है। कुछ नहीं बदला। उसे ढूँढें या दूसरी फ़ाइल चुनें। (E501)</translation>
-    </message>
-    <message>
-        <source>&amp;Find it…</source>
-        <translation>ढूँढें (&amp;F)…</translation>
-    </message>
-    <message>
-        <source>Find %1</source>
-        <translation>%1 ढूँढें</translation>
-    </message>
-    <message>
-        <source>%1 has changed since this was saved (its checksum differs). It is shown as it is now; results may differ. (E501)</source>
-        <translation>सहेजने के बाद %1 बदल गई है (चेकसम अलग है)। यह अब जैसी है वैसी दिखाई गई है; परिणाम अलग हो सकते हैं। (E501)</translation>
-    </message>
-    <message>
-        <source>Save project</source>
-        <translation>परियोजना सहेजें</translation>
-    </message>
-    <message>
-        <source>Projects (*.relievo.json)</source>
-        <translation>परियोजनाएँ (*.relievo.json)</translation>
-    </message>
-    <message>
-        <source>Na&amp;me this place…</source>
-        <translation>इस जगह को नाम दें (&amp;M)…</translation>
-    </message>
-    <message>
-        <source>Give the window&apos;s place a name, to come back to it</source>
-        <translation>विंडो की जगह को नाम दें, ताकि लौट सकें</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt place</source>
-        <translation>अगली जगह (&amp;X)</translation>
-    </message>
-    <message>
-        <source>Go to the next place that has a name</source>
-        <translation>नाम वाली अगली जगह पर जाएँ</translation>
-    </message>
-    <message>
-        <source>Pre&amp;vious place</source>
-        <translation>पिछली जगह (&amp;V)</translation>
-    </message>
-    <message>
-        <source>Go to the place with a name before this one</source>
-        <translation>इससे पहले की नाम वाली जगह पर जाएँ</translation>
-    </message>
-    <message>
-        <source>%1 lies on a finer detail than this map has. The window was not moved.</source>
-        <translation>%1 इस मानचित्र से बारीक विवरण पर है। विंडो नहीं खिसकाई गई।</translation>
-    </message>
-    <message>
-        <source>Go to %1</source>
-        <translation>%1 पर जाएँ</translation>
-    </message>
-    <message>
-        <source>%1. Detail %2 of %3</source>
-        <translation>%1। विवरण %3 में से %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
-        <translation>
-            <numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform>
-            <numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>वापस लाएँ (&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>छोड़ दें (&amp;D)</translation>
-    </message>
-    <message>
-        <source>&amp;Open…</source>
-        <translation>खोलें (&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Open a scan or a height map</source>
-        <translation>स्कैन या ऊँचाई मानचित्र खोलें</translation>
-    </message>
-    <message>
-        <source>&amp;Save project</source>
-        <translation>परियोजना सहेजें (&amp;S)</translation>
-    </message>
-    <message>
-        <source>Keep this state: file, depth map, window, measurements</source>
-        <translation>यह स्थिति रखें: फ़ाइल, गहराई मानचित्र, विंडो, माप</translation>
-    </message>
-    <message>
-        <source>Save project &amp;as…</source>
-        <translation>परियोजना इस रूप में सहेजें (&amp;A)…</translation>
-    </message>
-    <message>
-        <source>Keep this state in another file</source>
-        <translation>यह स्थिति दूसरी फ़ाइल में रखें</translation>
-    </message>
-    <message>
-        <source>&amp;Figure…</source>
-        <translation>चित्र (&amp;F)…</translation>
-    </message>
-    <message>
-        <source>A figure for print, with scale bar, legend and caption</source>
-        <translation>छपाई के लिए चित्र, पैमाना पट्टी, संकेत सूची और शीर्षक के साथ</translation>
-    </message>
-    <message>
-        <source>&amp;Image…</source>
-        <translation>तस्वीर (&amp;I)…</translation>
-    </message>
-    <message>
-        <source>Save a picture of a view or of the window</source>
-        <translation>किसी दृश्य या खिड़की की तस्वीर सहेजें</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>बाहर निकलें (&amp;Q)</translation>
-    </message>
-    <message>
-        <source>Close relievo</source>
-        <translation>relievo बंद करें</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>पूर्ववत</translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation>फिर करें</translation>
-    </message>
-    <message>
-        <source>&amp;Keys</source>
-        <translation>कुंजियाँ (&amp;K)</translation>
-    </message>
-    <message>
-        <source>All keys on one sheet</source>
-        <translation>सब कुंजियाँ एक पन्ने पर</translation>
-    </message>
-    <message>
-        <source>&amp;History…</source>
-        <translation>इतिहास (&amp;H)…</translation>
-    </message>
-    <message>
-        <source>Every step so far; choose one to go back to it</source>
-        <translation>अब तक का हर चरण; लौटने के लिए एक चुनें</translation>
-    </message>
-    <message>
-        <source>&amp;Preferences…</source>
-        <translation>वरीयताएँ (&amp;P)…</translation>
-    </message>
-    <message>
-        <source>Colours, text size, language, units, stereo, device</source>
-        <translation>रंग, पाठ का आकार, भाषा, इकाइयाँ, स्टीरियो, उपकरण</translation>
-    </message>
-    <message>
-        <source>&amp;Search commands…</source>
-        <translation>आदेश खोजें (&amp;S)…</translation>
-    </message>
-    <message>
-        <source>Find a command by its words and run it</source>
-        <translation>शब्दों से आदेश खोजें और चलाएँ</translation>
-    </message>
-    <message>
-        <source>&amp;About relievo</source>
-        <translation>relievo के बारे में (&amp;A)</translation>
-    </message>
-    <message>
-        <source>Version and licence</source>
-        <translation>संस्करण और लाइसेंस</translation>
-    </message>
-    <message>
         <source>Detail %1 of %2</source>
         <translation>विवरण %2 में से %1</translation>
-    </message>
-    <message>
-        <source>This is the finest detail</source>
-        <translation>यह सबसे बारीक विवरण है</translation>
-    </message>
-    <message>
-        <source>This is the whole object</source>
-        <translation>यह पूरी वस्तु है</translation>
-    </message>
-    <message>
-        <source>&amp;Finer</source>
-        <translation>बारीक (&amp;F)</translation>
-    </message>
-    <message>
-        <source>Finer detail: a smaller window</source>
-        <translation>और बारीक विवरण: छोटी विंडो</translation>
-    </message>
-    <message>
-        <source>&amp;Coarser</source>
-        <translation>मोटा (&amp;C)</translation>
-    </message>
-    <message>
-        <source>Coarser detail: a larger window</source>
-        <translation>और मोटा विवरण: बड़ी विंडो</translation>
-    </message>
-    <message>
-        <source>&amp;Whole object</source>
-        <translation>पूरी वस्तु (&amp;W)</translation>
-    </message>
-    <message>
-        <source>The whole object in the window</source>
-        <translation>पूरी वस्तु विंडो में</translation>
-    </message>
-    <message>
-        <source>Whole object</source>
-        <translation>पूरी वस्तु</translation>
-    </message>
-    <message>
-        <source>Move &amp;left</source>
-        <translation>बाएँ खिसकाएँ (&amp;L)</translation>
-    </message>
-    <message>
-        <source>Move &amp;right</source>
-        <translation>दाएँ खिसकाएँ (&amp;R)</translation>
-    </message>
-    <message>
-        <source>Move &amp;up</source>
-        <translation>ऊपर खिसकाएँ (&amp;U)</translation>
-    </message>
-    <message>
-        <source>Move &amp;down</source>
-        <translation>नीचे खिसकाएँ (&amp;D)</translation>
-    </message>
-    <message>
-        <source>Move the window by a quarter of its side</source>
-        <translation>विंडो को उसकी भुजा के चौथाई से खिसकाएँ</translation>
-    </message>
-    <message>
-        <source>Edge</source>
-        <translation>किनारा</translation>
-    </message>
-    <message>
-        <source>&amp;Type window…</source>
-        <translation>विंडो टाइप करें (&amp;T)…</translation>
-    </message>
-    <message>
-        <source>Type the window&apos;s place and size in millimetres</source>
-        <translation>विंडो की जगह और आकार मिलीमीटर में टाइप करें</translation>
-    </message>
-    <message>
-        <source>Depth ma&amp;p…</source>
-        <translation>गहराई मानचित्र (&amp;P)…</translation>
-    </message>
-    <message>
-        <source>Everything between the scan and its depth map, with a preview</source>
-        <translation>स्कैन और उसके गहराई मानचित्र के बीच सब कुछ, पूर्वावलोकन के साथ</translation>
-    </message>
-    <message>
-        <source>U&amp;nits…</source>
-        <translation>इकाइयाँ (&amp;N)…</translation>
-    </message>
-    <message>
-        <source>Say which length unit the file&apos;s coordinates have; kept for its folder</source>
-        <translation>बताएँ कि फ़ाइल के निर्देशांक किस इकाई में हैं; उसके फ़ोल्डर के लिए याद रहता है</translation>
-    </message>
-    <message>
-        <source>&amp;Front</source>
-        <translation>सामने (&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Back</source>
-        <translation>पीछे (&amp;B)</translation>
-    </message>
-    <message>
-        <source>&amp;Left</source>
-        <translation>बाएँ (&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Right</source>
-        <translation>दाएँ (&amp;R)</translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation>ऊपर (&amp;T)</translation>
-    </message>
-    <message>
-        <source>Botto&amp;m</source>
-        <translation>नीचे (&amp;M)</translation>
-    </message>
-    <message>
-        <source>Look from this side and make the relief anew</source>
-        <translation>इस ओर से देखें और उभार फिर बनाएँ</translation>
-    </message>
-    <message>
-        <source>&amp;Automatic</source>
-        <translation>स्वचालित (&amp;A)</translation>
-    </message>
-    <message>
-        <source>Look from the side that shows most</source>
-        <translation>उस ओर से देखें जहाँ से सबसे अधिक दिखे</translation>
-    </message>
-    <message>
-        <source>Turn &amp;left</source>
-        <translation>बाएँ घुमाएँ (&amp;L)</translation>
-    </message>
-    <message>
-        <source>Turn &amp;right</source>
-        <translation>दाएँ घुमाएँ (&amp;R)</translation>
-    </message>
-    <message>
-        <source>Turn &amp;up</source>
-        <translation>ऊपर घुमाएँ (&amp;U)</translation>
-    </message>
-    <message>
-        <source>Turn &amp;down</source>
-        <translation>नीचे घुमाएँ (&amp;D)</translation>
-    </message>
-    <message>
-        <source>Turn the detail view by 15 degrees</source>
-        <translation>विवरण दृश्य को 15 डिग्री घुमाएँ</translation>
-    </message>
-    <message>
-        <source>&amp;Use this view</source>
-        <translation>यह दृश्य लें (&amp;U)</translation>
-    </message>
-    <message>
-        <source>Make the relief anew from where the turned detail view looks</source>
-        <translation>घुमाए गए विवरण दृश्य की दिशा से उभार फिर बनाएँ</translation>
-    </message>
-    <message>
-        <source>&amp;Processor</source>
-        <translation>प्रोसेसर (&amp;P)</translation>
-    </message>
-    <message>
-        <source>Make the depth map on the processor</source>
-        <translation>गहराई मानचित्र प्रोसेसर से बनाएँ</translation>
-    </message>
-    <message>
-        <source>&amp;Depth buffer</source>
-        <translation>गहराई बफ़र (&amp;D)</translation>
-    </message>
-    <message>
-        <source>Make the depth map by the graphics card&apos;s depth buffer</source>
-        <translation>गहराई मानचित्र ग्राफ़िक्स कार्ड के गहराई बफ़र से बनाएँ</translation>
-    </message>
-    <message>
-        <source>F&amp;it</source>
-        <translation>समाएँ (&amp;I)</translation>
-    </message>
-    <message>
-        <source>Look straight down on the relief, fitted to the view</source>
-        <translation>उभार को सीधे ऊपर से देखें, दृश्य में समाया हुआ</translation>
-    </message>
-    <message>
-        <source>&amp;Stereo (red/cyan)</source>
-        <translation>स्टीरियो (लाल/सियान) (&amp;S)</translation>
-    </message>
-    <message>
-        <source>Anaglyph for red and cyan glasses</source>
-        <translation>लाल-सियान चश्मे के लिए एनाग्लिफ़</translation>
-    </message>
-    <message>
-        <source>Side &amp;panels</source>
-        <translation>पार्श्व पटल (&amp;P)</translation>
-    </message>
-    <message>
-        <source>Show or hide the side panels</source>
-        <translation>पार्श्व पटल दिखाएँ या छिपाएँ</translation>
-    </message>
-    <message>
-        <source>Refere&amp;nce view</source>
-        <translation>संदर्भ दृश्य (&amp;N)</translation>
-    </message>
-    <message>
-        <source>Show or hide the whole object</source>
-        <translation>पूरी वस्तु दिखाएँ या छिपाएँ</translation>
-    </message>
-    <message>
-        <source>Pl&amp;ots</source>
-        <translation>आलेख (&amp;O)</translation>
-    </message>
-    <message>
-        <source>Show or hide the plots of height and force</source>
-        <translation>ऊँचाई और बल के आलेख दिखाएँ या छिपाएँ</translation>
-    </message>
-    <message>
-        <source>Full s&amp;creen detail</source>
-        <translation>पूर्ण स्क्रीन विवरण (&amp;C)</translation>
-    </message>
-    <message>
-        <source>The detail view alone on the whole screen</source>
-        <translation>केवल विवरण दृश्य पूरी स्क्रीन पर</translation>
-    </message>
-    <message>
-        <source>Other vie&amp;w</source>
-        <translation>दूसरा दृश्य (&amp;W)</translation>
-    </message>
-    <message>
-        <source>Move the focus between the reference view and the detail view</source>
-        <translation>फ़ोकस को संदर्भ दृश्य और विवरण दृश्य के बीच बदलें</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt part</source>
-        <translation>अगला भाग (&amp;X)</translation>
-    </message>
-    <message>
-        <source>Move the focus to the next part of the window</source>
-        <translation>फ़ोकस खिड़की के अगले भाग पर ले जाएँ</translation>
-    </message>
-    <message>
-        <source>Pre&amp;vious part</source>
-        <translation>पिछला भाग (&amp;V)</translation>
-    </message>
-    <message>
-        <source>Move the focus to the part before</source>
-        <translation>फ़ोकस पिछले भाग पर ले जाएँ</translation>
-    </message>
-    <message>
-        <source>Surface</source>
-        <translation>सतह</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>विंडो</translation>
-    </message>
-    <message>
-        <source>Measure</source>
-        <translation>माप</translation>
-    </message>
-    <message>
-        <source>Places</source>
-        <translation>जगहें</translation>
     </message>
     <message>
         <source>Cancelled. Nothing was changed.</source>
@@ -3992,776 +4455,16 @@
         <translation>%1 बल चालू करने के लिए F5 दबाएँ।</translation>
     </message>
     <message>
-        <source>Press depth %1 mm of hand</source>
-        <translation>दबाने की गहराई हाथ के %1 mm</translation>
-    </message>
-    <message>
-        <source>REFERENCE</source>
-        <translation>संदर्भ</translation>
-    </message>
-    <message>
-        <source>DETAIL %1 of %2</source>
-        <translation>विवरण %2 में से %1</translation>
-    </message>
-    <message>
-        <source>1 mm of hand = %1 mm</source>
-        <translation>हाथ का 1 mm = %1 mm</translation>
-    </message>
-    <message>
-        <source>heights × %1   |   </source>
-        <translation>ऊँचाइयाँ × %1   |   </translation>
-    </message>
-    <message>
         <source>Detail %1/%2</source>
         <translation>विवरण %1/%2</translation>
-    </message>
-    <message>
-        <source>&amp;Load what is there</source>
-        <translation>जो है उसे लोड करें (&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Choose…</source>
-        <translation>चुनें (&amp;C)…</translation>
-    </message>
-    <message>
-        <source>in %1 %2</source>
-        <translation>%1 में %2</translation>
-    </message>
-    <message>
-        <source>%1 × %2 × %3</source>
-        <translation>%1 × %2 × %3</translation>
-    </message>
-    <message>
-        <source>%1: %2. Which unit?</source>
-        <translation>%1: %2। कौन-सी इकाई?</translation>
-    </message>
-    <message>
-        <source>The points carry no unit. %1 – %2. Most likely %3. Shown as millimetres until you say. (E103)</source>
-        <translation>बिंदुओं में कोई इकाई नहीं है। %1 – %2। सबसे संभव %3। आपके बताने तक मिलीमीटर माने गए। (E103)</translation>
     </message>
     <message>
         <source>Only files on this computer can be opened. Nothing was opened.</source>
         <translation>केवल इस कंप्यूटर की फ़ाइलें खोली जा सकती हैं। कुछ नहीं खोला गया।</translation>
     </message>
     <message>
-        <source>measured</source>
-        <translation>मापा गया</translation>
-    </message>
-    <message>
-        <source>interpolated</source>
-        <translation>अंतर्वेशित</translation>
-    </message>
-    <message>
-        <source>hole, on base plane</source>
-        <translation>छेद, आधार तल पर</translation>
-    </message>
-    <message>
-        <source>steep</source>
-        <translation>तीव्र ढाल</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>बाहर</translation>
-    </message>
-    <message>
-        <source>x %1  y %2  z %3 mm</source>
-        <translation>x %1  y %2  z %3 mm</translation>
-    </message>
-    <message>
-        <source>%1, %2. Detail %3 of %4</source>
-        <translation>%1, %2। विवरण %4 में से %3</translation>
-    </message>
-    <message>
-        <source>%1/%2 N</source>
-        <translation>%1/%2 N</translation>
-    </message>
-    <message>
-        <source>forces off</source>
-        <translation>बल बंद</translation>
-    </message>
-    <message>
-        <source>Force on the hand and its limit</source>
-        <translation>हाथ पर बल और उसकी सीमा</translation>
-    </message>
-    <message>
-        <source>Press F5 to switch forces on</source>
-        <translation>बल चालू करने के लिए F5 दबाएँ</translation>
-    </message>
-    <message>
-        <source>Device: %1</source>
-        <translation>उपकरण: %1</translation>
-    </message>
-    <message>
-        <source>Worst period: %1 ms</source>
-        <translation>सबसे लंबी अवधि: %1 ms</translation>
-    </message>
-    <message>
-        <source>Real-time priority</source>
-        <translation>रीयल-टाइम प्राथमिकता</translation>
-    </message>
-    <message>
-        <source>No real-time priority: %1</source>
-        <translation>रीयल-टाइम प्राथमिकता नहीं: %1</translation>
-    </message>
-    <message>
-        <source>%1/s, late %2</source>
-        <translation>%1/s, देर %2</translation>
-    </message>
-    <message>
-        <source>recording %1</source>
-        <translation>रिकॉर्डिंग %1</translation>
-    </message>
-    <message>
-        <source>Touch is not available: %1 Viewing works.</source>
-        <translation>स्पर्श उपलब्ध नहीं: %1 देखना चलता है।</translation>
-    </message>
-    <message>
         <source>the haptics plugin was not found.</source>
         <translation>हैप्टिक प्लगइन नहीं मिला।</translation>
-    </message>
-    <message>
-        <source>Re&amp;play…</source>
-        <translation>पुनः दिखाएँ (&amp;P)…</translation>
-    </message>
-    <message>
-        <source>Show a recording of a touch again; no device is moved</source>
-        <translation>स्पर्श की रिकॉर्डिंग फिर दिखाएँ; कोई उपकरण नहीं हिलता</translation>
-    </message>
-    <message>
-        <source>P&amp;lay or pause</source>
-        <translation>चलाएँ या रोकें (&amp;L)</translation>
-    </message>
-    <message>
-        <source>Go on with the replay, or halt it</source>
-        <translation>पुनर्प्रदर्शन जारी रखें या रोकें</translation>
-    </message>
-    <message>
-        <source>&amp;Close replay</source>
-        <translation>पुनर्प्रदर्शन बंद करें (&amp;C)</translation>
-    </message>
-    <message>
-        <source>Back to the window from before</source>
-        <translation>पहले वाली विंडो पर वापस</translation>
-    </message>
-    <message>
-        <source>Replay</source>
-        <translation>पुनर्प्रदर्शन</translation>
-    </message>
-    <message>
-        <source>Recordings (*.csv *.h5 *.hdf5)</source>
-        <translation>रिकॉर्डिंग (*.csv *.h5 *.hdf5)</translation>
-    </message>
-    <message>
-        <source>A recording is running. Nothing was opened. Stop it first (Ctrl+R).</source>
-        <translation>रिकॉर्डिंग चल रही है। कुछ नहीं खोला गया। पहले उसे रोकें (Ctrl+R)।</translation>
-    </message>
-    <message>
-        <source>%1 Nothing was changed.</source>
-        <translation>%1 कुछ नहीं बदला।</translation>
-    </message>
-    <message>
-        <source>&amp;Open its input</source>
-        <translation>उसका स्रोत खोलें (&amp;O)</translation>
-    </message>
-    <message>
-        <source>%1 N</source>
-        <translation>%1 N</translation>
-    </message>
-    <message>
-        <source>Force when it was recorded</source>
-        <translation>रिकॉर्डिंग के समय का बल</translation>
-    </message>
-    <message>
-        <source>replay %1</source>
-        <translation>पुनर्प्रदर्शन %1</translation>
-    </message>
-    <message>
-        <source>Forces are on: the replay was closed.</source>
-        <translation>बल चालू हैं: पुनर्प्रदर्शन बंद किया गया।</translation>
-    </message>
-    <message>
-        <source>&amp;Video…</source>
-        <translation>वीडियो (&amp;V)…</translation>
-    </message>
-    <message>
-        <source>A video of the replay, or of the camera path, frame by frame</source>
-        <translation>पुनर्प्रदर्शन या कैमरा पथ का वीडियो, फ़्रेम दर फ़्रेम</translation>
-    </message>
-    <message>
-        <source>Video of the vie&amp;w</source>
-        <translation>दृश्य का वीडियो (&amp;W)</translation>
-    </message>
-    <message>
-        <source>Start or stop a video of what the detail view and the plots show</source>
-        <translation>विवरण दृश्य और आलेख जो दिखाते हैं उसका वीडियो शुरू या बंद करें</translation>
-    </message>
-    <message>
-        <source>Add &amp;key view</source>
-        <translation>मुख्य दृश्य जोड़ें (&amp;K)</translation>
-    </message>
-    <message>
-        <source>Let the camera path pass this view, three seconds after the one before</source>
-        <translation>कैमरा पथ इस दृश्य से गुज़रे, पिछले के तीन सेकंड बाद</translation>
-    </message>
-    <message>
-        <source>Show camera pa&amp;th</source>
-        <translation>कैमरा पथ दिखाएँ (&amp;T)</translation>
-    </message>
-    <message>
-        <source>Run along the key views once, or stop</source>
-        <translation>मुख्य दृश्यों से एक बार गुज़रें, या रोकें</translation>
-    </message>
-    <message>
-        <source>&amp;Forget key views</source>
-        <translation>मुख्य दृश्य भूलें (&amp;F)</translation>
-    </message>
-    <message>
-        <source>Begin a new camera path</source>
-        <translation>नया कैमरा पथ शुरू करें</translation>
-    </message>
-    <message>
-        <source>The camera path is empty</source>
-        <translation>कैमरा पथ खाली है</translation>
-    </message>
-    <message>
-        <source>End of the camera path</source>
-        <translation>कैमरा पथ का अंत</translation>
-    </message>
-    <message>
-        <source>Video</source>
-        <translation>वीडियो</translation>
-    </message>
-    <message>
-        <source>The program ffmpeg is not installed: a folder of pictures can be made.</source>
-        <translation>प्रोग्राम ffmpeg स्थापित नहीं है: चित्रों का फ़ोल्डर बनाया जा सकता है।</translation>
-    </message>
-    <message>
-        <source>Video to %1</source>
-        <translation>%1 में वीडियो</translation>
-    </message>
-    <message>
-        <source>The program ffmpeg, which packs videos, is not installed. Nothing was made. Install the package ffmpeg, or keep a folder of pictures.</source>
-        <translation>वीडियो बनाने वाला प्रोग्राम ffmpeg स्थापित नहीं है। कुछ नहीं बनाया गया। पैकेज ffmpeg स्थापित करें, या चित्रों का फ़ोल्डर रखें।</translation>
-    </message>
-    <message>
-        <source>&amp;Keep pictures</source>
-        <translation>चित्र रखें (&amp;K)</translation>
-    </message>
-    <message>
-        <source>Camera path</source>
-        <translation>कैमरा पथ</translation>
-    </message>
-    <message>
-        <source>Key view %1 at %2 s</source>
-        <translation>मुख्य दृश्य %1, %2 s पर</translation>
-    </message>
-    <message>
-        <source>&amp;Introduction</source>
-        <translation>परिचय (&amp;I)</translation>
-    </message>
-    <message>
-        <source>Say what is open and how it is touched</source>
-        <translation>बताएँ कि क्या खुला है और उसे कैसे छुएँ</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>बाएँ</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>दाएँ</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>ऊपर</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>नीचे</translation>
-    </message>
-    <message>
-        <source>%1. Window at %2, %3 mm</source>
-        <translation>%1। विंडो %2, %3 mm पर</translation>
-    </message>
-    <message>
-        <source>Nothing is open. Open a scan with Ctrl+O.</source>
-        <translation>कुछ खुला नहीं है। Ctrl+O से स्कैन खोलें।</translation>
-    </message>
-    <message>
-        <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
-        <translation>%1, %2 गुणा %3 mm, %4 विवरणों में। छूने के लिए हाथ भीतर दबाएँ; F5 बल चालू करता है। प्लस: और बारीक; माइनस: और मोटा; दोनों दो सेकंड: सहायता।</translation>
-    </message>
-    <message>
-        <source>Beacon %1</source>
-        <translation>संकेतक %1</translation>
-    </message>
-    <message>
-        <source>&amp;Beacon here</source>
-        <translation>यहाँ संकेतक (&amp;B)</translation>
-    </message>
-    <message>
-        <source>Mark the place under the hand, or remove the beacon there</source>
-        <translation>हाथ के नीचे की जगह चिह्नित करें, या वहाँ का संकेतक हटाएँ</translation>
-    </message>
-    <message>
-        <source>%1 removed.</source>
-        <translation>%1 हटाया गया।</translation>
-    </message>
-    <message>
-        <source>There are %1 beacons already. Remove one first.</source>
-        <translation>पहले से %1 संकेतक हैं। पहले एक हटाएँ।</translation>
-    </message>
-    <message>
-        <source>%1 set.</source>
-        <translation>%1 लगाया गया।</translation>
-    </message>
-    <message>
-        <source>Unsaved work</source>
-        <translation>सहेजा नहीं गया काम</translation>
-    </message>
-    <message>
-        <source>Work on %1 is in no file yet: places, measurements, camera paths or settings.</source>
-        <translation>%1 पर किया काम अभी किसी फ़ाइल में नहीं है: स्थान, माप, कैमरा पथ या सेटिंग।</translation>
-    </message>
-    <message>
-        <source>Save it as a project?</source>
-        <translation>क्या इसे परियोजना के रूप में सहेजें?</translation>
-    </message>
-    <message>
-        <source>relievo could not be started again. Nothing was changed. Close it and start it yourself.</source>
-        <translation>relievo दोबारा शुरू नहीं हो सका। कुछ नहीं बदला गया। इसे बंद करके स्वयं शुरू करें।</translation>
-    </message>
-    <message>
-        <source>A folder of pictures (*)</source>
-        <translation>चित्रों का फ़ोल्डर (*)</translation>
-    </message>
-    <message>
-        <source>Videos (*.mp4)</source>
-        <translation>वीडियो (*.mp4)</translation>
-    </message>
-    <message>
-        <source>By &amp;touch</source>
-        <translation>स्पर्श से (&amp;T)</translation>
-    </message>
-    <message>
-        <source>Taps of the hand that feels the surface give depth differences, strokes profiles</source>
-        <translation>सतह को महसूस करते हाथ की टैप से गहराई का अंतर मिलता है, खींची रेखा से प्रोफ़ाइल</translation>
-    </message>
-    <message>
-        <source>&amp;Batlow</source>
-        <translation>Batlow (&amp;B)</translation>
-    </message>
-    <message>
-        <source>&amp;Answer the message</source>
-        <translation>संदेश का उत्तर दें (&amp;A)</translation>
-    </message>
-    <message>
-        <source>Press the first button of the message above the views</source>
-        <translation>दृश्यों के ऊपर के संदेश का पहला बटन दबाएँ</translation>
-    </message>
-    <message>
-        <source>Lig&amp;ht or dark</source>
-        <translation>हल्का या गहरा (&amp;H)</translation>
-    </message>
-    <message>
-        <source>Cancelled. No picture was saved.</source>
-        <translation>रद्द किया गया। कोई चित्र नहीं सहेजा गया।</translation>
-    </message>
-    <message>
-        <source>relievo closes when the picture is saved</source>
-        <translation>चित्र सहेजे जाने पर relievo बंद होगा</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <comment>undo, step</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>&amp;Copy view as text</source>
-        <translation>दृश्य को पाठ के रूप में कॉपी करें (&amp;C)</translation>
-    </message>
-    <message>
-        <source>Place, level, gain, light, colours and turn, to be sent or pasted</source>
-        <translation>जगह, स्तर, गुणक, प्रकाश, रंग और घुमाव, भेजने या चिपकाने के लिए</translation>
-    </message>
-    <message>
-        <source>Paste &amp;view</source>
-        <translation>दृश्य चिपकाएँ (&amp;V)</translation>
-    </message>
-    <message>
-        <source>Show the view that was copied as text</source>
-        <translation>पाठ के रूप में कॉपी किया गया दृश्य दिखाएँ</translation>
-    </message>
-    <message>
-        <source>The view is copied as text</source>
-        <translation>दृश्य पाठ के रूप में कॉपी हुआ</translation>
-    </message>
-    <message>
-        <source>The copied view does not lie on this map. The window was not moved. Open the scan that it was copied from.</source>
-        <translation>कॉपी किया गया दृश्य इस मानचित्र पर नहीं है। विंडो नहीं खिसकाई गई। वह स्कैन खोलें जिससे दृश्य कॉपी किया गया था।</translation>
-    </message>
-    <message>
-        <source>Paste view</source>
-        <translation>दृश्य चिपकाएँ</translation>
-    </message>
-    <message>
-        <source>The copied view is shown. Detail %1 of %2</source>
-        <translation>कॉपी किया गया दृश्य दिखाया गया। विवरण %2 में से %1</translation>
-    </message>
-    <message>
-        <source>Pac&amp;kage for citation…</source>
-        <translation>उद्धरण के लिए पैकेज… (&amp;K)</translation>
-    </message>
-    <message>
-        <source>One zip with project, scan, recordings, figures and checksums</source>
-        <translation>परियोजना, स्कैन, रिकॉर्डिंग, चित्र और जाँच-योग की एक zip फ़ाइल</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was packed.</source>
-        <translation>रद्द किया गया। कुछ नहीं पैक हुआ।</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 is packed: %n file(s), each with its checksum</source>
-        <translation>
-            <numerusform>%1 पैक हुआ: %n फ़ाइल, अपने जाँच-योग के साथ</numerusform>
-            <numerusform>%1 पैक हुआ: %n फ़ाइलें, हर एक अपने जाँच-योग के साथ</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Relief image</source>
-        <translation>उभार चित्र</translation>
-    </message>
-    <message>
-        <source>Light</source>
-        <translation>प्रकाश</translation>
-    </message>
-    <message>
-        <source>Of a piece of surface above its lowest corner, or another plane</source>
-        <translation>सतह के एक भाग का, उसके सबसे नीचे के कोने या किसी दूसरे समतल के ऊपर</translation>
-    </message>
-    <message>
-        <source>Se&amp;ction</source>
-        <translation>काट (&amp;C)</translation>
-    </message>
-    <message>
-        <source>Where a plane through one, two or three places cuts the surface</source>
-        <translation>जहाँ एक, दो या तीन जगहों से होकर जाता समतल सतह को काटता है</translation>
-    </message>
-    <message>
-        <source>The list as CSV, or the selected profile or section as CSV or SVG</source>
-        <translation>सूची CSV में, या चुना प्रोफ़ाइल या काट CSV या SVG में</translation>
-    </message>
-    <message>
-        <source>Selected profile or section (*.csv *.svg)</source>
-        <translation>चुना प्रोफ़ाइल या काट (*.csv *.svg)</translation>
-    </message>
-    <message>
-        <source>%1 is saved in %2</source>
-        <translation>%1 %2 में सहेजा गया</translation>
-    </message>
-    <message>
-        <source>%1[*] – relievo</source>
-        <translation>%1[*] – relievo</translation>
-    </message>
-    <message>
-        <source>&amp;Choose another…</source>
-        <translation>दूसरी चुनें (&amp;C)…</translation>
-    </message>
-    <message>
-        <source>&amp;Work that was kept…</source>
-        <translation>रखा गया काम (&amp;W)…</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt event</source>
-        <translation>अगली घटना (&amp;X)</translation>
-    </message>
-    <message>
-        <source>Go to the next event or note of the recording</source>
-        <translation>रिकॉर्डिंग की अगली घटना या टिप्पणी पर जाएँ</translation>
-    </message>
-    <message>
-        <source>Event &amp;before</source>
-        <translation>पिछली घटना (&amp;B)</translation>
-    </message>
-    <message>
-        <source>Go back to the event or note before</source>
-        <translation>पिछली घटना या टिप्पणी पर लौटें</translation>
-    </message>
-    <message>
-        <source>Record &amp;as</source>
-        <translation>रिकॉर्डिंग का रूप (&amp;A)</translation>
-    </message>
-    <message>
-        <source>Kind of file of the next recording</source>
-        <translation>अगली रिकॉर्डिंग की फ़ाइल का प्रकार</translation>
-    </message>
-    <message>
-        <source>&amp;CSV</source>
-        <translation>&amp;CSV</translation>
-    </message>
-    <message>
-        <source>A table as text that every program opens</source>
-        <translation>पाठ की तालिका जिसे हर प्रोग्राम खोलता है</translation>
-    </message>
-    <message>
-        <source>&amp;HDF5</source>
-        <translation>&amp;HDF5</translation>
-    </message>
-    <message>
-        <source>Smaller, with units and surface; for Python and MATLAB</source>
-        <translation>छोटी, इकाइयों और सतह के साथ; Python और MATLAB के लिए</translation>
-    </message>
-    <message>
-        <source>The next recording is %1</source>
-        <translation>अगली रिकॉर्डिंग %1 होगी</translation>
-    </message>
-    <message>
-        <source>F&amp;older of recordings…</source>
-        <translation>रिकॉर्डिंग का फ़ोल्डर… (&amp;O)</translation>
-    </message>
-    <message>
-        <source>Where recordings go that are made from now on</source>
-        <translation>अब से बनने वाली रिकॉर्डिंग कहाँ जाएँगी</translation>
-    </message>
-    <message>
-        <source>Folder of recordings</source>
-        <translation>रिकॉर्डिंग का फ़ोल्डर</translation>
-    </message>
-    <message>
-        <source>Recordings go to %1</source>
-        <translation>रिकॉर्डिंग %1 में जाएँगी</translation>
-    </message>
-    <message>
-        <source>Recordings are kept in %1.</source>
-        <translation>रिकॉर्डिंग %1 में रखी जाती हैं।</translation>
-    </message>
-    <message>
-        <source>Another &amp;folder…</source>
-        <translation>दूसरा फ़ोल्डर… (&amp;F)</translation>
-    </message>
-    <message>
-        <source>&amp;Natural colours</source>
-        <translation>प्राकृतिक रंग (&amp;N)</translation>
-    </message>
-    <message>
-        <source>The colours that the scan has</source>
-        <translation>वे रंग जो स्कैन में हैं</translation>
-    </message>
-    <message>
-        <source>In&amp;tensity</source>
-        <translation>तीव्रता (&amp;T)</translation>
-    </message>
-    <message>
-        <source>How strongly the scanner&apos;s light came back</source>
-        <translation>स्कैनर का प्रकाश कितना तेज़ लौटा</translation>
-    </message>
-    <message>
-        <source>%1 % of this picture is a strong red or cyan, which one eye sees dark through the glasses. Grey stereo shows it to both</source>
-        <translation>इस चित्र का %1 % गहरा लाल या सियान है, जो चश्मे से एक आँख को काला दिखता है। धूसर स्टीरियो दोनों को दिखाता है</translation>
-    </message>
-    <message>
-        <source>This scan has no colours; it is shown as lit stone</source>
-        <translation>इस स्कैन में रंग नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
-    </message>
-    <message>
-        <source>This scan has no intensities; it is shown as lit stone</source>
-        <translation>इस स्कैन में तीव्रताएँ नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
-    </message>
-    <message>
-        <source>E&amp;xport…</source>
-        <translation>निर्यात (&amp;X)…</translation>
-    </message>
-    <message>
-        <source>&amp;Keep them</source>
-        <translation>उन्हें रखें (&amp;K)</translation>
-    </message>
-    <message>
-        <source>&amp;Leave them out</source>
-        <translation>उन्हें छोड़ दें (&amp;L)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 heights are %3, which often stands for a missing one. They are shown as heights.</source>
-        <translation>%2 में से %1 ऊँचाइयाँ %3 हैं, जो अक्सर अनुपस्थित ऊँचाई के लिए लिखा जाता है। वे ऊँचाइयों की तरह दिखाई गई हैं।</translation>
-    </message>
-    <message>
-        <source>&amp;Take as missing</source>
-        <translation>अनुपस्थित मानें (&amp;T)</translation>
-    </message>
-    <message>
-        <source>&amp;Keep as heights</source>
-        <translation>ऊँचाई मानें (&amp;K)</translation>
-    </message>
-    <message>
-        <source>How this object stands is not certain. From where shall it be seen?</source>
-        <translation>यह वस्तु कैसे खड़ी है, यह निश्चित नहीं है। इसे किधर से देखा जाए?</translation>
-    </message>
-    <message>
-        <source>The points carry no unit. %1 – %2. The coordinates are those of a map projection; shown as %3 until you say. (E103)</source>
-        <translation>बिंदुओं की कोई इकाई नहीं है। %1 – %2। निर्देशांक किसी मानचित्र प्रक्षेप के हैं; जब तक आप न बताएँ, %3 माने गए हैं। (E103)</translation>
-    </message>
-    <message>
-        <source>One of %1 points lies %2 % of the box away from all others.</source>
-        <translation>%1 में से एक बिंदु बाकी सबसे घेरे के %2 % जितना दूर है।</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points lie %3 % of the box away from all others.</source>
-        <translation>%2 में से %1 बिंदु बाकी सबसे घेरे के %3 % जितने दूर हैं।</translation>
-    </message>
-    <message>
-        <source>Kept, and so most of the map is empty.</source>
-        <translation>रखे गए हैं, इसलिए मानचित्र का अधिकांश भाग खाली है।</translation>
-    </message>
-    <message>
-        <source>Left out.</source>
-        <translation>छोड़ दिए गए।</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was exported.</source>
-        <translation>रद्द किया गया। कुछ निर्यात नहीं किया गया।</translation>
-    </message>
-    <message>
-        <source>Shading of colours</source>
-        <translation>रंगों का छायांकन</translation>
-    </message>
-    <message>
-        <source>Open fol&amp;der…</source>
-        <translation>फ़ोल्डर खोलें (&amp;D)…</translation>
-    </message>
-    <message>
-        <source>Open all scans of a folder: parts of one object</source>
-        <translation>फ़ोल्डर के सभी स्कैन खोलें: एक वस्तु के भाग</translation>
-    </message>
-    <message>
-        <source>Prep&amp;are…</source>
-        <translation>तैयार करें (&amp;A)…</translation>
-    </message>
-    <message>
-        <source>Crop, clean, thin and join scans before the depth map</source>
-        <translation>गहराई मानचित्र से पहले स्कैन काटें, साफ़ करें, विरल करें और जोड़ें</translation>
-    </message>
-    <message>
-        <source>Open folder</source>
-        <translation>फ़ोल्डर खोलें</translation>
-    </message>
-    <message>
-        <source>There is no scan in %1. Nothing was opened.</source>
-        <translation>%1 में कोई स्कैन नहीं है। कुछ नहीं खोला गया।</translation>
-    </message>
-    <message>
-        <source>%1 files are more than the %2 scans that can be joined. Nothing was opened.</source>
-        <translation>%1 फ़ाइलें जोड़े जा सकने वाले %2 स्कैन से अधिक हैं। कुछ नहीं खोला गया।</translation>
-    </message>
-    <message>
-        <source>Prepare</source>
-        <translation>तैयार करें</translation>
-    </message>
-    <message>
-        <source>Cells that were interpolated in colour, with a legend; holes are always hatched</source>
-        <translation>अंतर्वेशित कोशिकाएँ रंग में, कुंजी के साथ; छेद हमेशा रेखांकित रहते हैं</translation>
-    </message>
-    <message>
-        <source>Unmeasured cells</source>
-        <translation>बिना मापी कोशिकाएँ</translation>
-    </message>
-    <message>
-        <source>Undone: %1</source>
-        <translation>पूर्ववत किया: %1</translation>
-    </message>
-    <message>
-        <source>Done again: %1</source>
-        <translation>फिर से किया: %1</translation>
-    </message>
-    <message>
-        <source>relievo closes when the package is written</source>
-        <translation>पैकेज लिखे जाने पर relievo बंद होगा</translation>
-    </message>
-    <message>
-        <source>relievo closes when the video is saved; Escape stops both</source>
-        <translation>वीडियो सहेजे जाने पर relievo बंद होगा; Escape दोनों को रोकता है</translation>
-    </message>
-    <message>
-        <source>relievo closes when the map is written</source>
-        <translation>मानचित्र लिखे जाने पर relievo बंद होगा</translation>
-    </message>
-    <message>
-        <source>Mar&amp;k unmeasured cells</source>
-        <translation>बिना मापी कोशिकाएँ दिखाएँ (&amp;K)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points lie together, %3 % of the box away from all others.</source>
-        <translation>%2 में से %1 बिंदु एक साथ, बाकी सबसे घेरे के %3 % जितने दूर हैं।</translation>
-    </message>
-    <message>
-        <source>Kept, as they may belong to the object.</source>
-        <translation>रखे गए हैं, क्योंकि वे वस्तु के हो सकते हैं।</translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>और %n अन्य</numerusform>
-            <numerusform>और %n अन्य</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Files elsewhere</source>
-        <translation>अन्यत्र की फ़ाइलें</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
-        <translation>
-            <numerusform>%1 अपने फ़ोल्डर से बाहर की %n फ़ाइल का नाम लेता है, जो अपने चेकसम के अनुसार वह नहीं है जिससे यह बना था:</numerusform>
-            <numerusform>%1 अपने फ़ोल्डर से बाहर की %n फ़ाइलों के नाम लेता है, जो अपने चेकसम के अनुसार वे नहीं हैं जिनसे यह बना था:</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The work that was kept</source>
-        <translation>रखा गया काम</translation>
-    </message>
-    <message>
-        <source>Whoever made it chose these names. Shall they be read? What is not read stays named in it, and all else opens.</source>
-        <translation>जिसने इसे बनाया, उसी ने ये नाम चुने। क्या इन्हें पढ़ा जाए? जो नहीं पढ़ा जाता, उसका नाम इसमें बना रहता है, और बाकी सब खुलता है।</translation>
-    </message>
-    <message>
-        <source>&amp;Read them</source>
-        <translation>&amp;पढ़ें</translation>
-    </message>
-    <message>
-        <source>&amp;Do not read them</source>
-        <translation>&amp;न पढ़ें</translation>
-    </message>
-    <message>
-        <source>%1 was not opened: it needs %2, which is outside of its folder and was not read. Nothing was changed. Find it, or choose another file.</source>
-        <translation>%1 नहीं खोला गया: इसे %2 चाहिए, जो इसके फ़ोल्डर से बाहर है और नहीं पढ़ा गया। कुछ नहीं बदला गया। उसे खोजें, या कोई दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s) that this project names were not read. They stay named in it, and are offered for no package and no figure.</source>
-        <translation>
-            <numerusform>%n फ़ाइल, जिसका नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गई। उसका नाम इसमें बना रहता है, और वह किसी पैकेज या चित्र के लिए नहीं दी जाती।</numerusform>
-            <numerusform>%n फ़ाइलें, जिनके नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गईं। उनके नाम इसमें बने रहते हैं, और वे किसी पैकेज या चित्र के लिए नहीं दी जातीं।</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was opened.</source>
-        <translation>रद्द किया गया। कुछ नहीं खोला गया।</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n part(s) of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</source>
-        <translation>
-            <numerusform>%1 का %n भाग वैसा नहीं है जैसा पैक किया गया था। कुछ नहीं खोला गया। &apos;relievo project verify&apos; उसका नाम बताता है।</numerusform>
-            <numerusform>%1 के %n भाग वैसे नहीं हैं जैसे पैक किए गए थे। कुछ नहीं खोला गया। &apos;relievo project verify&apos; उनके नाम बताता है।</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Unpack elsewhere…</source>
-        <translation>&amp;कहीं और खोलें…</translation>
-    </message>
-    <message>
-        <source>%1 was unpacked into %2</source>
-        <translation>%1 को %2 में निकाला गया</translation>
-    </message>
-    <message>
-        <source>Unpack %1 into</source>
-        <translation>%1 को यहाँ निकालें</translation>
     </message>
     <message>
         <source>Level 0 of the pyramid: not smoothed</source>
@@ -4772,240 +4475,16 @@
         <translation>पिरामिड का स्तर %1, σ = %2 के गाउसीय से चिकना किया गया</translation>
     </message>
     <message>
-        <source>&amp;Deviation, several scales</source>
-        <translation>विचलन, कई पैमाने (&amp;D)</translation>
-    </message>
-    <message>
-        <source>What stands out from its neighbourhood, at the scale where it does so most</source>
-        <translation>जो अपने पड़ोस से उभरता है, उस पैमाने पर जहाँ वह सबसे अधिक उभरता है</translation>
-    </message>
-    <message>
-        <source>&amp;Curvature, several scales</source>
-        <translation>वक्रता, कई पैमाने (&amp;C)</translation>
-    </message>
-    <message>
-        <source>Ridges and incisions of several widths, however the ground is tilted</source>
-        <translation>अलग-अलग चौड़ाई की धारियाँ और खाँचे, ज़मीन चाहे जैसे झुकी हो</translation>
-    </message>
-    <message>
-        <source>Stone with &amp;ambient occlusion</source>
-        <translation>परिवेशी अवरोधन के साथ पत्थर (&amp;A)</translation>
-    </message>
-    <message>
-        <source>Lit, and darker in hollows and grooves</source>
-        <translation>प्रकाशित, और गड्ढों तथा खाँचों में गहरा</translation>
-    </message>
-    <message>
-        <source>&amp;Manual</source>
-        <translation>पुस्तिका (&amp;M)</translation>
-    </message>
-    <message>
-        <source>Help in the browser, at the page for what has the keyboard; guide, documentation</source>
-        <translation>ब्राउज़र में पुस्तिका, उस भाग के पृष्ठ पर जहाँ कुंजीपटल है; सहायता, मार्गदर्शिका, दस्तावेज़</translation>
-    </message>
-    <message>
-        <source>&amp;Detail view</source>
-        <translation>विवरण दृश्य (&amp;D)</translation>
-    </message>
-    <message>
-        <source>What the left button does, and turning by keys</source>
-        <translation>बायाँ बटन क्या करता है, और कुंजियों से घुमाना</translation>
-    </message>
-    <message>
-        <source>Ke&amp;y light</source>
-        <translation>मुख्य प्रकाश (&amp;Y)</translation>
-    </message>
-    <message>
-        <source>From where the light shines; low light brings out detail</source>
-        <translation>प्रकाश कहाँ से आता है; नीचा प्रकाश बारीकियाँ उभारता है</translation>
-    </message>
-    <message>
-        <source>Loo&amp;k with the left button</source>
-        <translation>बाएँ बटन से देखें (&amp;K)</translation>
-    </message>
-    <message>
-        <source>Dragging with the left button turns the detail view</source>
-        <translation>बाएँ बटन से खींचना विवरण दृश्य को घुमाता है</translation>
-    </message>
-    <message>
-        <source>&amp;Touch with the left button</source>
-        <translation>बाएँ बटन से स्पर्श करें (&amp;T)</translation>
-    </message>
-    <message>
-        <source>The left button presses the hand into the surface</source>
-        <translation>बायाँ बटन हाथ को सतह में दबाता है</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>देखना</translation>
-    </message>
-    <message>
-        <source>Touch</source>
-        <translation>स्पर्श</translation>
-    </message>
-    <message>
-        <source>&amp;Switch between look and touch</source>
-        <translation>देखने और स्पर्श के बीच बदलें (&amp;S)</translation>
-    </message>
-    <message>
-        <source>What the left button does in the detail view: turn it, or press the hand in</source>
-        <translation>बायाँ बटन विवरण दृश्य में क्या करता है: उसे घुमाना, या हाथ भीतर दबाना</translation>
-    </message>
-    <message>
-        <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
-        <translation>माउस विवरण दृश्य में क्या करता है; F7 देखने और स्पर्श के बीच बदलता है, वरीयताएँ बटन चुनती हैं</translation>
-    </message>
-    <message>
-        <source>Turn &amp;counterclockwise</source>
-        <translation>घड़ी की उलटी दिशा में घुमाएँ (&amp;C)</translation>
-    </message>
-    <message>
-        <source>Turn the light by 5 degrees, counterclockwise</source>
-        <translation>प्रकाश को 5 अंश घड़ी की उलटी दिशा में घुमाएँ</translation>
-    </message>
-    <message>
-        <source>Turn cloc&amp;kwise</source>
-        <translation>घड़ी की दिशा में घुमाएँ (&amp;K)</translation>
-    </message>
-    <message>
-        <source>Turn the light by 5 degrees, clockwise</source>
-        <translation>प्रकाश को 5 अंश घड़ी की दिशा में घुमाएँ</translation>
-    </message>
-    <message>
-        <source>&amp;Higher</source>
-        <translation>ऊँचा (&amp;H)</translation>
-    </message>
-    <message>
-        <source>The light 5 degrees higher</source>
-        <translation>प्रकाश 5 अंश ऊँचा</translation>
-    </message>
-    <message>
-        <source>Lo&amp;wer</source>
-        <translation>नीचा (&amp;W)</translation>
-    </message>
-    <message>
-        <source>The light 5 degrees lower: worn detail comes out</source>
-        <translation>प्रकाश 5 अंश नीचा: घिसी बारीकियाँ उभरती हैं</translation>
-    </message>
-    <message>
-        <source>Light almost along the surface, 10 degrees above it</source>
-        <translation>लगभग सतह के साथ-साथ प्रकाश, उससे 10 अंश ऊपर</translation>
-    </message>
-    <message>
-        <source>&amp;Usual light</source>
-        <translation>सामान्य प्रकाश (&amp;U)</translation>
-    </message>
-    <message>
-        <source>From the upper left, 45 degrees high</source>
-        <translation>ऊपर बाएँ से, 45 अंश ऊँचा</translation>
-    </message>
-    <message>
-        <source>Raking from the &amp;left</source>
-        <translation>बाएँ से तिरछा प्रकाश (&amp;L)</translation>
-    </message>
-    <message>
-        <source>Raking from the &amp;right</source>
-        <translation>दाएँ से तिरछा प्रकाश (&amp;R)</translation>
-    </message>
-    <message>
-        <source>Raking from &amp;above</source>
-        <translation>ऊपर से तिरछा प्रकाश (&amp;A)</translation>
-    </message>
-    <message>
-        <source>Raking from &amp;below</source>
-        <translation>नीचे से तिरछा प्रकाश (&amp;B)</translation>
-    </message>
-    <message>
-        <source>%1. This relief image has no lamp: the light shows in others.</source>
-        <translation>%1। इस उभार चित्र में कोई दीपक नहीं: प्रकाश दूसरों में दिखता है।</translation>
-    </message>
-    <message>
-        <source>A map, mesh, picture, profile or section for other programs</source>
-        <translation>दूसरे कार्यक्रमों के लिए मानचित्र, जाल, चित्र, प्रोफ़ाइल या काट</translation>
-    </message>
-    <message>
-        <source>%1 x %2 pixels; File &gt; Image asks for others</source>
-        <translation>%1 x %2 पिक्सेल; फ़ाइल &gt; चित्र दूसरे पूछता है</translation>
-    </message>
-    <message>
-        <source>Picture of the detail view (.png)</source>
-        <translation>विवरण दृश्य का चित्र (.png)</translation>
-    </message>
-    <message>
-        <source>Picture of the whole object (.png)</source>
-        <translation>पूरी वस्तु का चित्र (.png)</translation>
-    </message>
-    <message>
-        <source>Profile %1, drawing (.svg)</source>
-        <translation>प्रोफ़ाइल %1, रेखाचित्र (.svg)</translation>
-    </message>
-    <message>
-        <source>Profile %1, numbers (.csv)</source>
-        <translation>प्रोफ़ाइल %1, संख्याएँ (.csv)</translation>
-    </message>
-    <message>
-        <source>Section %1, drawing (.svg)</source>
-        <translation>काट %1, रेखाचित्र (.svg)</translation>
-    </message>
-    <message>
-        <source>Section %1, numbers (.csv)</source>
-        <translation>काट %1, संख्याएँ (.csv)</translation>
-    </message>
-    <message>
-        <source>Profile c&amp;urve</source>
-        <translation>प्रोफ़ाइल वक्र (&amp;U)</translation>
-    </message>
-    <message>
-        <source>Show or hide the curve of the selected profile under the views</source>
-        <translation>चुनी प्रोफ़ाइल का वक्र दृश्यों के नीचे दिखाएँ या छिपाएँ</translation>
-    </message>
-    <message>
-        <source>Save profil&amp;e as shown…</source>
-        <translation>प्रोफ़ाइल जैसी दिखती है सहेजें… (&amp;E)</translation>
-    </message>
-    <message>
-        <source>The curve under the views with its cursor as SVG, or its numbers as CSV</source>
-        <translation>दृश्यों के नीचे का वक्र अपने सूचक के साथ SVG में, या उसकी संख्याएँ CSV में</translation>
-    </message>
-    <message>
-        <source>Save profile</source>
-        <translation>प्रोफ़ाइल सहेजें</translation>
-    </message>
-    <message>
-        <source>As it is shown (*.svg)</source>
-        <translation>जैसी दिखती है (*.svg)</translation>
-    </message>
-    <message>
-        <source>Its numbers (*.csv)</source>
-        <translation>उसकी संख्याएँ (*.csv)</translation>
-    </message>
-    <message>
         <source>%1 is closed</source>
         <translation>%1 बंद है</translation>
     </message>
     <message>
-        <source>&amp;Close</source>
-        <translation>बंद करें (&amp;C)</translation>
+        <source>%1 is closed when the recording is saved</source>
+        <translation>रिकॉर्डिंग सहेजी जाने पर %1 बंद होगा</translation>
     </message>
     <message>
-        <source>Close the scan and go back to the start page</source>
-        <translation>स्कैन बंद करें और आरंभ पृष्ठ पर लौटें</translation>
-    </message>
-    <message>
-        <source>&amp;Suggest windows</source>
-        <translation>विंडो सुझाएँ (&amp;S)</translation>
-    </message>
-    <message>
-        <source>Rank windows by how much of their relief a hand feels</source>
-        <translation>विंडो को इससे क्रम दें कि उनके उभार का कितना भाग हाथ महसूस करता है</translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was suggested.</source>
-        <translation>रद्द। कुछ सुझाया नहीं गया।</translation>
-    </message>
-    <message>
-        <source>Suggestions</source>
-        <translation>सुझाव</translation>
+        <source>%1. %2</source>
+        <translation>%1। %2</translation>
     </message>
 </context>
 <context>
@@ -5021,6 +4500,37 @@
     <message>
         <source>The manual opens in the browser: %1</source>
         <translation>पुस्तिका ब्राउज़र में खुलती है: %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::MeasureController</name>
+    <message>
+        <source>Save measurements</source>
+        <translation>माप सहेजें</translation>
+    </message>
+    <message>
+        <source>List of measurements (*.csv)</source>
+        <translation>मापों की सूची (*.csv)</translation>
+    </message>
+    <message>
+        <source>Selected profile or section (*.csv *.svg)</source>
+        <translation>चुना प्रोफ़ाइल या काट (*.csv *.svg)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजी गई</translation>
+    </message>
+    <message>
+        <source>Save profile</source>
+        <translation>प्रोफ़ाइल सहेजें</translation>
+    </message>
+    <message>
+        <source>As it is shown (*.svg)</source>
+        <translation>जैसी दिखती है (*.svg)</translation>
+    </message>
+    <message>
+        <source>Its numbers (*.csv)</source>
+        <translation>उसकी संख्याएँ (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -8203,6 +7713,10 @@
         <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces, say it again, louder, softer, help. Press again to take it. Hold for a second and a half: forces off.</source>
         <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला स्थान, पिछला स्थान, वापस, बल, फिर से कहें, और तेज़, और धीमा, सहायता। उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
     </message>
+    <message>
+        <source>The plug-in %1 is not run: others may change %2. Take that right from them (&apos;chmod go-w&apos;), or keep the plug-in where only you write, then try again.</source>
+        <translation>प्लग-इन %1 नहीं चलाया जाता: दूसरे %2 को बदल सकते हैं। उनसे यह अधिकार हटाएँ (&apos;chmod go-w&apos;), या प्लग-इन को वहाँ रखें जहाँ केवल आप लिखते हैं, फिर दोबारा प्रयास करें।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -8267,6 +7781,88 @@
     </message>
 </context>
 <context>
+    <name>relievo::OpenController</name>
+    <message>
+        <source>%1 needs %2, which has moved. Nothing was changed. Find it, or choose another file. (E501)</source>
+        <translation>%1 को %2 चाहिए, जो हट गई है। कुछ नहीं बदला। उसे ढूँढें या दूसरी फ़ाइल चुनें। (E501)</translation>
+    </message>
+    <message>
+        <source>&amp;Find it…</source>
+        <translation>ढूँढें (&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Choose another…</source>
+        <translation>दूसरी चुनें (&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Find %1</source>
+        <translation>%1 ढूँढें</translation>
+    </message>
+    <message>
+        <source>%1 has changed since this was saved (its checksum differs). It is shown as it is now; results may differ. (E501)</source>
+        <translation>सहेजने के बाद %1 बदल गई है (चेकसम अलग है)। यह अब जैसी है वैसी दिखाई गई है; परिणाम अलग हो सकते हैं। (E501)</translation>
+    </message>
+    <message>
+        <source>&amp;Work that was kept…</source>
+        <translation>रखा गया काम (&amp;W)…</translation>
+    </message>
+    <message>
+        <source>&amp;Load what is there</source>
+        <translation>जो है उसे लोड करें (&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>चुनें (&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>खोलें</translation>
+    </message>
+    <message>
+        <source>Scans, height maps, projects and figures (%1)</source>
+        <translation>स्कैन, ऊँचाई मानचित्र, परियोजनाएँ और चित्र (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>सभी फ़ाइलें (*)</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: it needs %2, which is outside of its folder and was not read. Nothing was changed. Find it, or choose another file.</source>
+        <translation>%1 नहीं खोला गया: इसे %2 चाहिए, जो इसके फ़ोल्डर से बाहर है और नहीं पढ़ा गया। कुछ नहीं बदला गया। उसे खोजें, या कोई दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message numerus="yes">
+        <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
+        <translation>
+            <numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform>
+            <numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>वापस लाएँ (&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>छोड़ दें (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>फ़ोल्डर खोलें</translation>
+    </message>
+    <message>
+        <source>There is no scan in %1. Nothing was opened.</source>
+        <translation>%1 में कोई स्कैन नहीं है। कुछ नहीं खोला गया।</translation>
+    </message>
+    <message>
+        <source>%1 files are more than the %2 scans that can be joined. Nothing was opened.</source>
+        <translation>%1 फ़ाइलें जोड़े जा सकने वाले %2 स्कैन से अधिक हैं। कुछ नहीं खोला गया।</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>तैयार करें</translation>
+    </message>
+</context>
+<context>
     <name>relievo::OverviewInset</name>
     <message>
         <source>Place of the window on the object</source>
@@ -8274,11 +7870,44 @@
     </message>
 </context>
 <context>
-    <name>relievo::PackageDialog</name>
+    <name>relievo::PackageController</name>
     <message>
-        <source>Package for citation</source>
-        <translation>उद्धरण के लिए पैकेज</translation>
+        <source>Cancelled. Nothing was packed.</source>
+        <translation>रद्द किया गया। कुछ नहीं पैक हुआ।</translation>
     </message>
+    <message>
+        <source>Cancelled. Nothing was opened.</source>
+        <translation>रद्द किया गया। कुछ नहीं खोला गया।</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is packed: %n file(s), each with its checksum</source>
+        <translation>
+            <numerusform>%1 पैक हुआ: %n फ़ाइल, अपने जाँच-योग के साथ</numerusform>
+            <numerusform>%1 पैक हुआ: %n फ़ाइलें, हर एक अपने जाँच-योग के साथ</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s) of %1 are not as they were packed. Nothing was opened. &apos;relievo project verify&apos; names them.</source>
+        <translation>
+            <numerusform>%1 का %n भाग वैसा नहीं है जैसा पैक किया गया था। कुछ नहीं खोला गया। &apos;relievo project verify&apos; उसका नाम बताता है।</numerusform>
+            <numerusform>%1 के %n भाग वैसे नहीं हैं जैसे पैक किए गए थे। कुछ नहीं खोला गया। &apos;relievo project verify&apos; उनके नाम बताता है।</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Unpack elsewhere…</source>
+        <translation>&amp;कहीं और खोलें…</translation>
+    </message>
+    <message>
+        <source>%1 was unpacked into %2</source>
+        <translation>%1 को %2 में निकाला गया</translation>
+    </message>
+    <message>
+        <source>Unpack %1 into</source>
+        <translation>%1 को यहाँ निकालें</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PackageDialog</name>
     <message>
         <source>One zip with this work as a project, what is ticked here, a README, and the checksum of each file. Recordings bring the rasters along that they need to be repeated.</source>
         <translation>एक zip फ़ाइल: यह काम परियोजना के रूप में, यहाँ चुना हुआ, एक README और हर फ़ाइल का जाँच-योग। रिकॉर्डिंग अपने साथ वे रास्टर लाती हैं जो दोहराने के लिए चाहिए।</translation>
@@ -8354,6 +7983,72 @@
     <message>
         <source>Packages (*.zip)</source>
         <translation>पैकेज (*.zip)</translation>
+    </message>
+    <message>
+        <source>Export archive package</source>
+        <translation>संग्रह पैकेज निर्यात</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PictureController</name>
+    <message>
+        <source>Cancelled. No picture was saved.</source>
+        <translation>रद्द किया गया। कोई चित्र नहीं सहेजा गया।</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजी गई</translation>
+    </message>
+    <message>
+        <source>%1 is saved in %2</source>
+        <translation>%1 %2 में सहेजा गया</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PlaceController</name>
+    <message>
+        <source>Beacon %1</source>
+        <translation>संकेतक %1</translation>
+    </message>
+    <message>
+        <source>%1 removed.</source>
+        <translation>%1 हटाया गया।</translation>
+    </message>
+    <message>
+        <source>There are %1 beacons already. Remove one first.</source>
+        <translation>पहले से %1 संकेतक हैं। पहले एक हटाएँ।</translation>
+    </message>
+    <message>
+        <source>%1 set.</source>
+        <translation>%1 लगाया गया।</translation>
+    </message>
+    <message>
+        <source>%1 lies on a finer detail than this map has. The window was not moved.</source>
+        <translation>%1 इस मानचित्र से बारीक विवरण पर है। विंडो नहीं खिसकाई गई।</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>%1 पर जाएँ</translation>
+    </message>
+    <message>
+        <source>%1. Detail %2 of %3</source>
+        <translation>%1। विवरण %3 में से %2</translation>
+    </message>
+    <message>
+        <source>The view is copied as text</source>
+        <translation>दृश्य पाठ के रूप में कॉपी हुआ</translation>
+    </message>
+    <message>
+        <source>The copied view does not lie on this map. The window was not moved. Open the scan that it was copied from.</source>
+        <translation>कॉपी किया गया दृश्य इस मानचित्र पर नहीं है। विंडो नहीं खिसकाई गई। वह स्कैन खोलें जिससे दृश्य कॉपी किया गया था।</translation>
+    </message>
+    <message>
+        <source>Paste view</source>
+        <translation>दृश्य चिपकाएँ</translation>
+    </message>
+    <message>
+        <source>The copied view is shown. Detail %1 of %2</source>
+        <translation>कॉपी किया गया दृश्य दिखाया गया। विवरण %2 में से %1</translation>
     </message>
 </context>
 <context>
@@ -8480,6 +8175,29 @@
     <message>
         <source>Touch</source>
         <translation>स्पर्श</translation>
+    </message>
+    <message>
+        <source>turn the view</source>
+        <translation>दृश्य घुमाएँ</translation>
+    </message>
+    <message>
+        <source>move the window</source>
+        <translation>विंडो खिसकाएँ</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>पास-दूर करें</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>कुछ नहीं</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PointerController</name>
+    <message>
+        <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
+        <translation>माउस विवरण दृश्य में क्या करता है; F7 देखने और स्पर्श के बीच बदलता है, वरीयताएँ बटन चुनती हैं</translation>
     </message>
 </context>
 <context>
@@ -9353,6 +9071,91 @@
     </message>
 </context>
 <context>
+    <name>relievo::QuestionController</name>
+    <message>
+        <source>&amp;Keep them</source>
+        <translation>उन्हें रखें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Leave them out</source>
+        <translation>उन्हें छोड़ दें (&amp;L)</translation>
+    </message>
+    <message>
+        <source>One of %1 points lies %2 % of the box away from all others.</source>
+        <translation>%1 में से एक बिंदु बाकी सबसे घेरे के %2 % जितना दूर है।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie %3 % of the box away from all others.</source>
+        <translation>%2 में से %1 बिंदु बाकी सबसे घेरे के %3 % जितने दूर हैं।</translation>
+    </message>
+    <message>
+        <source>Kept, and so most of the map is empty.</source>
+        <translation>रखे गए हैं, इसलिए मानचित्र का अधिकांश भाग खाली है।</translation>
+    </message>
+    <message>
+        <source>Left out.</source>
+        <translation>छोड़ दिए गए।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie together, %3 % of the box away from all others.</source>
+        <translation>%2 में से %1 बिंदु एक साथ, बाकी सबसे घेरे के %3 % जितने दूर हैं।</translation>
+    </message>
+    <message>
+        <source>Kept, as they may belong to the object.</source>
+        <translation>रखे गए हैं, क्योंकि वे वस्तु के हो सकते हैं।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are %3, which often stands for a missing one. They are shown as heights.</source>
+        <translation>%2 में से %1 ऊँचाइयाँ %3 हैं, जो अक्सर अनुपस्थित ऊँचाई के लिए लिखा जाता है। वे ऊँचाइयों की तरह दिखाई गई हैं।</translation>
+    </message>
+    <message>
+        <source>&amp;Take as missing</source>
+        <translation>अनुपस्थित मानें (&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as heights</source>
+        <translation>ऊँचाई मानें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>How this object stands is not certain. From where shall it be seen?</source>
+        <translation>यह वस्तु कैसे खड़ी है, यह निश्चित नहीं है। इसे किधर से देखा जाए?</translation>
+    </message>
+    <message>
+        <source>in %1 %2</source>
+        <translation>%1 में %2</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3</source>
+        <translation>%1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>%1: %2. Which unit?</source>
+        <translation>%1: %2। कौन-सी इकाई?</translation>
+    </message>
+    <message>
+        <source>The points carry no unit. %1 – %2. The coordinates are those of a map projection; shown as %3 until you say. (E103)</source>
+        <translation>बिंदुओं की कोई इकाई नहीं है। %1 – %2। निर्देशांक किसी मानचित्र प्रक्षेप के हैं; जब तक आप न बताएँ, %3 माने गए हैं। (E103)</translation>
+    </message>
+    <message>
+        <source>The points carry no unit. %1 – %2. Most likely %3. Shown as millimetres until you say. (E103)</source>
+        <translation>बिंदुओं में कोई इकाई नहीं है। %1 – %2। सबसे संभव %3। आपके बताने तक मिलीमीटर माने गए। (E103)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) that this project names were not read. They stay named in it, and are offered for no package and no figure.</source>
+        <translation>
+            <numerusform>%n फ़ाइल, जिसका नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गई। उसका नाम इसमें बना रहता है, और वह किसी पैकेज या चित्र के लिए नहीं दी जाती।</numerusform>
+            <numerusform>%n फ़ाइलें, जिनके नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गईं। उनके नाम इसमें बने रहते हैं, और वे किसी पैकेज या चित्र के लिए नहीं दी जातीं।</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>relievo::RecordingsEnd</name>
+    <message>
+        <source>Recording saved: %1</source>
+        <translation>रिकॉर्डिंग सहेजी गई: %1</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ReferenceView</name>
     <message>
         <source>Draw window</source>
@@ -9367,10 +9170,6 @@
         <translation>विंडो का आकार बदलें</translation>
     </message>
     <message>
-        <source>Reference view</source>
-        <translation>संदर्भ दृश्य</translation>
-    </message>
-    <message>
         <source>The whole object. The pink window is what the detail view shows: drag inside it to move it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the detail. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window.</source>
         <translation>पूरी वस्तु। गुलाबी विंडो वही है जो विवरण दृश्य दिखाता है: भीतर खींचने से खिसकती है, किनारे खींचने से आकार बदलता है, बाहर खींचने से नई बनती है। पहिया विवरण बदलता है। कुंजियाँ: तीर, Shift+तीर, + और -; Space, तीर और Enter विंडो बनाते हैं।</translation>
     </message>
@@ -9381,6 +9180,10 @@
     <message>
         <source>Drawing a window from x %1, y %2. Arrows carry the other corner, Enter ends, Escape returns</source>
         <translation>x %1, y %2 से विंडो बन रही है। तीर दूसरा कोना ले जाते हैं, Enter पूरा करता है, Escape लौटाता है</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>अवलोकन</translation>
     </message>
 </context>
 <context>
@@ -9418,16 +9221,8 @@
         <translation>विंडो में कौन-सा विवरण है</translation>
     </message>
     <message>
-        <source>Gai&amp;n</source>
-        <translation>गुणक (&amp;N)</translation>
-    </message>
-    <message>
         <source>Heights are multiplied by this; 1 is true to scale</source>
         <translation>ऊँचाइयाँ इससे गुणा होती हैं; 1 वास्तविक पैमाना है</translation>
-    </message>
-    <message>
-        <source>Height gain</source>
-        <translation>ऊँचाई का गुणक</translation>
     </message>
     <message>
         <source>Heights are multiplied by this; the middle is true to scale</source>
@@ -9438,16 +9233,24 @@
         <translation>हाथ का पैमाना</translation>
     </message>
     <message>
-        <source>1 mm of hand = %1 mm on the object</source>
-        <translation>हाथ का 1 mm = वस्तु पर %1 mm</translation>
-    </message>
-    <message>
         <source>%1 of %2, level 0</source>
         <translation>%2 में से %1, स्तर 0</translation>
     </message>
     <message>
         <source>%1 of %2, level %3, σ %4</source>
         <translation>%2 में से %1, स्तर %3, σ %4</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration</source>
+        <translation>ऊर्ध्व अतिरंजन</translation>
+    </message>
+    <message>
+        <source>Exaggeratio&amp;n</source>
+        <translation>अतिरंजन (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Hand scale 1 : %1</source>
+        <translation>हाथ का पैमाना 1 : %1</translation>
     </message>
 </context>
 <context>
@@ -9510,6 +9313,53 @@
     <message>
         <source>Playing</source>
         <translation>चल रहा है</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ReplayController</name>
+    <message>
+        <source>The next recording is %1</source>
+        <translation>अगली रिकॉर्डिंग %1 होगी</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>रिकॉर्डिंग का फ़ोल्डर</translation>
+    </message>
+    <message>
+        <source>Recordings go to %1</source>
+        <translation>रिकॉर्डिंग %1 में जाएँगी</translation>
+    </message>
+    <message>
+        <source>Recordings are kept in %1.</source>
+        <translation>रिकॉर्डिंग %1 में रखी जाती हैं।</translation>
+    </message>
+    <message>
+        <source>Another &amp;folder…</source>
+        <translation>दूसरा फ़ोल्डर… (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>पुनर्प्रदर्शन</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>रिकॉर्डिंग (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>सभी फ़ाइलें (*)</translation>
+    </message>
+    <message>
+        <source>A recording is running. Nothing was opened. Stop it first (Ctrl+R).</source>
+        <translation>रिकॉर्डिंग चल रही है। कुछ नहीं खोला गया। पहले उसे रोकें (Ctrl+R)।</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was changed.</source>
+        <translation>%1 कुछ नहीं बदला।</translation>
+    </message>
+    <message>
+        <source>&amp;Open its input</source>
+        <translation>उसका स्रोत खोलें (&amp;O)</translation>
     </message>
 </context>
 <context>
@@ -9652,6 +9502,57 @@
     </message>
 </context>
 <context>
+    <name>relievo::SaveController</name>
+    <message>
+        <source>Unsaved work</source>
+        <translation>सहेजा नहीं गया काम</translation>
+    </message>
+    <message>
+        <source>Work on %1 is in no file yet: places, measurements, camera paths or settings.</source>
+        <translation>%1 पर किया काम अभी किसी फ़ाइल में नहीं है: स्थान, माप, कैमरा पथ या सेटिंग।</translation>
+    </message>
+    <message>
+        <source>Save it as a project?</source>
+        <translation>क्या इसे परियोजना के रूप में सहेजें?</translation>
+    </message>
+    <message>
+        <source>relievo could not be started again. Nothing was changed. Close it and start it yourself.</source>
+        <translation>relievo दोबारा शुरू नहीं हो सका। कुछ नहीं बदला गया। इसे बंद करके स्वयं शुरू करें।</translation>
+    </message>
+    <message>
+        <source>relievo closes when the package is written</source>
+        <translation>पैकेज लिखे जाने पर relievo बंद होगा</translation>
+    </message>
+    <message>
+        <source>relievo closes when the map is written</source>
+        <translation>मानचित्र लिखे जाने पर relievo बंद होगा</translation>
+    </message>
+    <message>
+        <source>relievo closes when the video is saved; Escape stops both</source>
+        <translation>वीडियो सहेजे जाने पर relievo बंद होगा; Escape दोनों को रोकता है</translation>
+    </message>
+    <message>
+        <source>relievo closes when the picture is saved</source>
+        <translation>चित्र सहेजे जाने पर relievo बंद होगा</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>परियोजना सहेजें</translation>
+    </message>
+    <message>
+        <source>Projects (*.relievo.json)</source>
+        <translation>परियोजनाएँ (*.relievo.json)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजी गई</translation>
+    </message>
+    <message>
+        <source>%1[*] – relievo</source>
+        <translation>%1[*] – relievo</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ScopeDialog</name>
     <message>
         <source>Force and height against time</source>
@@ -9750,6 +9651,14 @@
     <message>
         <source>%1 panel</source>
         <translation>%1 पटल</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>मुड़ा हुआ</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>खुला</translation>
     </message>
 </context>
 <context>
@@ -10310,6 +10219,86 @@
         <source>Windows: %1, the best first</source>
         <translation>विंडो: %1, सबसे अच्छी पहले</translation>
     </message>
+    <message>
+        <source>Cancelled. Nothing was suggested.</source>
+        <translation>रद्द। कुछ सुझाया नहीं गया।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SurfaceController</name>
+    <message>
+        <source>Undone: %1</source>
+        <translation>पूर्ववत किया: %1</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>फिर से किया: %1</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>पूरी वस्तु</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>बाएँ</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>दाएँ</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>ऊपर</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>नीचे</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2</source>
+        <translation>विवरण %2 में से %1</translation>
+    </message>
+    <message>
+        <source>This is the finest detail</source>
+        <translation>यह सबसे बारीक विवरण है</translation>
+    </message>
+    <message>
+        <source>This is the whole object</source>
+        <translation>यह पूरी वस्तु है</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>किनारा</translation>
+    </message>
+    <message>
+        <source>%1. Window at %2, %3 mm</source>
+        <translation>%1। विंडो %2, %3 mm पर</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>undo, step</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>पूर्ववत (&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>फिर करें (&amp;R)</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>इतिहास</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>चरण</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>जैसा खोला गया</translation>
+    </message>
 </context>
 <context>
     <name>relievo::SurfacePanel</name>
@@ -10336,22 +10325,6 @@
     <message>
         <source>Length unit of the file&apos;s coordinates</source>
         <translation>फ़ाइल के निर्देशांकों की लंबाई इकाई</translation>
-    </message>
-    <message>
-        <source>En&amp;gine</source>
-        <translation>विधि (&amp;G)</translation>
-    </message>
-    <message>
-        <source>How the depth map is made from points and triangles</source>
-        <translation>बिंदुओं और त्रिभुजों से गहराई मानचित्र कैसे बनता है</translation>
-    </message>
-    <message>
-        <source>Processor</source>
-        <translation>प्रोसेसर</translation>
-    </message>
-    <message>
-        <source>Depth buffer</source>
-        <translation>गहराई बफ़र</translation>
     </message>
     <message>
         <source>%1 × %2, %3 apart</source>
@@ -10585,6 +10558,109 @@
     </message>
 </context>
 <context>
+    <name>relievo::TouchController</name>
+    <message>
+        <source>measured</source>
+        <translation>मापा गया</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>अंतर्वेशित</translation>
+    </message>
+    <message>
+        <source>hole, on base plane</source>
+        <translation>छेद, आधार तल पर</translation>
+    </message>
+    <message>
+        <source>steep</source>
+        <translation>तीव्र ढाल</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>बाहर</translation>
+    </message>
+    <message>
+        <source>Press depth %1 mm of hand</source>
+        <translation>दबाने की गहराई हाथ के %1 mm</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  z %3 mm</source>
+        <translation>x %1  y %2  z %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2. Detail %3 of %4</source>
+        <translation>%1, %2। विवरण %4 में से %3</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Force when it was recorded</source>
+        <translation>रिकॉर्डिंग के समय का बल</translation>
+    </message>
+    <message>
+        <source>replay %1</source>
+        <translation>पुनर्प्रदर्शन %1</translation>
+    </message>
+    <message>
+        <source>%1/%2 N</source>
+        <translation>%1/%2 N</translation>
+    </message>
+    <message>
+        <source>forces off</source>
+        <translation>बल बंद</translation>
+    </message>
+    <message>
+        <source>Force on the hand and its limit</source>
+        <translation>हाथ पर बल और उसकी सीमा</translation>
+    </message>
+    <message>
+        <source>Press F5 to switch forces on</source>
+        <translation>बल चालू करने के लिए F5 दबाएँ</translation>
+    </message>
+    <message>
+        <source>Forces are on: the replay was closed.</source>
+        <translation>बल चालू हैं: पुनर्प्रदर्शन बंद किया गया।</translation>
+    </message>
+    <message>
+        <source>Device: %1</source>
+        <translation>उपकरण: %1</translation>
+    </message>
+    <message>
+        <source>Worst period: %1 ms</source>
+        <translation>सबसे लंबी अवधि: %1 ms</translation>
+    </message>
+    <message>
+        <source>Real-time priority</source>
+        <translation>रीयल-टाइम प्राथमिकता</translation>
+    </message>
+    <message>
+        <source>No real-time priority: %1</source>
+        <translation>रीयल-टाइम प्राथमिकता नहीं: %1</translation>
+    </message>
+    <message>
+        <source>%1/s, late %2</source>
+        <translation>%1/s, देर %2</translation>
+    </message>
+    <message>
+        <source>recording %1</source>
+        <translation>रिकॉर्डिंग %1</translation>
+    </message>
+    <message>
+        <source>Touch is not available: %1 Viewing works.</source>
+        <translation>स्पर्श उपलब्ध नहीं: %1 देखना चलता है।</translation>
+    </message>
+    <message>
+        <source>Nothing is open. Open a scan with Ctrl+O.</source>
+        <translation>कुछ खुला नहीं है। Ctrl+O से स्कैन खोलें।</translation>
+    </message>
+    <message>
+        <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
+        <translation>%1, %2 गुणा %3 mm, %4 विवरणों में। छूने के लिए हाथ भीतर दबाएँ; F5 बल चालू करता है। प्लस: और बारीक; माइनस: और मोटा; दोनों दो सेकंड: सहायता।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::VideoControl</name>
     <message>
         <source>Video saved: %1 s, %2 frames in %3</source>
@@ -10601,6 +10677,53 @@
     <message>
         <source>The video has ended early</source>
         <translation>वीडियो समय से पहले समाप्त हुआ</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::VideoController</name>
+    <message>
+        <source>End of the camera path</source>
+        <translation>कैमरा पथ का अंत</translation>
+    </message>
+    <message>
+        <source>The camera path is empty</source>
+        <translation>कैमरा पथ खाली है</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg is not installed: a folder of pictures can be made.</source>
+        <translation>प्रोग्राम ffmpeg स्थापित नहीं है: चित्रों का फ़ोल्डर बनाया जा सकता है।</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>वीडियो</translation>
+    </message>
+    <message>
+        <source>A folder of pictures (*)</source>
+        <translation>चित्रों का फ़ोल्डर (*)</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4)</source>
+        <translation>वीडियो (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Video to %1</source>
+        <translation>%1 में वीडियो</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg, which packs videos, is not installed. Nothing was made. Install the package ffmpeg, or keep a folder of pictures.</source>
+        <translation>वीडियो बनाने वाला प्रोग्राम ffmpeg स्थापित नहीं है। कुछ नहीं बनाया गया। पैकेज ffmpeg स्थापित करें, या चित्रों का फ़ोल्डर रखें।</translation>
+    </message>
+    <message>
+        <source>&amp;Keep pictures</source>
+        <translation>चित्र रखें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>कैमरा पथ</translation>
+    </message>
+    <message>
+        <source>Key view %1 at %2 s</source>
+        <translation>मुख्य दृश्य %1, %2 s पर</translation>
     </message>
 </context>
 <context>
@@ -10960,6 +11083,64 @@
     <message>
         <source>%1 is too large for the memory and was not used. Make it coarser; it is laid over the whole map.</source>
         <translation>%1 स्मृति के लिए बहुत बड़ा है और काम में नहीं लिया गया। इसे मोटा करें; यह पूरे मानचित्र पर बिछाया जाता है।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::WindowMessages</name>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजी गई</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::WorkArea</name>
+    <message>
+        <source>Window</source>
+        <translation>विंडो</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>दृश्य</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>स्टीरियो</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>माप</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>जगहें</translation>
+    </message>
+    <message>
+        <source>Suggestions</source>
+        <translation>सुझाव</translation>
+    </message>
+    <message>
+        <source>DETAIL %1 of %2</source>
+        <translation>विवरण %2 में से %1</translation>
+    </message>
+    <message>
+        <source>heights × %1   |   </source>
+        <translation>ऊँचाइयाँ × %1   |   </translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>स्कैन</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>प्रकाश</translation>
+    </message>
+    <message>
+        <source>OVERVIEW</source>
+        <translation>अवलोकन</translation>
+    </message>
+    <message>
+        <source>hand scale 1 : %1</source>
+        <translation>हाथ का पैमाना 1 : %1</translation>
     </message>
 </context>
 </TS>

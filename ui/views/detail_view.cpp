@@ -41,11 +41,7 @@ DetailView::DetailView(Document& document, QuietTurns& turns, QWidget* parent)
     : SurfaceView(turns, parent), document_(document) {
   setObjectName(QStringLiteral("detail_view"));
   setAccessibleName(tr("Detail view"));
-  setWhatsThis(
-      tr("The part inside the pink window. The pointer carries the hand just above the surface. To "
-         "look, drag with the left button to turn; to touch (F7), hold it to press in, and turn "
-         "the wheel meanwhile to press deeper. Right drag moves the window, the wheel zooms. Keys: "
-         "arrows, Page Down, Page Up."));
+  setBindings({});
   showCursor();
   connect(&document_, &Document::windowChanged, this, &DetailView::showWindow);
   connect(&document_, &Document::turnChanged, this, &DetailView::showTurn);
@@ -251,6 +247,16 @@ void DetailView::mousePressEvent(QMouseEvent* event) {
   showCursor();
 }
 
+void DetailView::setBindings(const PointerBindings& bindings) {
+  bindings_ = bindings;
+  setWhatsThis(
+      tr("The part inside the pink window. The pointer carries the hand just above the surface. "
+         "What dragging does, F7 changes between the two: %1. %2; the wheel meanwhile presses "
+         "deeper. Keys: arrows, Page Down, Page Up.")
+          .arg(bindingsText(PointerMode::look, bindings),
+               bindingsText(PointerMode::touch, bindings)));
+}
+
 void DetailView::setPicking(bool on) {
   picking_ = on;
   showCursor();
@@ -266,6 +272,8 @@ void DetailView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void DetailView::mouseMoveEvent(QMouseEvent* event) {
   if (!document_.isOpen()) return;
+  const Qt::MouseButton held = mouse_presses_ ? Qt::LeftButton : drag_button_;
+  if ((event->buttons() & held) == 0) letGo();  // Somebody else got the release.
   const QPointF point = event->localPos();
   if (drag_ == Drag::turn) {
     follow([this, point] {
@@ -311,6 +319,16 @@ void DetailView::mouseReleaseEvent(QMouseEvent* event) {
   drag_ = Drag::none;
   showCursor();
   if (moved_window) document_.commit(tr("Move window"));
+}
+
+// A hand that keys pressed in stays: no button is held that could be let go of.
+void DetailView::letGo() {
+  if (std::exchange(mouse_presses_, false) && document_.isOpen()) placeHand(hand_.x, hand_.y);
+  const Drag ended = std::exchange(drag_, Drag::none);
+  if (ended == Drag::none) return;
+  forgetNewest();
+  showCursor();
+  if (ended == Drag::pan) document_.commit(tr("Move window"));
 }
 
 void DetailView::leaveEvent(QEvent* event) {

@@ -36,7 +36,8 @@ class DetailView : public SurfaceView {
   PointerMode pointerMode() const { return mode_; }
   /// A hand that is pressed in by the mouse is lifted.
   void setPointerMode(PointerMode mode);
-  void setBindings(const PointerBindings& bindings) { bindings_ = bindings; }
+  /// What the view tells of itself (What's This) follows.
+  void setBindings(const PointerBindings& bindings);
 
   /// While something is measured, the left button and Enter pick places instead of pressing in.
   void setPicking(bool on);
@@ -63,6 +64,7 @@ class DetailView : public SurfaceView {
   void keyPressEvent(QKeyEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void letGo() override;
 
  private:
   enum class Drag { none, turn, pan, zoom };

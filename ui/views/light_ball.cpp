@@ -107,11 +107,12 @@ void LightBall::paintEvent(QPaintEvent* /*event*/) {
 void LightBall::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;  // Taken: it is not the view that is pressed.
   dragging_ = true;
-  Q_EMIT dragged(lightAt(event->localPos()));
+  Q_EMIT dragged(lightAt(event->localPos()), ++drags_);
 }
 
 void LightBall::mouseMoveEvent(QMouseEvent* event) {
-  if (dragging_) Q_EMIT dragged(lightAt(event->localPos()));
+  if ((event->buttons() & Qt::LeftButton) == 0) dragging_ = false;  // The release went astray.
+  if (dragging_) Q_EMIT dragged(lightAt(event->localPos()), drags_);
 }
 
 void LightBall::mouseReleaseEvent(QMouseEvent* event) {

@@ -26,7 +26,8 @@ class LightBall : public QWidget {
   LightOptions lightAt(const QPointF& point) const;
 
  Q_SIGNALS:
-  void dragged(const relievo::LightOptions& light);
+  /// @param drag  how many presses of the button there have been: those of one are one step
+  void dragged(const relievo::LightOptions& light, int drag);
   /// By keys: so many steps clockwise and upwards.
   void stepped(int clockwise, int higher);
 
@@ -43,6 +44,7 @@ class LightBall : public QWidget {
 
   LightOptions light_;
   bool usable_ = true, dragging_ = false;
+  int drags_ = 0;
 };
 
 /// Lower, and the light along the surface would be seen as darkness.

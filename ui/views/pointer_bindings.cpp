@@ -70,6 +70,20 @@ PointerAct pointerAct(const QString& kept, PointerAct otherwise) {
   return otherwise;
 }
 
+QString actText(PointerAct act) {
+  switch (act) {
+    case PointerAct::turn:
+      return said(QT_TRANSLATE_NOOP("relievo::PointerBindings", "turn the view"));
+    case PointerAct::move:
+      return said(QT_TRANSLATE_NOOP("relievo::PointerBindings", "move the window"));
+    case PointerAct::zoom:
+      return said(QT_TRANSLATE_NOOP("relievo::PointerBindings", "zoom"));
+    case PointerAct::none:
+      break;
+  }
+  return said(QT_TRANSLATE_NOOP("relievo::PointerBindings", "nothing"));
+}
+
 QString bindingsText(PointerMode mode, const PointerBindings& bindings) {
   const bool looks = mode == PointerMode::look;
   const PointerAct middle = looks ? bindings.look_middle : bindings.touch_middle;

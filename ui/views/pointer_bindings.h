@@ -33,6 +33,8 @@ struct PointerBindings {
 QString keptName(PointerAct act);
 PointerAct pointerAct(const QString& kept, PointerAct otherwise);
 
+/// "turn the view", of no button; "nothing".
+QString actText(PointerAct act);
 /// A sentence for the status bar: "Left turns, right moves, wheel zooms".
 QString bindingsText(PointerMode mode, const PointerBindings& bindings);
 

@@ -91,7 +91,7 @@ ReferenceView::ReferenceView(Document& document, QuietTurns& turns, QWidget* par
       suggested_(new SuggestionFrames(this, [this](double x, double y) { return pointOf(x, y); })),
       pink_(new PinkOverlay(this)) {
   setObjectName(QStringLiteral("reference_view"));
-  setAccessibleName(tr("Reference view"));
+  setAccessibleName(tr("Overview"));
   setToolTip({});
   setWhatsThis(
       tr("The whole object. The pink window is what the detail view shows: drag inside it to move "
@@ -180,7 +180,8 @@ void ReferenceView::mousePressEvent(QMouseEvent* event) {
 }
 
 void ReferenceView::mouseMoveEvent(QMouseEvent* event) {
-  if (drag_ && (event->buttons() & Qt::LeftButton) != 0) {
+  if ((event->buttons() & Qt::LeftButton) == 0) letGo();  // Somebody else got the release.
+  if (drag_) {
     follow([this, point = event->localPos()] {
       if (drag_) dragTo(point);
     });
@@ -196,6 +197,13 @@ void ReferenceView::mouseReleaseEvent(QMouseEvent* event) {
   document_.commit(nameOf(drag_->part));
   drag_.reset();
   showCursor(event->localPos());
+}
+
+void ReferenceView::letGo() {
+  if (!drag_) return;
+  forgetNewest();
+  document_.commit(nameOf(drag_->part));
+  drag_.reset();
 }
 
 void ReferenceView::dragTo(const QPointF& point) {

@@ -295,6 +295,7 @@ void SurfaceView::appear() {
 
 void SurfaceView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
+  window()->installEventFilter(this);  // Once, however often.
   if (canvas_->isHidden()) canvas_->appearWhenWarm();
 }
 
@@ -529,7 +530,16 @@ void SurfaceView::focusInEvent(QFocusEvent* event) {
 
 void SurfaceView::focusOutEvent(QFocusEvent* event) {
   QWidget::focusOutEvent(event);
+  letGo();
   update();
+}
+
+// Only windows are told that a dialog blocks them, or that another program has the mouse.
+bool SurfaceView::eventFilter(QObject* watched, QEvent* event) {
+  const bool is_away =
+      event->type() == QEvent::WindowBlocked || event->type() == QEvent::WindowDeactivate;
+  if (is_away && watched == window()) letGo();
+  return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace relievo

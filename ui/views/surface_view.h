@@ -87,6 +87,9 @@ class SurfaceView : public QWidget {
   void follow(std::function<void()> work);
   /// What was asked for and not done yet is forgotten.
   void forgetNewest() { newest_ = nullptr; }
+  /// Ends what held buttons do here: nobody holds them any more, or nobody would tell when they are
+  /// let go of, as while a dialog has the mouse.
+  virtual void letGo() {}
   void setProbeDrawn(const std::optional<Probe>& probe, double ball_radius_mm);
   const ReliefCamera& camera() const { return state_.camera; }
 
@@ -98,6 +101,7 @@ class SurfaceView : public QWidget {
   void changeEvent(QEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   class Canvas;

@@ -66,6 +66,12 @@ constexpr std::array<OtherWords, 36> kWords{
 
 }  // namespace
 
+QStringList commandsWithOtherWords() {
+  QStringList commands;
+  for (const OtherWords& known : kWords) commands << QString::fromLatin1(known.command);
+  return commands;
+}
+
 QString otherWords(const QString& command) {
   for (const OtherWords& known : kWords) {
     if (command != QLatin1String(known.command)) continue;

@@ -196,7 +196,9 @@ void Document::setEngine(const QString& engine) {
   if (!isOpen() || engine.toStdString() == state_.project.options.engine) return;
   SurfaceOptions options = state_.project.options;
   options.engine = engine.toStdString();
-  remake(options, tr("Depth engine \u2192 %1").arg(engine));
+  remake(
+      options,
+      tr("Depth method \u2192 %1").arg(engine == QLatin1String("cpu") ? tr("CPU") : tr("OpenGL")));
 }
 
 void Document::setUnit(LengthUnit unit) {
@@ -573,7 +575,7 @@ bool Document::setGain(double gain) {
   if (!isOpen() || inGesture() || !(gain > 0) || gain == state_.project.gain) return false;
   DocumentState after = state_;
   after.project.gain = gain;
-  push(std::move(after), tr("Height gain"), kMergeGain);
+  push(std::move(after), tr("Vertical exaggeration"), kMergeGain);
   return true;
 }
 

@@ -6,7 +6,7 @@
 
 #include "app/cli/verbs/svg.h"
 #include "core/base/failure.h"
-#include "haptics/device/falcon/link.h"
+#include "haptics/device/falcon/link/link.h"
 
 namespace relievo::batch {
 namespace {

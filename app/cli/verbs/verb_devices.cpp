@@ -16,7 +16,7 @@
 #include "core/base/failure.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/falcon/firmware.h"
-#include "haptics/device/falcon/link_status.h"
+#include "haptics/device/falcon/link/link_status.h"
 #include "haptics/device/falcon/presence.h"
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/cli/verbs/verb_devices_plugins.h"
 
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
 #include <array>
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -34,8 +39,21 @@ std::string ownId(const std::string& id) {
   return whole && slash != std::string::npos ? id.substr(slash + 1) : id;
 }
 
+/// What is judged is what is asked: the file may have changed since it was listed.
+ScannedPlugin scanned(const PluginFile& file, const Task& task) {
+  ScannedPlugin none;
+  try {
+    return foreign::scanPlugin(foreign::trustedImage(file), task);
+  } catch (const FileError& error) {
+    none.trouble = messageOf(error);
+  } catch (const DeviceError& error) {
+    none.trouble = messageOf(error);
+  }
+  return none;
+}
+
 void tellTrusted(const PluginFile& file, Json& one, Outcome& outcome, const Task& task) {
-  const ScannedPlugin plugin = foreign::scanPlugin(file.file, task);
+  const ScannedPlugin plugin = scanned(file, task);
   if (plugin.trouble) {
     one["trouble"] = englishText(*plugin.trouble);
     outcome.lines.push_back("plug-in " + file.name + ": cannot be used");
@@ -53,6 +71,24 @@ void tellTrusted(const PluginFile& file, Json& one, Outcome& outcome, const Task
     const std::string id = idOf(file, device.id);
     one["devices"].push_back({{"id", id}, {"name", device.name}});
     outcome.lines.push_back(id + ": " + device.name);
+  }
+}
+
+/// Only Enter is a yes; at a terminal only what is typed from now on.
+bool isHeld(double newton, const Task& task) {
+  std::array<char, 32> most{};
+  std::snprintf(most.data(), most.size(), "%.3g", newton);
+  tell("All other tests passed. Now the device pushes with up to " + std::string(most.data()) +
+       " N. Hold the grip, with the other hand at the power switch, then press Enter.");
+  ::tcflush(STDIN_FILENO, TCIFLUSH);
+  constexpr int kLookMs = 50;
+  while (true) {
+    task.check();
+    pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+    if (::poll(&input, 1, kLookMs) <= 0) continue;
+    char typed = 0;
+    if (::read(STDIN_FILENO, &typed, 1) <= 0) return false;  // Nobody is there to say it.
+    if (typed == '\n') return true;
   }
 }
 
@@ -89,8 +125,7 @@ void listPlugins(Json& json, Outcome& outcome, const Task& task) {
       tellTrusted(file, one, outcome, task);
     } else {
       outcome.lines.push_back("plug-in " + file.name + ": not allowed yet");
-      const Message why = said<MessageId::device_plugin_not_trusted>(file.file);
-      tell(englishText(why));
+      if (file.why_not) tell(englishText(*file.why_not));
     }
     json["plugins"].push_back(std::move(one));
   }
@@ -105,10 +140,13 @@ Outcome trustPluginFile(const std::string& file) {
 
 Outcome checkPluginFile(const PluginArguments& arguments, const Task& task) {
   const std::filesystem::path file = std::filesystem::absolute(arguments.conformance);
-  const std::vector<CheckResult> results = foreign::checkPlugin(
-      file,
-      {.device = ownId(arguments.device), .newton = arguments.newton, .seconds = arguments.seconds},
-      task);
+  const std::vector<CheckResult> results =
+      foreign::checkPlugin(file,
+                           {.device = ownId(arguments.device),
+                            .newton = arguments.newton,
+                            .seconds = arguments.seconds,
+                            .is_held = [&] { return isHeld(arguments.newton, task); }},
+                           task);
   Outcome outcome;
   Json json{{"file", file.string()}, {"device", arguments.device}};
   json["checks"] = Json::array();

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "haptics/device/device.h"
-#include "haptics/device/falcon/link.h"
+#include "haptics/device/falcon/link/link.h"
 
 namespace relievo::falcon {
 

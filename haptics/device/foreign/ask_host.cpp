@@ -9,11 +9,10 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <string_view>
 
 #include "core/base/failure.h"
 #include "haptics/device/foreign/host_process.h"
-#include "haptics/device/foreign/relievo_device.h"
+#include "haptics/device/foreign/push_plugin.h"
 #include "haptics/rt/realtime_thread.h"
 
 namespace relievo::foreign {
@@ -37,7 +36,8 @@ bool readSome(int fd, std::string& text) {
 }
 
 /// What the host says until it ends, or its time is over.
-Answer ask(const std::vector<std::string>& arguments, double seconds, const Task& task) {
+Answer ask(const PluginImage& image, const std::vector<std::string>& arguments, double seconds,
+           const Task& task) {
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
     throw failure<MessageId::device_host_not_started>(std::strerror(errno));
@@ -45,7 +45,7 @@ Answer ask(const std::vector<std::string>& arguments, double seconds, const Task
   const OwnedFd from(pipe[0]);
   OwnedFd to(pipe[1]);
   HostProcess host;
-  host.start({.arguments = arguments, .shared_fd = to.get()});
+  host.start({.arguments = arguments, .shared_fd = to.get(), .plugin_fd = image.bytes.get()});
   to.reset();
   Answer answer;
   const std::int64_t until_ns = monotonicNs() + static_cast<std::int64_t>(1e9 * seconds);
@@ -63,22 +63,6 @@ Answer ask(const std::vector<std::string>& arguments, double seconds, const Task
   return answer;  // The host goes with its process.
 }
 
-std::vector<std::string> parts(std::string_view text, char separator) {
-  std::vector<std::string> all;
-  while (true) {
-    const std::size_t end = text.find(separator);
-    all.emplace_back(text.substr(0, end));
-    if (end == std::string_view::npos) return all;
-    text.remove_prefix(end + 1);
-  }
-}
-
-int numberOf(const std::string& text) {
-  int value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
 std::string textOf(double value) {
   std::array<char, 40> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
@@ -92,38 +76,13 @@ CheckResult resultOf(const Check& check, const Answer& answer, double seconds) {
     return {check, Verdict::failed,
             "its process crashed (signal " + std::to_string(answer.signal) + ")"};
   }
-  const std::vector<std::string> words = parts(parts(answer.text, '\n').front(), '\t');
-  if (words.size() != 2) return {check, Verdict::failed, "its process ended"};
-  if (words[0] == "passed") return {check, Verdict::passed, {}};
-  return {check, words[0] == "skipped" ? Verdict::skipped : Verdict::failed, words[1]};
+  return resultOf(check, answer.text);
 }
 }  // namespace
 
-Message messageOf(HostTrouble trouble, int number, const std::string& text) {
-  switch (trouble) {
-    case HostTrouble::not_loaded:
-      return said<MessageId::device_plugin_not_loaded>(text);
-    case HostTrouble::no_entry:
-      return said<MessageId::device_plugin_no_entry>();
-    case HostTrouble::version:
-      return said<MessageId::device_plugin_version>(number, RELIEVO_DEVICE_ABI_MAJOR);
-    case HostTrouble::incomplete:
-      return said<MessageId::device_plugin_incomplete>();
-    case HostTrouble::no_device:
-      return said<MessageId::device_plugin_no_device>();
-    case HostTrouble::refuses:
-      return said<MessageId::device_plugin_refuses>(text.empty() ? std::to_string(number) : text);
-    case HostTrouble::limits:
-      return said<MessageId::device_plugin_limits>();
-    default:
-      break;
-  }
-  return said<MessageId::device_plugin_not_begun>(number);
-}
-
-ScannedPlugin scanPlugin(const std::filesystem::path& file, const Task& task) {
+ScannedPlugin scanPlugin(const PluginImage& image, const Task& task) {
   ScannedPlugin plugin;
-  const Answer answer = ask({"scan", file.string()}, kScanS, task);
+  const Answer answer = ask(image, {"scan", image.file.string()}, kScanS, task);
   if (!answer.in_time) {
     plugin.trouble = said<MessageId::device_host_slow>(static_cast<int>(kScanS));
     return plugin;
@@ -132,42 +91,42 @@ ScannedPlugin scanPlugin(const std::filesystem::path& file, const Task& task) {
     plugin.trouble = said<MessageId::device_host_crashed>(answer.signal);
     return plugin;
   }
-  bool told = false;
-  for (const std::string& line : parts(answer.text, '\n')) {
-    const std::vector<std::string> words = parts(line, '\t');
-    if (words[0] == "trouble" && words.size() == 4) {
-      const int trouble = numberOf(words[1]);
-      const bool known = trouble > 0 && trouble < static_cast<int>(HostTrouble::count);
-      plugin.trouble = messageOf(known ? static_cast<HostTrouble>(trouble) : HostTrouble::not_begun,
-                                 numberOf(words[2]), words[3]);
-    } else if (words[0] == "plugin" && words.size() == 5) {
-      told = true;
-      plugin.name = words[1];
-      plugin.version = words[2];
-      plugin.maker = words[3];
-      plugin.licence = words[4];
-    } else if (words[0] == "device" && words.size() == 3) {
-      plugin.devices.push_back({words[1], words[2]});
-    }
+  return pluginOf(answer.text);
+}
+
+ScannedPlugin scanPlugin(const std::filesystem::path& file, const Task& task) {
+  ScannedPlugin plugin;
+  try {
+    return scanPlugin(readPlugin(file), task);
+  } catch (const FileError& error) {
+    plugin.trouble = messageOf(error);
   }
-  if (!told && !plugin.trouble) plugin.trouble = said<MessageId::device_host_ended>();
   return plugin;
 }
 
 std::vector<CheckResult> checkPlugin(const std::filesystem::path& file, const Conformance& how,
                                      const Task& task) {
+  const PluginImage image = readPlugin(file);
   std::vector<CheckResult> results;
+  bool failed = false;
   for (const Check& check : kChecks) {
     task.check();
     if (check.with_device && how.device.empty()) {
       results.push_back({check, Verdict::skipped, "no device was named by --device"});
       continue;
     }
+    if (check.code == kPushCheck) {
+      results.push_back(failed && how.newton > 0
+                            ? CheckResult{check, Verdict::skipped, "no force after a failed test"}
+                            : pushPlugin(check, file, how, task));
+      continue;
+    }
     const double limit_s = check.with_device ? kOpenS + 2 * how.seconds : kCheckS;
-    const Answer answer = ask({"check", file.string(), std::string(check.code), how.device,
-                               textOf(how.newton), textOf(how.seconds)},
-                              limit_s, task);
+    const Answer answer = ask(
+        image, {"check", file.string(), std::string(check.code), how.device, textOf(how.seconds)},
+        limit_s, task);
     results.push_back(resultOf(check, answer, limit_s));
+    failed = failed || results.back().verdict == Verdict::failed;
   }
   return results;
 }

@@ -2,45 +2,35 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "core/base/task.h"
-#include "core/message/message.h"
-#include "haptics/device/foreign/checks.h"
-#include "haptics/device/foreign/device_page.h"
+#include "haptics/device/foreign/foreign_device.h"
+#include "haptics/device/foreign/host_answers.h"
+#include "haptics/device/foreign/plugin_image.h"
 
 namespace relievo::foreign {
 
-/// Why a host could not do what it was asked: the sentence of a trouble.
-Message messageOf(HostTrouble trouble, int number, const std::string& text);
-
-struct SeenDevice {
-  std::string id, name;  ///< The id as the plug-in has it.
-};
-/// What a plug-in says of itself, asked in a process of its own.
-struct ScannedPlugin {
-  std::string name, version, maker, licence;
-  std::vector<SeenDevice> devices;
-  std::optional<Message> trouble;  ///< Why it cannot be used; then there is nothing else.
-};
 /// Opens no device; takes 5 s at most. [worker] @throw FileError, DeviceError  no host  @throw
 /// Cancelled
+ScannedPlugin scanPlugin(const PluginImage& image, const Task& task = {});
+/// Of a file that somebody names; one that cannot be read has that trouble.
 ScannedPlugin scanPlugin(const std::filesystem::path& file, const Task& task = {});
 
-enum class Verdict : std::uint8_t { passed, failed, skipped };
-struct CheckResult {
-  Check check;
-  Verdict verdict = Verdict::failed;
-  std::string why;  ///< Of one that did not pass.
-};
 struct Conformance {
   std::string device;  ///< Its id in the plug-in; empty: no device is opened.
   double newton = 0;   ///< 0: no force is shown.
   double seconds = 2;  ///< How long each test watches steps.
+  /// Asked before the device is to push, after all other tests: does a hand hold the grip? Without
+  /// it, or without a yes, no force is shown.
+  std::function<bool()> is_held = {};
+  Patience patience = {};  ///< Of the test that pushes.
 };
-/// All of kChecks, each in a process of its own. [worker] @throw as scanPlugin
+/// All of kChecks, each in a process of its own. The one that pushes runs as a session does: under
+/// the host's guard, its limits, its rise and its watchdogs; and not at all if another test failed.
+/// [worker] @throw as scanPlugin, FileError  the file cannot be read
 std::vector<CheckResult> checkPlugin(const std::filesystem::path& file, const Conformance& how,
                                      const Task& task = {});
 

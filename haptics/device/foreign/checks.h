@@ -12,6 +12,8 @@ struct Check {
   bool with_device = false;  ///< It opens a device, whose id must be given.
 };
 
+inline constexpr std::string_view kPushCheck = "C27";
+
 inline constexpr std::array<Check, 16> kChecks{{
     {"C01", "The table of functions is whole and of this version"},
     {"C02", "It begins and ends"},
@@ -26,7 +28,8 @@ inline constexpr std::array<Check, 16> kChecks{{
     {"C22", "A step allocates nothing", true},
     {"C23", "Places are numbers, within reach, and of a time that goes on", true},
     {"C24", "No place is a jump away from the one before", true},
-    {"C25", "The force is cut within 5 ms, also during a step", true},
+    {"C25", "The force is cut within 5 ms, also during a step, before opening and after closing",
+     true},
     {"C26", "Closing twice is harmless, and it opens again", true},
     {"C27", "A force rises to --newton and falls again without a fault", true},
 }};

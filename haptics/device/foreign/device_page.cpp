@@ -26,6 +26,7 @@ bool arePossible(const ForeignLimits& limits) noexcept {
       std::all_of(limits.half_extent_mm.begin(), limits.half_extent_mm.end(),
                   [](double extent) { return isWithin(extent, kLeastExtentMm, kMostExtentMm); });
   return reach && isWithin(limits.max_force_n, 0, kMostStatedN) &&
+         isWithin(limits.continuous_force_n, 0, kMostStatedN) &&
          isWithin(limits.max_stiffness_n_per_mm, 0, kMostStatedNPerMm) &&
          isWithin(limits.position_step_mm, 0, kMostStepMm) &&
          isWithin(limits.force_delay_ms, 0, kMostDelayMs) &&
@@ -33,8 +34,16 @@ bool arePossible(const ForeignLimits& limits) noexcept {
 }
 
 ForceRules rulesOf(const ForeignLimits& limits) noexcept {
-  const double most = limits.own_watchdog ? kMostForceN : kMostForceWithoutWatchdogN;
+  const double most = limits.own_watchdog != 0 ? kMostForceN : kMostForceWithoutWatchdogN;
   return {.max_force_n = std::min(most, limits.max_force_n)};
+}
+
+HeatRules heatRulesOf(const ForeignLimits& limits) noexcept {
+  const double most_n = rulesOf(limits).max_force_n;
+  constexpr double kUnknownPart = 0.5;
+  const bool known = limits.continuous_force_n > 0;
+  return {.max_force_n = most_n,
+          .continuous_force_n = known ? limits.continuous_force_n : kUnknownPart * most_n};
 }
 
 void putText(std::string_view text, HostReport& report) noexcept {

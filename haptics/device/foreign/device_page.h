@@ -11,6 +11,7 @@
 #include "core/file/owned_fd.h"
 #include "haptics/device/foreign/shared_block.h"
 #include "haptics/device/link/force_gate.h"
+#include "haptics/device/link/heat_budget.h"
 #include "haptics/device/link/mailbox.h"
 
 namespace relievo::foreign {
@@ -37,11 +38,12 @@ enum class HostTrouble : std::uint32_t {
 struct ForeignLimits {
   std::array<double, 3> half_extent_mm{};
   double max_force_n = 0;
+  double continuous_force_n = 0;  ///< 0: unknown.
   double max_stiffness_n_per_mm = 0;
   double position_step_mm = 0;
   double force_delay_ms = 0;
   double rate_hz = 1000;
-  bool own_watchdog = false;
+  std::uint8_t own_watchdog = 0;  ///< No bool: another process may write any byte.
 };
 /// Finite, and such as a hand-held device can have.
 bool arePossible(const ForeignLimits& limits) noexcept;
@@ -52,6 +54,14 @@ inline constexpr double kMostForceN = 6;
 inline constexpr double kMostForceWithoutWatchdogN = 2;
 /// Both processes hold forces to these.
 ForceRules rulesOf(const ForeignLimits& limits) noexcept;
+/// Where nobody says for what force the motors are made, it is half of the largest.
+HeatRules heatRulesOf(const ForeignLimits& limits) noexcept;
+
+/// How warm the motors are. [host's device thread writes, owner reads]
+struct HeatReport {
+  double used = 0;       ///< 0 .. 1: of what they can take for good (HeatBudget).
+  double allowed_n = 0;  ///< Forces are held below this now.
+};
 
 /// What the host says of its start.
 struct HostReport {
@@ -69,7 +79,7 @@ std::string textOf(const HostReport& report);
 /// Between relievo and the process that runs a plug-in. Neither believes what the other wrote.
 struct DevicePage {
   static constexpr std::uint64_t kMagic = 0x31454756'49524c52;
-  static constexpr std::uint64_t kVersion = 1;
+  static constexpr std::uint64_t kVersion = 2;
 
   std::uint64_t magic = kMagic, version = kVersion;
   /// The watchdog's cuts so far: LinkMailbox::cuts. [relievo writes]
@@ -79,6 +89,7 @@ struct DevicePage {
   alignas(64) std::atomic<std::int64_t> beat_ns{0};
   alignas(64) SharedBlock<LinkReading> reading;  ///< [host's device thread writes, loop reads]
   alignas(64) SharedBlock<HostReport> report;    ///< [host's main thread writes, owner reads]
+  alignas(64) SharedBlock<HeatReport> heat;
 };
 
 /// A page in memory of its own that another process can be given.
@@ -105,6 +116,6 @@ class MappedPage {
 };
 
 /// Descriptors of the host, besides the usual three.
-inline constexpr int kPageFd = 3, kAnswerFd = 3, kLifeFd = 4;
+inline constexpr int kPageFd = 3, kAnswerFd = 3, kLifeFd = 4, kPluginFd = 5;
 
 }  // namespace relievo::foreign

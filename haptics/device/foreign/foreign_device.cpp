@@ -1,29 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/device/foreign/foreign_device.h"
 
-#include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <system_error>
 #include <utility>
 
 #include "core/base/failure.h"
-#include "haptics/device/foreign/ask_host.h"
+#include "haptics/device/foreign/host_answers.h"
 #include "haptics/rt/realtime_thread.h"
 
 namespace relievo::foreign {
 
 namespace {
 constexpr int kLookMs = 20;
-constexpr std::uint32_t kAllButtons = 0b1111;
-
-/// A spring of this device stays passive: K <= b / (T/2 + delay), with the damping of a hand.
-double passiveStiffness(const ForeignLimits& limits) {
-  constexpr double kDampingNsPerMm = 0.0015, kTickS = 0.001, kOrderWaitsS = 0.001;
-  const double delay_s = kOrderWaitsS + 1e-3 * limits.force_delay_ms;
-  return kDampingNsPerMm / (kTickS / 2 + delay_s);
-}
 }  // namespace
 
 ForeignDevice::ForeignDevice(std::filesystem::path file, std::string own_id, std::string id,
@@ -32,45 +22,41 @@ ForeignDevice::ForeignDevice(std::filesystem::path file, std::string own_id, std
   info_.id = std::move(id);
   info_.name = std::move(name);
   // Until it says itself: the least that any device with motors has.
-  takeLimits({.half_extent_mm = {40, 40, 40}, .max_force_n = kMostForceWithoutWatchdogN});
+  takeLimits({.half_extent_mm = {40, 40, 40}, .max_force_n = kMostForceWithoutWatchdogN}, info_);
+}
+
+ForeignDevice::ForeignDevice(PluginImage image, std::string own_id, std::string id,
+                             std::string name, Patience patience)
+    : ForeignDevice(image.file, std::move(own_id), std::move(id), std::move(name), patience) {
+  image_ = std::move(image);
 }
 
 ForeignDevice::~ForeignDevice() {
   close();
 }
 
-void ForeignDevice::takeLimits(const ForeignLimits& limits) {
-  constexpr double kUnknownStiffness = 0.4;
-  const double stated =
-      limits.max_stiffness_n_per_mm > 0 ? limits.max_stiffness_n_per_mm : kUnknownStiffness;
-  info_.workspace.half_extent = {limits.half_extent_mm[0], limits.half_extent_mm[1],
-                                 limits.half_extent_mm[2]};
-  info_.max_force_n = rulesOf(limits).max_force_n;
-  info_.max_stiffness_n_per_mm =
-      limits.force_delay_ms > 1 ? std::min(stated, passiveStiffness(limits)) : stated;
-  // As the Falcon's, until somebody has measured another.
-  info_.max_damping_n_s_per_mm = 0.006;
-  info_.max_slew_n_per_s = 200;
-  info_.position_step_mm = limits.position_step_mm;
-  info_.force_delay_ticks = 2;  // Up to one until the host takes it, one until the motors show it.
-  info_.rate_hz = limits.rate_hz;
-}
-
 void ForeignDevice::open() {
   if (watching_.joinable()) return;
+  try {
+    if (!image_) image_ = readPlugin(file_);
+  } catch (const FileError& error) {
+    const Message why = said<MessageId::device_plugin_not_loaded>(englishText(messageOf(error)));
+    throw failure<MessageId::device_not_opened>(info_.name, why);
+  }
   page_ = std::make_unique<MappedPage>();
   if (!page_->create()) {
     const int reason = errno;
     page_.reset();
     throw failure<MessageId::device_host_not_started>(std::strerror(reason));
   }
-  host_.start({.arguments = {"drive", file_.string(), own_id_}, .shared_fd = page_->fd()});
+  host_.start({.arguments = {"drive", file_.string(), own_id_},
+               .shared_fd = page_->fd(),
+               .plugin_fd = image_->bytes.get()});
   host_pid_ = host_.pid();
   lost_.store(DeviceFault::none);
-  newest_ = {};
-  loop_end_ = {};
   try {
-    takeLimits(waitUntilOpen().limits);
+    takeLimits(waitUntilOpen().limits, info_);
+    page_end_ = PageEnd(info_.workspace.half_extent, patience_.stale_place_ns);
     watching_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
   } catch (const std::system_error& error) {
     host_.kill();
@@ -97,6 +83,7 @@ HostReport ForeignDevice::waitUntilOpen() {
     if (report.stage == HostStage::failed) {
       refuse(messageOf(report.trouble, report.number, textOf(report)));
     }
+    if (!ended && given_up_.load()) refuse(said<MessageId::device_host_ended>());
     if (!ended) continue;
     refuse(host_.crashed() ? said<MessageId::device_host_crashed>(host_.signal())
                            : said<MessageId::device_host_ended>());
@@ -136,34 +123,18 @@ void ForeignDevice::close() noexcept {
 }
 
 DeviceReading ForeignDevice::read(std::int64_t now_ns) RELIEVO_REALTIME {
-  const std::uint32_t cuts = (*page_)->cuts.load(std::memory_order_acquire);  // First: see LoopEnd.
-  LinkReading told;
-  if ((*page_)->reading.read(told)) {
-    const DeviceMm& reach = info_.workspace.half_extent;
-    const bool possible =
-        isFinite(told.position) && std::abs(told.position.x) <= 2 * reach.x &&
-        std::abs(told.position.y) <= 2 * reach.y && std::abs(told.position.z) <= 2 * reach.z &&
-        told.fault <= DeviceFault::not_ready && told.interruption <= DeviceFault::not_ready;
-    if (possible) {
-      newest_ = told;
-    } else {
-      newest_.fault = DeviceFault::protocol;
-    }
-  }
-  DeviceReading reading = loop_end_.take(cuts, newest_);
-  reading.buttons &= kAllButtons;
-  // It was measured before this tick, or between its begin and now.
-  reading.time_ns = std::min(reading.time_ns, now_ns);
-  if (reading.fault == DeviceFault::none && reading.time_ns < now_ns - patience_.stale_place_ns) {
-    reading.fault = DeviceFault::timeout;
-  }
+  DeviceReading reading = page_end_.read(**page_, now_ns);
   const DeviceFault lost = lost_.load(std::memory_order_acquire);
   if (lost != DeviceFault::none) reading.fault = lost;
   return reading;
 }
 
 void ForeignDevice::send(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME {
-  (*page_)->order.write(loop_end_.order(force, now_ns));
+  page_end_.send(**page_, force, now_ns);
+}
+
+std::optional<HeatReport> ForeignDevice::heat() const {
+  return page_ ? heatOf(**page_, info_.max_force_n) : std::nullopt;
 }
 
 void ForeignDevice::cutForce() noexcept {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -11,7 +12,8 @@
 #include "haptics/device/device.h"
 #include "haptics/device/foreign/device_page.h"
 #include "haptics/device/foreign/host_process.h"
-#include "haptics/device/link/mailbox.h"
+#include "haptics/device/foreign/page_end.h"
+#include "haptics/device/foreign/plugin_image.h"
 
 namespace relievo::foreign {
 
@@ -35,6 +37,9 @@ class ForeignDevice : public Device {
   /// @param own_id  as the plug-in knows it
   ForeignDevice(std::filesystem::path file, std::string own_id, std::string id, std::string name,
                 Patience patience = {});
+  /// Of what was read, and judged, before.
+  ForeignDevice(PluginImage image, std::string own_id, std::string id, std::string name,
+                Patience patience = {});
   ~ForeignDevice() override;
 
   /// Its limits are known after open().
@@ -48,22 +53,27 @@ class ForeignDevice : public Device {
   void cutForce() noexcept override;
 
   int hostPid() const noexcept { return host_pid_; }  ///< Of an open one. [owner]
+  /// Of an open one, once its host has told it. [owner]
+  std::optional<HeatReport> heat() const;
+  /// Its host is no more, or was let go: nothing comes until it is opened anew. [any thread]
+  bool isLost() const noexcept { return lost_.load() != DeviceFault::none; }
+  /// open() waits no longer, and throws. [any thread]
+  void giveUp() noexcept { given_up_.store(true); }
 
  private:
   HostReport waitUntilOpen();
-  void takeLimits(const ForeignLimits& limits);
   void watch(const std::stop_token& stop);
 
   std::filesystem::path file_;
+  std::optional<PluginImage> image_;  // Nothing: it is read when it is opened.
   std::string own_id_;
   DeviceInfo info_;  // [owner] writes while it is closed; the loop reads its numbers.
   Patience patience_;
+  std::atomic<bool> given_up_{false};
   std::unique_ptr<MappedPage> page_;
   HostProcess host_;  // [owner]; while it is open, [device thread].
   int host_pid_ = 0;
-  // [haptic loop]
-  LoopEnd loop_end_;
-  LinkReading newest_;
+  PageEnd page_end_;  // [haptic loop]
   /// Whatever the page says: the host is no more. [device thread writes]
   std::atomic<DeviceFault> lost_{DeviceFault::none};
   std::jthread watching_;

@@ -83,12 +83,14 @@ void HostProcess::start(const Start& how) {
   life_ = OwnedFd(life[1]);
   const OwnedFd child_life = raised(life_end.get());
   const OwnedFd child_shared = raised(how.shared_fd);
+  const OwnedFd child_plugin = raised(how.plugin_fd);
   const OwnedFd child_output = raised(how.output_fd >= 0 ? how.output_fd : STDERR_FILENO);
   Settings settings;
   ::posix_spawn_file_actions_addopen(&settings.actions, 0, "/dev/null", O_RDONLY, 0);
   ::posix_spawn_file_actions_adddup2(&settings.actions, child_output.get(), 1);
   ::posix_spawn_file_actions_adddup2(&settings.actions, child_shared.get(), kPageFd);
   ::posix_spawn_file_actions_adddup2(&settings.actions, child_life.get(), kLifeFd);
+  ::posix_spawn_file_actions_adddup2(&settings.actions, child_plugin.get(), kPluginFd);
   setSignals(settings.attributes);
   std::vector<std::string> words{kHost};
   words.insert(words.end(), how.arguments.begin(), how.arguments.end());

@@ -21,6 +21,7 @@ class HostProcess {
   struct Start {
     std::vector<std::string> arguments;  ///< Without the program's name.
     int shared_fd = -1;                  ///< Its descriptor 3; this one stays ours.
+    int plugin_fd = -1;                  ///< Its descriptor 5, a PluginImage's; likewise.
     int output_fd = -1;                  ///< Its standard output; -1: it goes to standard error.
   };
   /// @throw FileError  the program is not installed, or may not be found

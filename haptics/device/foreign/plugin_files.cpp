@@ -2,16 +2,16 @@
 #include "haptics/device/foreign/plugin_files.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "core/base/failure.h"
 #include "core/file/atomic_file.h"
 #include "core/file/own_program.h"
-#include "core/hash/sha256.h"
 #include "haptics/device/foreign/foreign_device.h"
 
 namespace relievo::foreign {
@@ -34,48 +34,84 @@ fs::path userFolder(const char* name, const char* otherwise) {
   return fs::path(home.empty() ? "/" : home) / otherwise / "relievo";
 }
 
+bool isSum(std::string_view text) {
+  constexpr std::size_t kDigits = 64;
+  return text.size() == kDigits && std::all_of(text.begin(), text.end(), [](char c) {
+           return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
+         });
+}
+
+/// A line is a checksum, two spaces and a name for people. A list that others may write says
+/// nothing.
 std::vector<std::string> trustedSums(const fs::path& list) {
   std::vector<std::string> sums;
   std::ifstream stream(list);
+  if (!stream || !openToOthers(list).empty()) return sums;
   for (std::string line; std::getline(stream, line);) {
-    constexpr std::size_t kDigits = 64;
-    if (line.size() >= kDigits) sums.push_back(line.substr(0, kDigits));
+    std::string sum = line.substr(0, line.find("  "));
+    if (isSum(sum)) sums.push_back(std::move(sum));
   }
   return sums;
 }
 
-/// @throw FileError
-std::string sumOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::error_code error;
-  if (!stream || !fs::is_regular_file(file, error)) {
-    throw failure<MessageId::device_plugin_unreadable>(file, "it is no file, or may not be read");
-  }
-  Sha256 sum;
-  std::array<char, 65536> bytes{};
-  while (stream) {
-    stream.read(bytes.data(), bytes.size());
-    sum.add(std::string_view(bytes.data(), static_cast<std::size_t>(stream.gcount())));
-  }
-  return sum.finish();
+bool isPlain(char c) {
+  constexpr std::string_view kMarks = "._+-";
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+         kMarks.find(c) != std::string_view::npos;
 }
 
-bool isListed(const fs::path& file, const std::vector<std::string>& sums) {
-  if (sums.empty()) return false;
+/// It stands in ids, in reports and on terminals.
+bool isPlainName(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), isPlain);
+}
+
+/// For a line of the list: nothing in it ends the line or is a command of a terminal.
+std::string shownName(const fs::path& file) {
+  std::string name = file.filename().string();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !isPlain(c); }, '?');
+  return name;
+}
+
+/// Whether bytes may run, and why not.
+struct Judgement {
+  bool by_place = false;          // Its folder is trusted.
+  std::vector<std::string> sums;  // Else these bytes are.
+
+  std::optional<Message> whyNot(const PluginImage& image) const {
+    if (!image.open_to_others.empty()) {
+      return said<MessageId::device_plugin_open_to_others>(image.file, image.open_to_others);
+    }
+    if (by_place || std::find(sums.begin(), sums.end(), image.sha256) != sums.end()) return {};
+    return said<MessageId::device_plugin_not_trusted>(image.file);
+  }
+};
+
+/// Of a file that is not run yet. One in a trusted place is not read for it.
+std::optional<Message> whyNotTrusted(const fs::path& file, const Judgement& judgement) {
+  if (judgement.by_place) {
+    PluginImage unread;
+    unread.file = file;
+    unread.open_to_others = openToOthers(file);
+    return judgement.whyNot(unread);
+  }
   try {
-    return std::find(sums.begin(), sums.end(), sumOf(file)) != sums.end();
-  } catch (const FileError&) {
-    return false;
+    return judgement.whyNot(readPlugin(file));
+  } catch (const FileError& error) {
+    return messageOf(error);
   }
 }
 
-template <class IsTrusted>
-void addFrom(const fs::path& folder, const IsTrusted& is_trusted, std::vector<PluginFile>& files) {
+void addFrom(const fs::path& folder, const Judgement& judgement, std::vector<PluginFile>& files) {
   std::error_code error;
   std::vector<PluginFile> here;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     if (entry.path().extension() != ".so" || !entry.is_regular_file(error)) continue;
-    here.push_back({entry.path().stem().string(), fs::absolute(entry.path(), error), false});
+    PluginFile file;
+    file.name = entry.path().stem().string();
+    if (!isPlainName(file.name)) continue;
+    file.file = fs::absolute(entry.path(), error);
+    here.push_back(std::move(file));
   }
   std::sort(here.begin(), here.end(),
             [](const PluginFile& a, const PluginFile& b) { return a.name < b.name; });
@@ -83,9 +119,16 @@ void addFrom(const fs::path& folder, const IsTrusted& is_trusted, std::vector<Pl
     const bool known = std::any_of(files.begin(), files.end(),
                                    [&](const PluginFile& f) { return f.name == file.name; });
     if (known) continue;
-    file.trusted = is_trusted(file.file);
+    file.why_not = whyNotTrusted(file.file, judgement);
+    file.trusted = !file.why_not;
     files.push_back(std::move(file));
   }
+}
+
+/// Whether it lies in the user's own folder, where each file must be allowed.
+bool isOwn(const PluginFile& plugin, const PluginPlaces& places) {
+  std::error_code error;
+  return plugin.file.parent_path() == fs::absolute(places.own, error);
 }
 }  // namespace
 
@@ -105,29 +148,42 @@ PluginPlaces pluginPlaces() {
 
 std::vector<PluginFile> pluginFiles(const PluginPlaces& places) {
   std::vector<PluginFile> files;
-  for (const fs::path& folder : places.trusted) {
-    addFrom(
-        folder, [](const fs::path&) { return true; }, files);
-  }
-  const std::vector<std::string> sums = trustedSums(places.list);
-  addFrom(
-      places.own, [&](const fs::path& file) { return isListed(file, sums); }, files);
+  for (const fs::path& folder : places.trusted)
+    addFrom(folder, {.by_place = true, .sums = {}}, files);
+  addFrom(places.own, {.by_place = false, .sums = trustedSums(places.list)}, files);
   return files;
 }
 
+PluginImage trustedImage(const PluginFile& plugin, const PluginPlaces& places) {
+  PluginImage image = readPlugin(plugin.file);
+  const bool own = isOwn(plugin, places);
+  const Judgement judgement{.by_place = !own,
+                            .sums = own ? trustedSums(places.list) : std::vector<std::string>()};
+  if (const auto why_not = judgement.whyNot(image)) throw DeviceError(*why_not);
+  return image;
+}
+
 std::string trustPlugin(const fs::path& file, const PluginPlaces& places) {
-  std::string sum = sumOf(file);
+  const PluginImage image = readPlugin(file);
+  if (!image.open_to_others.empty()) {
+    throw failure<MessageId::device_plugin_open_to_others>(file, image.open_to_others);
+  }
+  const std::vector<std::string> sums = trustedSums(places.list);
+  if (std::find(sums.begin(), sums.end(), image.sha256) != sums.end()) return image.sha256;
   std::ostringstream kept;
-  if (std::ifstream stream(places.list); stream) kept << stream.rdbuf();
+  // What others may have written is not kept.
+  if (std::ifstream stream(places.list); stream && openToOthers(places.list).empty()) {
+    kept << stream.rdbuf();
+  }
   std::string text = kept.str();
-  if (text.find(sum) != std::string::npos) return sum;
   if (!text.empty() && text.back() != '\n') text += '\n';
   std::error_code error;
   fs::create_directories(places.list.parent_path(), error);
   AtomicFile written(places.list);
-  written.write(text + sum + "  " + file.filename().string() + "\n");
+  written.write(text + image.sha256 + "  " + shownName(file) + "\n");
   written.commit();
-  return sum;
+  fs::permissions(places.list, fs::perms::owner_read | fs::perms::owner_write, error);
+  return image.sha256;
 }
 
 std::unique_ptr<Device> makePluginDevice(const std::string& id, const PluginPlaces& places) {
@@ -139,10 +195,14 @@ std::unique_ptr<Device> makePluginDevice(const std::string& id, const PluginPlac
   const std::string own_id = id.substr(slash + 1);
   for (const PluginFile& plugin : pluginFiles(places)) {
     if (plugin.name != name) continue;
-    if (!plugin.trusted) throw failure<MessageId::device_plugin_not_trusted>(plugin.file);
     std::string shown = own_id;
     shown.append(" (plug-in ").append(name).append(")");
-    return std::make_unique<ForeignDevice>(plugin.file, own_id, id, std::move(shown));
+    try {
+      return std::make_unique<ForeignDevice>(trustedImage(plugin, places), own_id, id,
+                                             std::move(shown));
+    } catch (const FileError& error) {  // It went, or changed its rights, a moment ago.
+      throw DeviceError(messageOf(error));
+    }
   }
   throw failure<MessageId::device_plugin_missing>(name);
 }

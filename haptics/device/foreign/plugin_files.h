@@ -3,10 +3,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/message/message.h"
 #include "haptics/device/device.h"
+#include "haptics/device/foreign/plugin_image.h"
 
 namespace relievo::foreign {
 
@@ -15,8 +18,9 @@ struct PluginFile {
   std::string name;  ///< Without folder and ".so": the FILE of "plugin:FILE/ID".
   std::filesystem::path file;
   /// It lies where only an administrator writes, where RELIEVO_DEVICE_PATH says, or the user
-  /// allowed exactly these bytes.
+  /// allowed exactly these bytes; and nobody else may change it.
   bool trusted = false;
+  std::optional<Message> why_not;  ///< Of one that is not.
 };
 
 /// Where they are looked for, in this order; of two of one name the first counts.
@@ -29,10 +33,16 @@ struct PluginPlaces {
 /// user's data and settings folders. [any one thread]
 PluginPlaces pluginPlaces();
 
-/// By name. Empty where no folder has any; no file is run, none but the user's own is read.
+/// By name, which is of letters, digits, '.', '_', '+' and '-': other files are none. Empty where
+/// no folder has any; no file is run, none but the user's own is read.
 std::vector<PluginFile> pluginFiles(const PluginPlaces& places = pluginPlaces());
 
-/// From now on this file, as it is, may run. @return its checksum  @throw FileError, WriteError
+/// What may run of one, read and judged at once. [worker]
+/// @throw DeviceError  it is not trusted  @throw FileError  it cannot be read
+PluginImage trustedImage(const PluginFile& plugin, const PluginPlaces& places = pluginPlaces());
+
+/// From now on this file, as it is, may run. @return its checksum
+/// @throw DeviceError  others may change it  @throw FileError, WriteError
 std::string trustPlugin(const std::filesystem::path& file,
                         const PluginPlaces& places = pluginPlaces());
 

@@ -97,7 +97,8 @@ typedef struct relievo_device {
    * priority holds, no file, no printing. May wait for the device, for at most 5 ms. The force is
    * finite and within the limits, and holds until the next call. On failure zero force was sent. */
   relievo_status (*step)(void* self, const double force_n[3], int64_t now_ns, relievo_sample* out);
-  /* [any] Zero force now, within 5 ms, also while step hangs. The next step may drive again. */
+  /* [any] Zero force now, within 5 ms, also while step hangs. The next step may drive again. May come
+   * at any time from create() to destroy(): before open() or during it, and after close(). */
   relievo_status (*cut_force)(void* self);
   const char* (*last_error)(void* self);                    /* [main] never null */
   const void* (*get_extension)(void* self, const char* id); /* [main] null: unknown */

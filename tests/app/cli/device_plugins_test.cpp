@@ -24,6 +24,16 @@ class DevicePlugins : public test::CommandTest {
         words, {"XDG_DATA_HOME=" + path("data"), "XDG_CONFIG_HOME=" + path("config"),
                 folders.empty() ? "RELIEVO_DEVICE_PATH" : "RELIEVO_DEVICE_PATH=" + folders});
   }
+  /// A folder with one plug-in, as only its user may change it, wherever this was built.
+  std::string folderWith(const std::string& file) const {
+    const fs::path folder = path("plug-ins");
+    fs::create_directories(folder);
+    fs::permissions(folder, fs::perms(0755));
+    const fs::path copy = folder / fs::path(file).filename();
+    fs::copy_file(file, copy, fs::copy_options::overwrite_existing);
+    fs::permissions(copy, fs::perms(0755));
+    return folder;
+  }
   nlohmann::json listed(const std::string& folders = {}) const {
     return nlohmann::json::parse(run({"devices", "--report", "json"}, folders).out, nullptr, false);
   }
@@ -31,7 +41,7 @@ class DevicePlugins : public test::CommandTest {
 
 TEST_F(DevicePlugins, NoneIsThereUntilOneIsPutThere) {
   EXPECT_TRUE(listed()["plugins"].empty());
-  const nlohmann::json report = listed(kExample);
+  const nlohmann::json report = listed(folderWith(kExample + "/spring_hand.so"));
   ASSERT_EQ(report["plugins"].size(), 1U);
   const nlohmann::json& plugin = report["plugins"][0];
   EXPECT_EQ(plugin["name"], "spring_hand");
@@ -41,9 +51,9 @@ TEST_F(DevicePlugins, NoneIsThereUntilOneIsPutThere) {
 }
 
 TEST_F(DevicePlugins, OnesThatCannotBeUsedAreSaidWithTheReason) {
-  fs::create_directories(path("given"));
-  fs::copy_file(kStandIns + "/other_major.so", path("given/old.so"));
-  const CommandResult result = run({"devices"}, path("given"));
+  const std::string given = folderWith(kStandIns + "/other_major.so");
+  fs::rename(given + "/other_major.so", given + "/old.so");
+  const CommandResult result = run({"devices"}, given);
   EXPECT_EQ(result.exit_code, 6);
   EXPECT_THAT(result.out, HasSubstr("plug-in old: cannot be used"));
   EXPECT_THAT(result.err, HasSubstr("version 9 of the interface for devices"));
@@ -53,6 +63,8 @@ TEST_F(DevicePlugins, TheUsersOwnIsAskedForOnce) {
   const std::string file = path("data/relievo/devices/mine.so");
   fs::create_directories(fs::path(file).parent_path());
   fs::copy_file(kExample + "/spring_hand.so", file);
+  fs::permissions(file, fs::perms(0755));
+  fs::permissions(fs::path(file).parent_path(), fs::perms(0755));
   const CommandResult before = run({"devices"});
   EXPECT_EQ(before.exit_code, 0) << before.err;
   EXPECT_THAT(before.out, HasSubstr("plug-in mine: not allowed yet"));
@@ -84,7 +96,7 @@ TEST_F(DevicePlugins, ARecordingIsReplayedWithoutThePlugIn) {
   const CommandResult record =
       run({"record", test::kReliefF, "--unit", "mm", "--device", "plugin:spring_hand/spring.1",
            "--seconds", "0.3", "-o", path("log.csv"), "--report", "json"},
-          kExample);
+          folderWith(kExample + "/spring_hand.so"));
   const nlohmann::json report = nlohmann::json::parse(record.out, nullptr, false);
   ASSERT_FALSE(report.is_discarded()) << record.out << record.err;
   EXPECT_EQ(report["device"], "plugin:spring_hand/spring.1");

@@ -73,5 +73,14 @@ TEST_F(SuggestPanelTest, AnotherSurfaceHasNoneOfThem) {
   EXPECT_FALSE(list().isVisible());
 }
 
+TEST_F(SuggestPanelTest, EscapeEndsTheSearch) {
+  ASSERT_TRUE(window().runCommand("suggest_windows"));
+  ASSERT_TRUE(panel().busy());
+  QTest::keyClick(&window().detailView(), Qt::Key_Escape);
+  EXPECT_FALSE(panel().busy());
+  EXPECT_EQ(child<QLabel>("status_message")->text(), "Cancelled. Nothing was suggested.");
+  EXPECT_TRUE(panel().windows().empty());
+}
+
 }  // namespace
 }  // namespace relievo

@@ -43,6 +43,27 @@ TEST_F(ProfileStripTest, IsThereOnceThereIsAProfileAndSaysLengthAndDepth) {
   EXPECT_FALSE(strip().isVisible());
 }
 
+TEST_F(ProfileStripTest, LabelsAndLinesInTheViewsFollowTheVerticalExaggeration) {
+  document().edit({}, [](Project& p) {
+    p.measurements = {
+        {.name = "top", .kind = MeasureKind::distance, .places = {{98, 90}, {102, 90}}}};
+  });
+  QApplication::processEvents();
+  const auto* labels = window().detailView().findChild<ViewLabels*>();
+  ASSERT_EQ(labels->labels().size(), 1U);
+  const double label_z = labels->labels()[0].at.z;
+  const auto line_z = [this] { return window().detailView().sceneState().lines.at(0).at(0).z; };
+  const double z = line_z();
+  ASSERT_NEAR(z, 20, 0.2);
+  ASSERT_NEAR(label_z, 20, 0.2);
+  document().setGain(2);
+  EXPECT_NEAR(labels->labels()[0].at.z, 2 * label_z, 1e-9);
+  EXPECT_NEAR(line_z(), 2 * z, 1e-9);
+  action("undo")->trigger();
+  EXPECT_NEAR(labels->labels()[0].at.z, label_z, 1e-9);
+  EXPECT_NEAR(line_z(), z, 1e-9);
+}
+
 TEST_F(ProfileStripTest, TheCursorCarriesTheHandAndIsMarkedInBothViews) {
   measure();
   QTest::keyClick(&curve(), Qt::Key_Home);

@@ -40,6 +40,19 @@ TEST_F(LightBallTest, ADragIsOneStepOfTheDocumentAndUndoBringsTheLightBack) {
   EXPECT_EQ(ball().light(), before);
 }
 
+TEST_F(LightBallTest, EachDragIsAStepOfItsOwn) {
+  drag(ball(), middle(), middle() + QPointF(12, 0));
+  const LightOptions first = light();
+  drag(ball(), middle(), middle() + QPointF(0, 12));
+  ASSERT_NE(light(), first);
+  EXPECT_EQ(document().history().count(), 2);
+  action("undo")->trigger();
+  EXPECT_EQ(light(), first);
+  QTest::keyClick(&ball(), Qt::Key_Right);
+  QTest::keyClick(&ball(), Qt::Key_Right);
+  EXPECT_EQ(document().history().count(), 2) << "keys are another step than the drag before";
+}
+
 TEST_F(LightBallTest, ItsDragTurnsNoViewAndPressesNothing) {
   drag(ball(), middle(), middle() + QPointF(12, 12));
   EXPECT_FALSE(window().detailView().isTurned());

@@ -112,7 +112,7 @@ TEST_F(PointerModeTest, ForcesWithTheMouseMeanTouchAndGiveLookBack) {
   QAction* forces = forcesIn(window());
   TouchReadout readout;
   readout.device = "mouse";
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   forces->setChecked(true);
   EXPECT_EQ(view().pointerMode(), PointerMode::touch);
   forces->setChecked(false);
@@ -121,11 +121,11 @@ TEST_F(PointerModeTest, ForcesWithTheMouseMeanTouchAndGiveLookBack) {
   forces->setChecked(true);
   action("pointer_look")->trigger();
   readout.forces_on = true;
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   EXPECT_EQ(view().pointerMode(), PointerMode::look);
   action("pointer_touch")->trigger();
   readout.forces_on = false;
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   EXPECT_EQ(view().pointerMode(), PointerMode::touch);
 }
 
@@ -133,7 +133,7 @@ TEST_F(PointerModeTest, ADeviceInTheHandLeavesTheLeftButtonToLooking) {
   QAction* forces = forcesIn(window());
   TouchReadout readout;
   readout.device = "Falcon ready";
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   forces->setChecked(true);
   EXPECT_EQ(view().pointerMode(), PointerMode::look);
 }

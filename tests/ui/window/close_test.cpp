@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // File > Close: back to the start page, and on from there.
 #include <QAction>
+#include <QDir>
+#include <QFile>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
@@ -8,6 +10,7 @@
 #include <QtTest/QTest>
 
 #include "tests/ui/gui_fixture.h"
+#include "ui/dialogs/video_control.h"
 #include "ui/frame/start_page.h"
 
 namespace relievo {
@@ -68,10 +71,89 @@ TEST_F(CloseTest, StopsTheForcesAndLetsNoneComeOnBehindTheStartPage) {
   openRelief();
   TouchReadout readout;
   readout.forces_on = true;
-  window().showTouch(readout);
+  window().controllers().touch.show(readout);
   action("close")->trigger();
   EXPECT_TRUE(stopped);
   EXPECT_FALSE(window().runCommand("forces"));
+}
+
+/// As the haptics plugin adds it.
+QAction* recordIn(MainWindow& window) {
+  auto* record = new QAction("Record");
+  record->setObjectName("record");
+  record->setCheckable(true);
+  window.addToMenu("Record", record);
+  return record;
+}
+
+TEST_F(CloseTest, ARecordingEndsAndIsSavedBeforeItsScanGoes) {
+  QAction* record = recordIn(window());
+  openRelief();
+  record->setChecked(true);
+  action("close")->trigger();
+  EXPECT_FALSE(record->isChecked()) << "it is asked to end";
+  EXPECT_TRUE(document().isOpen()) << "until it is on the disk";
+  action("close")->trigger();
+  EXPECT_TRUE(document().isOpen());
+  QFile file(path("touch.csv"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.close();
+  window().noteRecording(file.fileName());
+  ASSERT_TRUE(waitFor([this] { return !document().isOpen(); }));
+  const QString said = child<QLabel>("status_message")->text();
+  EXPECT_TRUE(said.contains("relief.ply is closed")) << said.toStdString();
+  EXPECT_TRUE(said.contains("touch.csv")) << said.toStdString();
+  // The next one is closed as ever.
+  openRelief();
+  action("close")->trigger();
+  EXPECT_FALSE(document().isOpen());
+}
+
+TEST_F(CloseTest, TheWorkKnowsOfARecordingBeforeItGoes) {
+  QAction* record = recordIn(window());
+  openRelief();
+  std::size_t known = 0;
+  QObject::connect(&document(), &Document::amended, [&] {
+    if (document().isOpen()) known = document().project().recordings.size();
+  });
+  record->setChecked(true);
+  action("close")->trigger();
+  QFile file(path("touch.csv"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.close();
+  window().noteRecording(file.fileName());
+  ASSERT_TRUE(waitFor([this] { return !document().isOpen(); }));
+  EXPECT_EQ(known, 1U);
+}
+
+TEST_F(CloseTest, ARecordingThatHadEndedAlreadyHoldsNothingUp) {
+  recordIn(window());
+  openRelief();
+  TouchReadout readout;
+  readout.recording = true;  // Half a second old.
+  window().showTouch(readout);
+  action("close")->trigger();
+  EXPECT_TRUE(document().isOpen());
+  readout.recording = false;
+  window().showTouch(readout);
+  ASSERT_TRUE(waitFor([this] { return !document().isOpen(); }));
+}
+
+TEST_F(CloseTest, AVideoOfTheViewEndsWholeBeforeItsScanGoes) {
+  qputenv("HOME", path("home").toLocal8Bit());
+  QDir().mkpath(path("home"));
+  openRelief();
+  action("video_live")->setChecked(true);
+  ASSERT_TRUE(window().videoControl().live()) << window().message().toStdString();
+  action("close")->trigger();
+  EXPECT_TRUE(document().isOpen()) << "its last picture is being written";
+  ASSERT_TRUE(waitFor([this] { return !document().isOpen(); }));
+  EXPECT_FALSE(window().videoControl().live());
+  EXPECT_FALSE(action("video_live")->isChecked());
+  const QString said = child<QLabel>("status_message")->text();
+  EXPECT_TRUE(said.contains("Video saved")) << said.toStdString();
+  EXPECT_TRUE(said.contains("relief.ply is closed")) << said.toStdString();
+  EXPECT_EQ(QDir(path("home/Videos/relievo")).entryList(QDir::Files).size(), 1);
 }
 
 }  // namespace

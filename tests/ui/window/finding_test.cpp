@@ -59,11 +59,12 @@ TEST_F(FindingTest, WordsOfOtherProgramsFindTheCommand) {
 }
 
 TEST_F(FindingTest, OtherWordsAreOfCommandsThatExist) {
-  int known = 0;
-  for (const QAction* command : window().findChildren<QAction*>()) {
-    if (!otherWords(command->objectName()).isEmpty()) ++known;
+  for (const QString& name : commandsWithOtherWords()) {
+    EXPECT_NE(window().findChild<QAction*>(name, Qt::FindDirectChildrenOnly), nullptr)
+        << name.toStdString() << " is no command";
+    EXPECT_FALSE(otherWords(name).trimmed().isEmpty()) << name.toStdString();
   }
-  EXPECT_GE(known, 30);
+  EXPECT_EQ(commandsWithOtherWords().removeDuplicates(), 0);
   EXPECT_TRUE(otherWords("no_such_command").isEmpty());
 }
 
@@ -96,6 +97,46 @@ TEST_F(FindingTest, TheKeysStandUnderTheirMenusAndAreSearched) {
   EXPECT_EQ(shown, QStringList({"Edit", "Ctrl+Z"}));
   sheet->findChild<QLineEdit*>("keys_words")->setText("xyzzy");
   EXPECT_TRUE(sheet->findChild<QLabel*>("keys_nothing")->isVisible());
+}
+
+/// What the sheet says that keys do.
+QString rowOf(const KeysSheet& sheet, const QString& keys) {
+  const auto* table = sheet.findChild<QTableWidget*>("keys_table");
+  for (int row = 0; row < table->rowCount(); ++row) {
+    if (table->item(row, 1) != nullptr && table->item(row, 0)->text() == keys) {
+      return table->item(row, 1)->text();
+    }
+  }
+  return QStringLiteral("no row ") + keys;
+}
+
+TEST_F(FindingTest, SheetAndExplanationsNameTheButtonsAsPreferencesSay) {
+  ASSERT_TRUE(window().runCommand("keys"));
+  auto* sheet = window().findChild<KeysSheet*>();
+  EXPECT_EQ(rowOf(*sheet, "Detail view: left button"),
+            "Look: turn the view. Touch: press the hand in");
+  EXPECT_EQ(rowOf(*sheet, "Detail view: right button"),
+            "Look: move the window. Touch: move the window");
+  EXPECT_TRUE(window().detailView().whatsThis().contains("Look: left turns, right moves"))
+      << window().detailView().whatsThis().toStdString();
+  delete sheet;
+  window().settings().setChoice("look_left", "zoom");
+  window().settings().setChoice("look_right", "none");
+  window().settings().setChoice("touch_middle", "move");
+  window().settings().setChoice("wheel_forward", false);
+  restart();
+  ASSERT_TRUE(window().runCommand("keys"));
+  sheet = window().findChild<KeysSheet*>();
+  EXPECT_EQ(rowOf(*sheet, "Detail view: left button"), "Look: zoom. Touch: press the hand in");
+  EXPECT_EQ(rowOf(*sheet, "Detail view: middle button"),
+            "Look: turn the view. Touch: move the window");
+  EXPECT_EQ(rowOf(*sheet, "Detail view: right button"), "Look: nothing. Touch: move the window");
+  EXPECT_EQ(rowOf(*sheet, "Detail view: wheel"), "Zoom about the pointer; towards you is closer");
+  const QString told = window().detailView().whatsThis();
+  EXPECT_TRUE(told.contains("Look: left zooms, middle turns")) << told.toStdString();
+  EXPECT_TRUE(told.contains("middle moves")) << told.toStdString();
+  EXPECT_FALSE(told.contains("Right drag")) << told.toStdString();
+  EXPECT_EQ(action("pointer_look")->whatsThis(), "Look: left zooms, middle turns, wheel zooms");
 }
 
 }  // namespace

@@ -15,7 +15,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <functional>
 #include <thread>
 #include <vector>
 
@@ -191,9 +190,13 @@ Verdict checkSilence(const CheckAsk& ask) {
 /// A device that is open for one test.
 class OpenDevice {
  public:
-  explicit OpenDevice(const CheckAsk& ask) : trouble_(loadAndBegin(plugin_, ask.file)) {
+  /// @param cuts_before  its force is cut before it is open, as a guard may do that does not know
+  /// how far it is
+  explicit OpenDevice(const CheckAsk& ask, bool cuts_before = false)
+      : trouble_(loadAndBegin(plugin_, ask.file)) {
     if (trouble_.what != HostTrouble::none) return;
     device_ = plugin_.create(ask.device);
+    if (cuts_before && isWhole(device_)) device_->cut_force(device_->self);
     if (device_ == nullptr) {
       trouble_.what = HostTrouble::no_device;
     } else if (!isWhole(device_)) {
@@ -227,23 +230,20 @@ struct Step {
   std::int64_t took_ns = 0, ended_ns = 0;
   long allocated = 0;
 };
-using ForceAt = std::function<double(double part)>;  ///< Of x, N; `part` of the time, [0, 1].
 
-/// Steps at the device's rate, in a thread of their own.
-std::vector<Step> stepsOf(const OpenDevice& open, double seconds, const ForceAt& force) {
+/// Steps without a force, at the device's rate, in a thread of their own.
+std::vector<Step> stepsOf(const OpenDevice& open, double seconds) {
   constexpr double kMostSteps = 100'000;
   const double rate = open.limits().rate_hz;
   std::vector<Step> steps(static_cast<std::size_t>(std::clamp(seconds * rate, 10.0, kMostSteps)));
   std::thread([&] {
+    constexpr std::array<double, 3> kNoForce{};
     std::int64_t next_ns = monotonicNs();
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      Step& step = steps[i];
-      const double part = static_cast<double>(i) / static_cast<double>(steps.size());
-      const std::array<double, 3> force_n{force(part), 0, 0};
+    for (Step& step : steps) {
       step.sample.struct_size = sizeof(relievo_sample);
       const long before = allocations();
       const std::int64_t began_ns = monotonicNs();
-      step.status = (*open).step((*open).self, force_n.data(), began_ns, &step.sample);
+      step.status = (*open).step((*open).self, kNoForce.data(), began_ns, &step.sample);
       step.ended_ns = monotonicNs();
       step.took_ns = step.ended_ns - began_ns;
       step.allocated = allocations() - before;
@@ -252,10 +252,6 @@ std::vector<Step> stepsOf(const OpenDevice& open, double seconds, const ForceAt&
     }
   }).join();
   return steps;
-}
-
-double none(double /*part*/) {
-  return 0;
 }
 
 Verdict checkLimits(const CheckAsk& ask) {
@@ -267,7 +263,7 @@ Verdict checkLimits(const CheckAsk& ask) {
 Verdict checkDuration(const CheckAsk& ask) {
   const OpenDevice open(ask);
   if (open.trouble().what != HostTrouble::none) return {troubleText(open.trouble())};
-  std::vector<Step> steps = stepsOf(open, ask.seconds, none);
+  std::vector<Step> steps = stepsOf(open, ask.seconds);
   const auto late = std::count_if(steps.begin(), steps.end(),
                                   [](const Step& step) { return step.took_ns > kMostStepNs; });
   return {2 * static_cast<std::size_t>(late) > steps.size() ? "steps take longer" : ""};
@@ -277,7 +273,7 @@ Verdict checkAllocations(const CheckAsk& ask) {
   if (allocations() < 0) return {"allocations are not counted in this build", true};
   const OpenDevice open(ask);
   if (open.trouble().what != HostTrouble::none) return {troubleText(open.trouble())};
-  const std::vector<Step> steps = stepsOf(open, ask.seconds, none);
+  const std::vector<Step> steps = stepsOf(open, ask.seconds);
   const bool any =
       std::any_of(steps.begin(), steps.end(), [](const Step& step) { return step.allocated > 0; });
   return {any ? "step allocates memory" : ""};
@@ -288,7 +284,7 @@ Verdict checkPlaces(const CheckAsk& ask) {
   if (open.trouble().what != HostTrouble::none) return {troubleText(open.trouble())};
   std::int64_t last_ns = 0;
   bool any = false;
-  for (const Step& step : stepsOf(open, ask.seconds, none)) {
+  for (const Step& step : stepsOf(open, ask.seconds)) {
     if (step.status != RELIEVO_OK) continue;
     any = true;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -309,7 +305,7 @@ Verdict checkJumps(const CheckAsk& ask) {
   const OpenDevice open(ask);
   if (open.trouble().what != HostTrouble::none) return {troubleText(open.trouble())};
   const relievo_sample* last = nullptr;
-  const std::vector<Step> steps = stepsOf(open, ask.seconds, none);
+  const std::vector<Step> steps = stepsOf(open, ask.seconds);
   for (const Step& step : steps) {
     if (step.status != RELIEVO_OK) continue;
     if (last != nullptr) {
@@ -327,11 +323,11 @@ Verdict checkJumps(const CheckAsk& ask) {
 }
 
 Verdict checkCut(const CheckAsk& ask) {
-  const OpenDevice open(ask);
+  const OpenDevice open(ask, true);
   if (open.trouble().what != HostTrouble::none) return {troubleText(open.trouble())};
   std::atomic<bool> stepped{false};
   std::thread stepping([&] {
-    stepsOf(open, ask.seconds, none);
+    stepsOf(open, ask.seconds);
     stepped.store(true);
   });
   int cuts = 0, late = 0, refused = 0;
@@ -343,6 +339,8 @@ Verdict checkCut(const CheckAsk& ask) {
     sleepUntil(began_ns + 10 * kMs);
   }
   stepping.join();
+  (*open).close((*open).self);
+  (*open).cut_force((*open).self);  // Whatever it says now.
   if (refused > 0) return {"cut_force fails"};
   return {2 * late > cuts ? "cut_force takes longer" : ""};
 }
@@ -356,23 +354,11 @@ Verdict checkReopening(const CheckAsk& ask) {
   return {device.open(device.self) < 0 ? "it does not open again" : ""};
 }
 
-Verdict checkRamp(const CheckAsk& ask) {
-  if (ask.newton == 0) return {"it takes a hand at the grip; ask for it by --newton", true};
-  const OpenDevice open(ask);
-  if (open.trouble().what != HostTrouble::none) return {troubleText(open.trouble())};
-  const double most = std::min(ask.newton, rulesOf(open.limits()).max_force_n);
-  const std::vector<Step> steps = stepsOf(
-      open, ask.seconds, [most](double part) { return most * (1 - std::abs(2 * part - 1)); });
-  const bool failed =
-      std::any_of(steps.begin(), steps.end(), [](const Step& step) { return step.status < 0; });
-  return {failed ? "a step fails while the force rises and falls" : ""};
-}
-
 struct NamedCheck {
   std::string_view code;
   Verdict (*run)(const CheckAsk&);
 };
-constexpr std::array<NamedCheck, 16> kFunctions{{{"C01", checkTable},
+constexpr std::array<NamedCheck, 15> kFunctions{{{"C01", checkTable},
                                                  {"C02", checkBeginning},
                                                  {"C03", checkScan},
                                                  {"C04", checkUnknownId},
@@ -386,8 +372,7 @@ constexpr std::array<NamedCheck, 16> kFunctions{{{"C01", checkTable},
                                                  {"C23", checkPlaces},
                                                  {"C24", checkJumps},
                                                  {"C25", checkCut},
-                                                 {"C26", checkReopening},
-                                                 {"C27", checkRamp}}};
+                                                 {"C26", checkReopening}}};
 
 std::string lineOf(const Verdict& verdict) {
   if (verdict.skipped) return "skipped\t" + verdict.why + "\n";

@@ -41,6 +41,8 @@ void DeviceRound::go(std::int64_t now_ns, bool zero) RELIEVO_REALTIME {
     gate_.shut(now_ns);
   }
   if (gone_) return;
+  force = heat_.shown(force, now_ns);
+  page_.heat.write({heat_.used(), heat_.allowedN()});
   const std::array<double, 3> force_n{force.x, force.y, force.z};
   relievo_sample sample{};
   sample.struct_size = sizeof(sample);
@@ -60,6 +62,8 @@ void DeviceRound::take(relievo_status status, const relievo_sample& sample,
   }
   if (status == RELIEVO_NO_NEWS) return;
   if (!believed(sample, now_ns)) return fail(DeviceFault::protocol, now_ns);
+  heat_.measured(sample.hottest_motor);
+  if (isTooHot(sample.hottest_motor)) return fail(DeviceFault::overheated, now_ns);
   reading_.position = {sample.position_mm[0], sample.position_mm[1], sample.position_mm[2]};
   reading_.buttons = sample.buttons & kAllButtons;
   reading_.time_ns = sample.time_ns;
@@ -76,6 +80,12 @@ void DeviceRound::wasCut(std::int64_t now_ns) RELIEVO_REALTIME {
   reading_.interrupt(DeviceFault::timeout, now_ns);
 }
 
+/// From its limit until it is clearly below it.
+bool DeviceRound::isTooHot(double hottest) const RELIEVO_REALTIME {
+  constexpr double kCooled = 0.9;
+  return hottest >= (reading_.fault == DeviceFault::overheated ? kCooled : 1.0);
+}
+
 /// A number, within twice the reach, measured lately and not in the future.
 bool DeviceRound::believed(const relievo_sample& sample,
                            std::int64_t now_ns) const RELIEVO_REALTIME {
@@ -84,7 +94,8 @@ bool DeviceRound::believed(const relievo_sample& sample,
     const double place = sample.position_mm[i];
     if (!std::isfinite(place) || std::abs(place) > 2 * limits_.half_extent_mm[i]) return false;
   }
-  return sample.time_ns <= now_ns && sample.time_ns >= now_ns - kMostAgeNs;
+  return std::isfinite(sample.hottest_motor) && sample.time_ns <= now_ns &&
+         sample.time_ns >= now_ns - kMostAgeNs;
 }
 
 }  // namespace relievo::foreign

@@ -7,6 +7,7 @@
 #include "haptics/device/foreign/device_page.h"
 #include "haptics/device/foreign/relievo_device.h"
 #include "haptics/device/link/force_gate.h"
+#include "haptics/device/link/heat_budget.h"
 #include "haptics/device/link/mailbox.h"
 
 namespace relievo::foreign {
@@ -15,8 +16,16 @@ namespace relievo::foreign {
 /// No clock and no thread of its own. [device thread of the host]
 class DeviceRound {
  public:
-  DeviceRound(relievo_device& device, DevicePage& page, const ForeignLimits& limits)
-      : device_(device), page_(page), limits_(limits), gate_(rulesOf(limits)) {}
+  /// @param step_since_ns  gets when the step that runs began; 0: none runs. Whoever looks at it
+  /// from another thread may do so after this is gone.
+  DeviceRound(relievo_device& device, DevicePage& page, const ForeignLimits& limits,
+              std::atomic<std::int64_t>& step_since_ns)
+      : device_(device),
+        page_(page),
+        limits_(limits),
+        gate_(rulesOf(limits)),
+        heat_(heatRulesOf(limits)),
+        step_since_ns_(step_since_ns) {}
 
   /// @param zero  relievo is gone or lets go: zero force
   void go(std::int64_t now_ns, bool zero) RELIEVO_REALTIME;
@@ -24,24 +33,22 @@ class DeviceRound {
   void wasCut(std::int64_t now_ns) RELIEVO_REALTIME;
   /// The device is gone for good: it is not asked any more.
   bool gone() const RELIEVO_REALTIME { return gone_; }
-  /// When the step that runs began; 0: none runs. [any thread]
-  std::int64_t stepSince() const RELIEVO_REALTIME {
-    return step_since_ns_.load(std::memory_order_acquire);
-  }
 
  private:
   void take(relievo_status status, const relievo_sample& sample,
             std::int64_t now_ns) RELIEVO_REALTIME;
   void fail(DeviceFault fault, std::int64_t now_ns) RELIEVO_REALTIME;
+  bool isTooHot(double hottest) const RELIEVO_REALTIME;
   bool believed(const relievo_sample& sample, std::int64_t now_ns) const RELIEVO_REALTIME;
 
   relievo_device& device_;
   DevicePage& page_;
   ForeignLimits limits_;
   ForceGate gate_;
+  HeatBudget heat_;
   ForceOrder order_;
   LinkReading reading_;
-  std::atomic<std::int64_t> step_since_ns_{0};
+  std::atomic<std::int64_t>& step_since_ns_;
   bool gone_ = false;
 };
 

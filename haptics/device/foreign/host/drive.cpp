@@ -2,6 +2,7 @@
 #include "haptics/device/foreign/host/drive.h"
 
 #include <poll.h>
+#include <pthread.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
 
@@ -42,8 +43,9 @@ struct Drive {
   std::atomic<bool> ending{false};  // Zero, close, go.
   std::atomic<bool> over{false};    // All is closed: the guard may go.
   std::atomic<bool> cut_by_guard{false};
-  std::atomic<relievo_device*> device{nullptr};    // Created; the guard may cut its force.
-  std::atomic<const DeviceRound*> round{nullptr};  // Running.
+  std::atomic<bool> guarded{false};              // The guard looks.
+  std::atomic<relievo_device*> device{nullptr};  // Created; the guard may cut its force.
+  std::atomic<std::int64_t> step_since_ns{0};    // When the step that runs began; 0: none runs.
 };
 
 void cut(const Drive& drive) {
@@ -62,6 +64,9 @@ bool endIsWanted(const Drive& drive) {
 /// watchdog, and an end of relievo while a step hangs. [guard thread]
 void guard(Drive& drive) {
   requestRealtime(kGuardPriority, {});
+  ::pthread_setname_np(::pthread_self(), "guard");
+  drive.guarded.store(true, std::memory_order_release);
+  drive.guarded.notify_one();
   std::uint32_t cuts = drive.page->cuts.load(std::memory_order_acquire);
   std::int64_t cut_for_ns = 0;  // The step that it was cut for: once each.
   std::int64_t ending_since_ns = 0;
@@ -69,8 +74,7 @@ void guard(Drive& drive) {
     look_ns = std::max(look_ns, monotonicNs()) + kMs;
     sleepUntil(look_ns);
     const std::int64_t now_ns = monotonicNs();
-    const DeviceRound* const round = drive.round.load(std::memory_order_acquire);
-    const std::int64_t since_ns = round == nullptr ? 0 : round->stepSince();
+    const std::int64_t since_ns = drive.step_since_ns.load(std::memory_order_acquire);
     if (since_ns != 0 && since_ns != cut_for_ns && now_ns - since_ns > kOverdueNs) {
       cut_for_ns = since_ns;
       drive.cut_by_guard.store(true, std::memory_order_release);
@@ -156,10 +160,8 @@ void runDevice(Drive& drive, LoadedPlugin& plugin, const std::string& file, cons
   relievo_device* const device = drive.device.load(std::memory_order_relaxed);
   if (device == nullptr) return;
   if (trouble.what == HostTrouble::none) {
-    DeviceRound round(*device, *drive.page, limits);
-    drive.round.store(&round, std::memory_order_release);
+    DeviceRound round(*device, *drive.page, limits, drive.step_since_ns);
     std::thread(runRounds, std::ref(drive), std::ref(round), limits).join();
-    drive.round.store(nullptr, std::memory_order_release);
   }
   try {
     device->close(device->self);
@@ -176,6 +178,8 @@ int drive(const std::string& file, const std::string& id) {
   LoadedPlugin plugin;
   endAfterRelievo();
   std::thread guarding(guard, std::ref(drive));
+  // To ask for its priority may take a second: until it looks, nothing is loaded that could push.
+  drive.guarded.wait(false, std::memory_order_acquire);
   runDevice(drive, plugin, file, id);
   // Only now: the guard may cut the force of a device that is being closed.
   drive.over.store(true, std::memory_order_release);

@@ -2,8 +2,9 @@
 // relievo-device-host: loads one plug-in for haptic devices. Only relievo starts it.
 //   drive FILE ID                         runs a device over the page at descriptor 3
 //   scan FILE                             tells its devices on descriptor 3
-//   check FILE CODE ID NEWTON SECONDS     runs one test, and tells its verdict on descriptor 3
-// Descriptor 4 ends with relievo.
+//   check FILE CODE ID SECONDS            runs one test, and tells its verdict on descriptor 3
+// Descriptor 4 ends with relievo; descriptor 5 is what is loaded, and FILE says where it was.
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -70,15 +71,17 @@ void endWithRelievo() {
 
 int run(const std::vector<std::string>& words) {
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return kUsageExit;
-  ::close_range(kLifeFd + 1, ~0U, 0);
+  ::close_range(kPluginFd + 1, ~0U, 0);
+  // Ours alone: a program that a plug-in starts has none of them.
+  for (const int own : {kPageFd, kLifeFd, kPluginFd}) ::fcntl(own, F_SETFD, FD_CLOEXEC);
   // A line that the plug-in writes to a terminal or a pipe that is gone is no reason to end or stop
   // with a force on.
   for (const int signal : {SIGPIPE, SIGTTOU, SIGTTIN, SIGTSTP}) ::signal(signal, SIG_IGN);
   if (words.size() == 3 && words[0] == "drive") return drive(words[1], words[2]);
   endWithRelievo();
   if (words.size() == 2 && words[0] == "scan") return scan(words[1]);
-  if (words.size() == 6 && words[0] == "check") {
-    return check({words[1], words[2], words[3], numberOf(words[4]), numberOf(words[5])});
+  if (words.size() == 5 && words[0] == "check") {
+    return check({words[1], words[2], words[3], numberOf(words[4])});
   }
   return kUsageExit;
 }

@@ -42,10 +42,14 @@ LoadedPlugin::~LoadedPlugin() {
 
 Trouble LoadedPlugin::load(const std::string& file) {
   file_ = file;
-  void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  // The bytes that relievo judged, whatever has become of the file.
+  const std::string bytes = "/proc/self/fd/" + std::to_string(kPluginFd);
+  void* const library = ::dlopen(bytes.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
-    const char* const why = ::dlerror();
-    return {HostTrouble::not_loaded, 0, why == nullptr ? "" : why};
+    const char* const words = ::dlerror();
+    std::string why = words == nullptr ? "" : words;
+    if (why.starts_with(bytes)) why.replace(0, bytes.size(), file);
+    return {HostTrouble::not_loaded, 0, why};
   }
   entry_ = static_cast<const relievo_device_entry_t*>(::dlsym(library, "relievo_device_entry"));
   if (entry_ == nullptr) return {HostTrouble::no_entry, 0, {}};
@@ -135,11 +139,12 @@ Trouble askLimits(relievo_device* device, ForeignLimits& limits) {
   limits = {
       .half_extent_mm = {told.half_extent_mm[0], told.half_extent_mm[1], told.half_extent_mm[2]},
       .max_force_n = told.max_force_n,
+      .continuous_force_n = told.continuous_force_n,
       .max_stiffness_n_per_mm = told.max_stiffness_n_per_mm,
       .position_step_mm = told.position_step_mm,
       .force_delay_ms = told.force_delay_ms,
       .rate_hz = told.rate_hz,
-      .own_watchdog = (told.flags & RELIEVO_HAS_OWN_WATCHDOG) != 0};
+      .own_watchdog = static_cast<std::uint8_t>((told.flags & RELIEVO_HAS_OWN_WATCHDOG) != 0)};
   if (!arePossible(limits)) return {HostTrouble::limits, 0, {}};
   return {};
 }

@@ -37,7 +37,9 @@ class LoadedPlugin {
   LoadedPlugin(const LoadedPlugin&) = delete;
   LoadedPlugin& operator=(const LoadedPlugin&) = delete;
 
-  /// Loads it and looks at its table. @return what is wrong with it
+  /// Loads it from its descriptor and looks at its table.
+  /// @param file  where it was before, for the plug-in and for people  @return what is wrong with
+  /// it
   Trouble load(const std::string& file);
   /// Its init. @return what is wrong
   Trouble begin();

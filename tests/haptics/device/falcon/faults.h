@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "haptics/device/device.h"
-#include "haptics/device/falcon/link_status.h"
+#include "haptics/device/falcon/link/link_status.h"
 #include "tests/emulator/falcon_emulator.h"
 
 namespace relievo::falcon::test {

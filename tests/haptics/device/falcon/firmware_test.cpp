@@ -13,7 +13,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "haptics/device/falcon/link_status.h"
+#include "haptics/device/falcon/link/link_status.h"
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/hid/hid_reports.h"
 #include "tests/emulator/made_image.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a Falcon's status says: its detail crosses threads as a message's bytes.
-#include "haptics/device/falcon/link_status.h"
+#include "haptics/device/falcon/link/link_status.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A hand is believed, however it moves; what no hand can do is not.
-#include "haptics/device/falcon/pose_gate.h"
+#include "haptics/device/falcon/link/pose_gate.h"
 
 #include <gtest/gtest.h>
 

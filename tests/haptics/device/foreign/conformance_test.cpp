@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tests that whoever writes a plug-in runs: they name each planted fault, and pass what has
 // none.
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,11 @@ class ConformanceTest : public test::ForeignTest {
 TEST_F(ConformanceTest, TheStandInAndTheExampleHaveNoFault) {
   EXPECT_EQ(failures(checked("none")), "");
   const std::string example = std::string(RELIEVO_BINARY_DIR) + "/device_example/spring_hand.so";
-  const auto results = checkPlugin(example, {.device = "spring.1", .newton = 1, .seconds = 0.2});
+  const auto results = checkPlugin(example, {.device = "spring.1",
+                                             .newton = 1,
+                                             .seconds = 0.2,
+                                             .is_held = [] { return true; },
+                                             .patience = test::longPatience()});
   EXPECT_EQ(failures(results), "");
   EXPECT_EQ(results.back().verdict, Verdict::passed) << "the force was asked for";
 }
@@ -77,7 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
         Planted{"sleeps", "C21", "longer"}, Planted{"nan_place", "C23", "not finite"},
         Planted{"far_place", "C23", "out of reach"}, Planted{"frozen_time", "C23", "older"},
         Planted{"future", "C23", "future"}, Planted{"jumps", "C24", "jumps"},
-        Planted{"cut_fails", "C25", "fails"}, Planted{"never_reopens", "C26", "open again"},
+        Planted{"cut_fails", "C25", "fails"}, Planted{"cut_needs_open", "C25", "crashed"},
+        Planted{"never_reopens", "C26", "open again"},
         Planted{"crashes", "C21", "crashed (signal 11)"},
         Planted{"aborts", "C21", "crashed (signal 6)"},
         Planted{"throws", "C21", "crashed (signal 6)"},
@@ -90,6 +96,82 @@ TEST_F(ConformanceTest, AStepThatAllocatesIsNamed) {
   EXPECT_THAT(whyOf(checked("allocates"), "C22"), HasSubstr("allocates"));
 }
 #endif
+
+TEST_F(ConformanceTest, WhatAnotherThreadAllocatesIsNoFaultOfTheStep) {
+  EXPECT_EQ(failures(checked("allocates_beside")), "");
+}
+
+/// The test that pushes is a session like any other: guarded, limited, and at an end with the first
+/// fault.
+class PushingTest : public ConformanceTest {
+ protected:
+  std::vector<CheckResult> pushed(const std::string& fault, bool held = true,
+                                  Patience patience = test::longPatience()) {
+    return checkPlugin(standIn(fault), {.device = test::kStandInId,
+                                        .newton = 1,
+                                        .seconds = 0.1,
+                                        .is_held =
+                                            [this, held] {
+                                              ++asked;
+                                              return held;
+                                            },
+                                        .patience = patience});
+  }
+  double mostForce() const {
+    double most_n = 0;
+    for (const test::StandInEntry& entry : log()) most_n = std::max(most_n, entry.force_n);
+    return most_n;
+  }
+  int asked = 0;
+};
+
+TEST_F(PushingTest, AsksAndThenPushesNoMoreThanItSays) {
+  const auto results = pushed("none");
+  EXPECT_EQ(failures(results), "");
+  EXPECT_EQ(results.back().verdict, Verdict::passed);
+  EXPECT_EQ(asked, 1);
+  EXPECT_GT(mostForce(), 0);
+  EXPECT_LE(mostForce(), 1 + 1e-9);
+}
+
+TEST_F(PushingTest, WithoutAHandAtTheGripThereIsNoForce) {
+  const auto results = pushed("none", false);
+  EXPECT_EQ(results.back().verdict, Verdict::skipped);
+  EXPECT_THAT(results.back().why, HasSubstr("nobody said"));
+  EXPECT_EQ(checkPlugin(standIn("none"), {.device = test::kStandInId, .newton = 1, .seconds = 0.1})
+                .back()
+                .verdict,
+            Verdict::skipped)
+      << "nobody was asked";
+  EXPECT_EQ(mostForce(), 0);
+}
+
+TEST_F(PushingTest, AfterAFailedTestThereIsNoForce) {
+  const auto results = pushed("jumps");
+  EXPECT_EQ(results.back().verdict, Verdict::skipped);
+  EXPECT_THAT(results.back().why, HasSubstr("after a failed test"));
+  EXPECT_EQ(asked, 0);
+  EXPECT_EQ(mostForce(), 0);
+}
+
+TEST_F(PushingTest, EndsAtTheFirstFault) {
+  const auto results = pushed("fails_pushed");
+  EXPECT_EQ(failures(results), "C27 ");
+  EXPECT_THAT(results.back().why, HasSubstr("the force rose"));
+  int pushes = 0;  // Above what makes it fail.
+  for (const test::StandInEntry& entry : log()) pushes += entry.force_n > 0.2 ? 1 : 0;
+  EXPECT_EQ(pushes, 1) << "the step that failed was the last that pushed";
+}
+
+TEST_F(PushingTest, AStepThatHangsIsCutByTheGuard) {
+  auto patience = test::longPatience();
+  patience.silence_ms = 1000;
+  const auto results = pushed("hangs_pushed", true, patience);
+  EXPECT_EQ(failures(results), "C27 ");
+  const auto all = log();
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(all.back().what, test::StandInEntry::What::cut);
+}
 
 TEST_F(ConformanceTest, SaysTheSameTwice) {
   for (const char* const fault : {"none", "jumps"}) {

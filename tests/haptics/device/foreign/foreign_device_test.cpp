@@ -11,6 +11,9 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
+#include <optional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "tests/haptics/device/foreign/foreign_fixture.h"
@@ -101,6 +104,70 @@ TEST_F(ForeignDeviceTest, ClosingSendsZeroAndTheHostGoes) {
   device->close();
   EXPECT_TRUE(isGone(host));
   expectZeroBeforeTheClose();
+}
+
+/// What its motors can show for good is held to, also where more is possible for a moment.
+TEST_F(ForeignDeviceTest, MotorsThatWarmGetLess) {
+  const auto device = deviceOf("warms");
+  device->open();
+  std::optional<HeatReport> heat;
+  exchangeUntil(*device, {0, 0, 6}, [&](const DeviceReading&) {
+    heat = device->heat();
+    return heat && heat->used > 0.75;
+  });
+  EXPECT_LT(heat->allowed_n, 4);
+  EXPECT_GE(heat->allowed_n, 1);
+  EXPECT_LT(log().back().force_n, 4);
+}
+
+TEST_F(ForeignDeviceTest, AMotorAtItsLimitIsNotPushed) {
+  const auto device = deviceOf("hot");
+  device->open();
+  exchangeUntil(*device, {0, 0, 3}, [](const DeviceReading& reading) {
+    return reading.fault == DeviceFault::overheated;
+  });
+  const std::size_t before = log().size();
+  exchangeUntil(*device, {0, 0, 3},
+                [&](const DeviceReading&) { return log().size() > before + 20; });
+  const auto all = log();
+  for (std::size_t i = before + 2; i < all.size(); ++i) EXPECT_EQ(all[i].force_n, 0) << i;
+}
+
+/// Whatever happens to its file between the look and the opening.
+TEST_F(ForeignDeviceTest, WhatWasJudgedIsWhatRuns) {
+  const std::filesystem::path file = folder / "mine.so";
+  std::filesystem::copy_file(test::standIn("none"), file);
+  PluginImage judged = readPlugin(file);
+  std::filesystem::copy_file(test::standIn("open_fails"), file,
+                             std::filesystem::copy_options::overwrite_existing);
+  ForeignDevice device(std::move(judged), test::kStandInId, "plugin:mine/x", "Stand-in",
+                       test::longPatience());
+  device.open();
+  device.close();
+  ForeignDevice other(readPlugin(file), test::kStandInId, "plugin:mine/x", "Stand-in");
+  EXPECT_THAT(refusal(other), HasSubstr("another program holds it"));
+}
+
+TEST_F(ForeignDeviceTest, AProgramThatAPlugInStartsHasNoneOfItsDescriptors) {
+  const auto device = deviceOf("starts_program");
+  device->open();
+  std::ifstream stream(logFile() + ".descriptors");
+  std::string line;
+  ASSERT_TRUE(std::getline(stream, line));
+  EXPECT_EQ(line, "end");
+}
+
+/// To be given its priority may take a guard a second: until it looks nothing is loaded that can
+/// push.
+TEST_F(ForeignDeviceTest, NothingIsOpenedBeforeItsGuardLooks) {
+  const auto device = deviceOf("wants_guard");
+  device->open();
+}
+
+TEST_F(ForeignDeviceTest, AnOpeningIsGivenUp) {
+  const auto device = deviceOf("open_hangs", {.open_s = 120, .close_ms = 100});
+  device->giveUp();
+  EXPECT_THAT(refusal(*device), HasSubstr("was not opened"));
 }
 
 TEST_F(ForeignDeviceTest, OpensAgain) {

@@ -76,8 +76,12 @@ TEST_F(DeviceExample, IsBuiltAgainstTheInstalledTreeAndConforms) {
       CMAKE_PROGRAM " -G Ninja -S " + source + " -B " + build + " -DCMAKE_PREFIX_PATH=" + prefix +
       " -DCMAKE_C_FLAGS='-Wall -Wextra -pedantic -Werror' && " CMAKE_PROGRAM " --build " + build);
   ASSERT_EQ(built.status, 0) << built.text;
-  for (const CheckResult& result : checkPlugin(
-           build + "/spring_hand.so", {.device = "spring.1", .newton = 1, .seconds = 0.1})) {
+  for (const CheckResult& result :
+       checkPlugin(build + "/spring_hand.so", {.device = "spring.1",
+                                              .newton = 1,
+                                              .seconds = 0.1,
+                                              .is_held = [] { return true; },
+                                              .patience = test::longPatience()})) {
     EXPECT_NE(result.verdict, Verdict::failed) << result.check.code << ": " << result.why;
   }
 }

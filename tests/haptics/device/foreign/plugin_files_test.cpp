@@ -2,7 +2,9 @@
 // Where plug-ins for devices are looked for, and which may run.
 #include "haptics/device/foreign/plugin_files.h"
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 
 #include "core/base/error.h"
 #include "haptics/device/foreign/ask_host.h"
@@ -24,9 +26,13 @@ class PluginFilesTest : public test::ForeignTest {
               .list = folder / "settings/trusted-devices"};
     for (const fs::path& place : {places.trusted[0], places.trusted[1], places.own}) {
       fs::create_directories(place);
+      fs::permissions(place, fs::perms(0755));
     }
   }
-  void put(const fs::path& place) const { fs::copy_file(test::standIn("none"), place); }
+  static void put(const fs::path& place) {
+    fs::copy_file(test::standIn("none"), place);
+    fs::permissions(place, fs::perms(0755));
+  }
   std::string refusal(const std::string& id) const {
     try {
       makePluginDevice(id, places);
@@ -78,6 +84,58 @@ TEST_F(PluginFilesTest, AListThatWasCutShortTrustsNothing) {
   EXPECT_FALSE(pluginFiles(places).at(0).trusted);
 }
 
+TEST_F(PluginFilesTest, WhatOthersMayChangeIsNotRun) {
+  const fs::path file = places.trusted[0] / "a.so", mine = places.own / "mine.so";
+  put(file);
+  put(mine);
+  fs::create_directories(places.list.parent_path());
+  trustPlugin(mine, places);
+  const auto trusted = [&](std::size_t i) { return pluginFiles(places).at(i).trusted; };
+  EXPECT_TRUE(trusted(0));
+  EXPECT_TRUE(trusted(1));
+  for (const fs::path& open : {file, mine, places.trusted[0], places.own}) {
+    fs::permissions(open, fs::perms(0775));
+    const std::size_t which = open == file || open == places.trusted[0] ? 0 : 1;
+    EXPECT_FALSE(trusted(which)) << open;
+    EXPECT_THAT(englishText(*pluginFiles(places).at(which).why_not), HasSubstr(open.string()));
+    EXPECT_THAT(refusal(which == 0 ? "plugin:a/stand-in.7" : "plugin:mine/stand-in.7"),
+                HasSubstr("others may change"));
+    if (which == 1) {
+      EXPECT_THROW(trustPlugin(mine, places), DeviceError);
+    }
+    fs::permissions(open, fs::perms(0755));
+  }
+  fs::permissions(places.list, fs::perms(0666));
+  EXPECT_FALSE(trusted(1)) << "a list that others write";
+}
+
+TEST_F(PluginFilesTest, WhatIsChangedAfterItWasListedIsNotTrusted) {
+  put(places.own / "mine.so");
+  fs::create_directories(places.list.parent_path());
+  trustPlugin(places.own / "mine.so", places);
+  const PluginFile listed = pluginFiles(places).at(0);
+  EXPECT_EQ(trustedImage(listed, places).sha256.size(), 64U);
+  std::ofstream(places.own / "mine.so", std::ios::app) << "changed";
+  EXPECT_THROW(trustedImage(listed, places), DeviceError);
+}
+
+TEST_F(PluginFilesTest, ANameCannotWriteALineOfTheList) {
+  const fs::path other = places.own / "other.so";
+  put(other);
+  const std::string sum = readPlugin(other).sha256;
+  const fs::path named = folder / ("x\n" + sum + "  y\033[2J.so");
+  fs::copy_file(test::standIn("weak"), named);
+  fs::permissions(named, fs::perms(0755));
+  fs::create_directories(places.list.parent_path());
+  trustPlugin(named, places);
+  EXPECT_FALSE(pluginFiles(places).at(0).trusted);
+  std::string text(std::istreambuf_iterator<char>(std::ifstream(places.list).rdbuf()), {});
+  EXPECT_EQ(text.find('\033'), std::string::npos);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+  fs::copy_file(named, places.own / ("a\033b.so"));
+  EXPECT_EQ(pluginFiles(places).size(), 1U) << "a name that no id can have";
+}
+
 TEST_F(PluginFilesTest, WhatCannotBeReadIsNotTrusted) {
   EXPECT_THROW(trustPlugin(folder / "nothing.so", places), FileError);
   EXPECT_THROW(trustPlugin(folder, places), FileError);
@@ -93,7 +151,8 @@ TEST_F(PluginFilesTest, NamesThatAreNoneAreRefused) {
 
 /// As `--device plugin:none/stand-in.7` does.
 TEST_F(PluginFilesTest, ADeviceIsMadeByItsNameAndRuns) {
-  ASSERT_EQ(::setenv("RELIEVO_DEVICE_PATH", test::standIn("none").parent_path().c_str(), 1), 0);
+  put(places.trusted[0] / "none.so");
+  ASSERT_EQ(::setenv("RELIEVO_DEVICE_PATH", places.trusted[0].c_str(), 1), 0);
   const std::unique_ptr<Device> device = makeDevice("plugin:none/stand-in.7");
   EXPECT_EQ(device->info().id, "plugin:none/stand-in.7");
   // On a busy computer the host may be silent for longer than a hand can wait: then it is opened

@@ -13,8 +13,12 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <thread>
 
 #include "haptics/device/foreign/relievo_device.h"
 #include "tests/haptics/device/foreign/stand_in_log.h"
@@ -56,6 +60,14 @@ enum class Fault {
   ends_process,
   loses_device,
   close_hangs,
+  hangs_pushed,      // As soon as it is pushed.
+  fails_pushed,      // Likewise, once.
+  starts_program,    // That writes which descriptors it has.
+  allocates_beside,  // In a thread of its own.
+  cut_needs_open,
+  warms,  // Motors that can show 1 N for good.
+  hot,    // At its limit.
+  wants_guard,
 };
 constexpr Fault kFault = Fault::FAULT;
 constexpr bool is(Fault fault) {
@@ -82,7 +94,39 @@ void note(StandInEntry::What what, double force_n) {
 std::atomic<int> steps{0};
 bool was_closed = false;
 
+/// Whether a thread of this process has that name.
+bool hasThread(const char* name) {
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::ifstream stream(task.path() / "comm");
+    std::string comm;
+    if (std::getline(stream, comm) && comm == name) return true;
+  }
+  return false;
+}
+
+bool is_open = false;
+std::atomic<bool> working{false};
+std::thread worker;
+
+/// What a maker's library may do beside.
+void allocateUntilClosed() {
+  working = true;
+  worker = std::thread([] {
+    while (working) {
+      void* volatile memory = std::malloc(16);
+      std::free(memory);
+    }
+  });
+}
+void endWorker() {
+  working = false;
+  if (worker.joinable()) worker.join();
+}
+
 relievo_status openIt(void* /*self*/) {
+  if (is(Fault::wants_guard) && !hasThread("guard")) return RELIEVO_INTERNAL;
+  if (is(Fault::allocates_beside) && !working) allocateUntilClosed();
+  is_open = true;
   if (is(Fault::open_fails)) return RELIEVO_BUSY;
   if (is(Fault::open_hangs)) pause(600'000);
   if (is(Fault::never_reopens) && was_closed) return RELIEVO_BUSY;
@@ -93,6 +137,8 @@ relievo_status openIt(void* /*self*/) {
 void closeIt(void* /*self*/) {
   if (is(Fault::close_hangs)) pause(600'000);
   was_closed = true;
+  is_open = false;
+  endWorker();
   note(StandInEntry::What::close, 0);
 }
 
@@ -100,6 +146,7 @@ relievo_status limitsOfIt(void* /*self*/, relievo_device_limits* out) {
   if (!is(Fault::weak)) out->flags = RELIEVO_HAS_OWN_WATCHDOG;
   for (double& extent : out->half_extent_mm) extent = 40;
   out->max_force_n = 9;
+  out->continuous_force_n = is(Fault::warms) ? 1 : 9;
   out->max_stiffness_n_per_mm = 1.25;
   out->position_step_mm = 0.05;
   out->force_delay_ms = 1;
@@ -126,6 +173,12 @@ void misbehave() {
   }
 }
 
+/// Of those that work until they are pushed.
+relievo_status pushed() {
+  if (is(Fault::hangs_pushed)) pause(600'000);
+  return is(Fault::fails_pushed) ? RELIEVO_PROTOCOL : RELIEVO_OK;
+}
+
 relievo_status stepIt(void* /*self*/, const double force_n[3], std::int64_t now_ns,
                       relievo_sample* out) {
   ++steps;
@@ -135,6 +188,11 @@ relievo_status stepIt(void* /*self*/, const double force_n[3], std::int64_t now_
   out->position_mm[1] = 2;
   out->position_mm[2] = 3;
   out->time_ns = now_ns;
+  out->hottest_motor = is(Fault::hot) && isTime() ? 1 : -1;
+  constexpr double kPushedN = 0.2;
+  if (std::abs(force_n[0]) > kPushedN) {
+    if (const relievo_status status = pushed(); status < 0) return status;
+  }
   if (!isTime()) return RELIEVO_OK;
   misbehave();
   if (is(Fault::nan_place)) out->position_mm[1] = std::numeric_limits<double>::quiet_NaN();
@@ -146,6 +204,7 @@ relievo_status stepIt(void* /*self*/, const double force_n[3], std::int64_t now_
 }
 
 relievo_status cutIt(void* /*self*/) {
+  if (is(Fault::cut_needs_open) && !is_open) std::abort();
   note(StandInEntry::What::cut, 0);
   return is(Fault::cut_fails) ? RELIEVO_TIMEOUT : RELIEVO_OK;
 }
@@ -172,6 +231,11 @@ relievo_status init(const relievo_host* /*host*/, const char* /*own_path*/) {
   if (is(Fault::init_fails)) return RELIEVO_INTERNAL;
   if (const char* const file = std::getenv("RELIEVO_STAND_IN_LOG")) {
     log_file = ::open(file, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+  }
+  if (is(Fault::starts_program)) {
+    [[maybe_unused]] const int status = std::system(
+        "exec >\"$RELIEVO_STAND_IN_LOG.descriptors\"; for fd in 3 4 5; do [ -e /proc/self/fd/$fd ] "
+        "&& echo $fd; done; echo end");
   }
   if (is(Fault::leaks)) [[maybe_unused]]
     const int kept = ::dup(0);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/project/project.h"
+#include "ui/window/controller.h"
+
+namespace relievo {
+
+class LookController;
+class PlacesPanel;
+class ReferenceView;
+class ReplayControl;
+class SidePanels;
+class SuggestPanel;
+class TouchController;
+
+/// Where one goes on the map: named places, beacons, views as text, and suggested windows.
+/// [GUI thread]
+class PlaceController : public Controller {
+  Q_OBJECT
+ public:
+  struct Panels {
+    SidePanels& all;
+    PlacesPanel& places;
+    SuggestPanel& suggestions;
+  };
+  PlaceController(const ControllerParts& parts, const Panels& panels, ReferenceView& reference,
+                  LookController& look, const TouchController& touch);
+
+ private:
+  void makeCommands();
+  void connectSuggestions(ReferenceView& reference);
+  void name();
+  void toggleBeacon();
+  void goTo(const NamedRegion& place);
+  void copyView();
+  void pasteView();
+
+  Panels panels_;
+  LookController& look_;
+  const TouchController& touch_;
+};
+
+}  // namespace relievo

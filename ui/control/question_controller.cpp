@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/control/question_controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QIcon>
+#include <QLocale>
+#include <QPainter>
+
+#include "core/depth/rules/rasterize.h"
+#include "core/session/unit_guess.h"
+#include "ui/dialogs/depth_map_preview.h"
+#include "ui/style/text.h"
+
+namespace relievo {
+namespace {
+
+constexpr int kFaceCells = 96;
+constexpr int kFacePx = 56;
+
+QString countText(std::uint64_t count) {
+  return QLocale().toString(static_cast<qulonglong>(count));
+}
+
+/// Never "100" of what has something left.
+QString shareText(double share_of_box) {
+  return numberText(std::min(std::floor(1000 * share_of_box) / 10, 99.9), 1);
+}
+
+}  // namespace
+
+QuestionController::QuestionController(const ControllerParts& parts) : Controller(parts) {
+  commands_.on(Command::units, this, [this] { askUnit(); });
+  connect(&messages_, &WindowMessages::dismissed, this, &QuestionController::askNext);
+  // An answer made the surface anew; two at a time would undo each other.
+  connect(&document_, &Document::surfaceChanged, this, &QuestionController::askNext,
+          Qt::QueuedConnection);
+}
+
+void QuestionController::begin(bool restored, std::size_t withheld) {
+  questions_.clear();
+  if (restored && withheld > 0) tellWithheld(static_cast<int>(withheld));
+  const Surface& surface = *document_.surface();
+  if (surface.strays.points > 0 && !restored) questions_.emplace_back([this] { askStrays(); });
+  if (surface.strays.grouped > 0 && !restored) questions_.emplace_back([this] { askGroups(); });
+  if (surface.suspect_height) questions_.emplace_back([this] { askNodata(); });
+  if (surface.unit_source == UnitSource::assumed || surface.unit_source == UnitSource::guessed) {
+    questions_.emplace_back([this] { askUnit(); });
+  }
+  const auto& view = document_.project().options.view;
+  const bool automatic = !view || view->name == "auto";
+  if (surface.view_is_weak && automatic && !restored) drawFaces();
+  askNext();
+}
+
+void QuestionController::askNext() {
+  if (questions_.empty() || document_.busy() || !messages_.shown().isEmpty()) return;
+  const std::function<void()> ask = questions_.front();
+  questions_.erase(questions_.begin());
+  ask();
+}
+
+void QuestionController::answerStrays(StrayRule rule) {
+  document_.setStrays(rule);
+  askNext();  // If that was the answer already.
+}
+
+void QuestionController::askStrays() {
+  const Strays& strays = document_.surface()->strays;
+  const QString few = countText(strays.points);
+  const QString all = countText(strays.all);
+  const QString share = shareText(strays.share_of_box);
+  // What was said of groups stays.
+  const bool without_groups = document_.project().options.strays == StrayRule::drop_groups;
+  const StrayRule without = without_groups ? StrayRule::drop_groups : StrayRule::drop;
+  const MessageStrip::Button keep{tr("&Keep them"), [this] { answerStrays(StrayRule::keep); }};
+  const MessageStrip::Button drop{tr("&Leave them out"),
+                                  [this, without] { answerStrays(without); }};
+  const bool one = strays.points == 1;
+  const QString found =
+      one ? tr("One of %1 points lies %2 % of the box away from all others.").arg(all, share)
+          : tr("%1 of %2 points lie %3 % of the box away from all others.").arg(few, all, share);
+  if (strays.kept) {
+    const QString kept = tr("Kept, and so most of the map is empty.");
+    messages_.show(QStringLiteral("%1 %2").arg(found, kept), {drop, keep});
+  } else {
+    messages_.show(QStringLiteral("%1 %2").arg(found, tr("Left out.")), {keep, drop});
+  }
+}
+
+void QuestionController::askGroups() {
+  const Strays& strays = document_.surface()->strays;
+  const QString found = tr("%1 of %2 points lie together, %3 % of the box away from all others.")
+                            .arg(countText(strays.grouped), countText(strays.all),
+                                 shareText(strays.share_of_box_grouped));
+  const StrayRule with = strays.kept ? StrayRule::keep : StrayRule::drop;
+  const MessageStrip::Button keep{tr("&Keep them"), [this, with] { answerStrays(with); }};
+  const MessageStrip::Button drop{tr("&Leave them out"),
+                                  [this] { answerStrays(StrayRule::drop_groups); }};
+  if (strays.groups_kept) {
+    const QString kept = tr("Kept, as they may belong to the object.");
+    messages_.show(QStringLiteral("%1 %2").arg(found, kept), {drop, keep});
+  } else {
+    messages_.show(QStringLiteral("%1 %2").arg(found, tr("Left out.")), {keep, drop});
+  }
+}
+
+void QuestionController::askNodata() {
+  const SuspectHeight suspect = *document_.surface()->suspect_height;
+  const auto answer = [this](const NodataChoice& nodata) { document_.setNodata(nodata); };
+  messages_.show(
+      tr("%1 of %2 heights are %3, which often stands for a missing one. They are shown as "
+         "heights.")
+          .arg(countText(suspect.count), countText(suspect.all),
+               QString::fromStdString(heightText(suspect.value))),
+      {{tr("&Take as missing"),
+        [answer, value = suspect.value] { answer(NodataChoice{.value = value}); }},
+       {tr("&Keep as heights"), [answer] { answer(NodataChoice{}); }}});
+}
+
+void QuestionController::drawFaces() {
+  const std::shared_ptr<const Scan> scan = document_.source().scan;
+  const std::shared_ptr<const Surface> shown = document_.surface();
+  if (!scan) return;
+  using Faces = std::vector<std::pair<std::string, QImage>>;
+  const auto faces = std::make_shared<Faces>();
+  SurfaceOptions options = document_.project().options;
+  options.cells = kFaceCells;
+  options.spacing_mm.reset();
+  options.engine = "cpu";
+  face_worker_.start(
+      [scan, options, faces](const Task& task) mutable {
+        for (const std::string_view name : kViewNames) {
+          if (!standardRotation(name)) continue;
+          options.view = ViewChoice{.name = std::string(name), .rotation = std::nullopt};
+          QImage picture;
+          const SurfaceOutcome outcome = outcomeOf([&] {
+            auto surface =
+                std::make_shared<const Surface>(makeSurface(*scan, options, rasterize, task));
+            picture = pictureOf(*surface, task).shaded;
+            return surface;
+          });
+          if (outcome.cancelled) return;
+          // From where all lies on a line there is no picture.
+          if (picture.isNull()) continue;
+          faces->emplace_back(
+              std::string(name),
+              picture.scaled(kFacePx, kFacePx, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+        }
+      },
+      [this, shown, faces] {
+        if (document_.surface() != shown || faces->size() < 2) return;
+        questions_.emplace_back([this, faces] { askFace(*faces); });
+        askNext();
+      });
+}
+
+void QuestionController::askFace(const std::vector<std::pair<std::string, QImage>>& faces) {
+  std::vector<MessageStrip::Button> buttons;
+  for (const auto& [name, picture] : faces) {
+    const bool is_shown = name == document_.surface()->view_name;
+    QPixmap pixels(kFacePx, kFacePx);
+    pixels.fill(Qt::transparent);
+    QPainter painter(&pixels);
+    painter.drawImage((kFacePx - picture.width()) / 2, (kFacePx - picture.height()) / 2, picture);
+    painter.end();
+    const MessageStrip::Button button{viewText(QString::fromStdString(name)),
+                                      [this, name = name] {
+                                        if (name == document_.surface()->view_name) {
+                                          askNext();
+                                        } else {
+                                          document_.setView({name, {}});
+                                        }
+                                      },
+                                      QIcon(pixels)};
+    buttons.insert(is_shown ? buttons.begin() : buttons.end(), button);  // For Ctrl+Return.
+  }
+  messages_.show(tr("How this object stands is not certain. From where shall it be seen?"),
+                 buttons);
+}
+
+void QuestionController::askUnit() {
+  const Surface& surface = *document_.surface();
+  if (!surface.info.bounds) return;
+  const FilePoint size = surface.info.bounds->max - surface.info.bounds->min;
+  const auto number = [](double v) {
+    return QLocale().toString(v, 'g', 4).remove(QLocale().groupSeparator());
+  };
+  const bool guessed = surface.unit_source == UnitSource::guessed;
+  const bool assumed = surface.unit_source == UnitSource::assumed || guessed;
+  const LengthUnit likely = assumed ? guessUnit(surface.info).unit : surface.unit;
+  std::vector<MessageStrip::Button> buttons;
+  QStringList sizes;
+  // Rare ones are left out; the panel has every unit. Of map projections there are no small ones.
+  const std::vector<LengthUnit> units =
+      guessed   ? std::vector{LengthUnit::m, LengthUnit::ft, LengthUnit::us_ft, LengthUnit::mm}
+      : assumed ? std::vector{LengthUnit::mm, LengthUnit::cm, LengthUnit::m}
+                : std::vector{LengthUnit::mm, LengthUnit::cm, LengthUnit::m, LengthUnit::in};
+  for (const LengthUnit unit : units) {
+    QString text = unitText(unit);
+    text[0] = text[0].toUpper();
+    const MessageStrip::Button button{text, [this, unit] { chooseUnit(unit); }};
+    buttons.insert(unit == likely ? buttons.begin() : buttons.end(), button);  // For Ctrl+Return.
+    const double mm = mmPer(unit);
+    sizes << tr("in %1 %2").arg(unitText(unit), sizeText({mm * size.x, mm * size.y, mm * size.z}));
+  }
+  const QString numbers =
+      tr("%1 \u00d7 %2 \u00d7 %3").arg(number(size.x), number(size.y), number(size.z));
+  if (!assumed) {
+    messages_.show(tr("%1: %2. Which unit?").arg(numbers, sizes.join(QStringLiteral("; "))),
+                   buttons);
+    return;
+  }
+  if (guessed) {
+    messages_.show(tr("The points carry no unit. %1 \u2013 %2. The coordinates are those of a map "
+                      "projection; shown as %3 until you say. (E103)")
+                       .arg(numbers, sizes.join(QStringLiteral("; ")), unitText(likely)),
+                   buttons);
+    return;
+  }
+  messages_.show(tr("The points carry no unit. %1 \u2013 %2. Most likely %3. Shown as millimetres "
+                    "until you say. (E103)")
+                     .arg(numbers, sizes.join(QStringLiteral("; ")), unitText(likely)),
+                 buttons);
+}
+
+void QuestionController::chooseUnit(LengthUnit unit) {
+  settings_.rememberUnit(document_.file(), unit);
+  messages_.close();
+  document_.setUnit(unit);
+}
+
+void QuestionController::tellWithheld(int count) {
+  questions_.emplace_back([this, count] {
+    messages_.show(
+        tr("%n file(s) that this project names were not read. They stay named in it, and "
+           "are offered for no package and no figure.",
+           nullptr, count));
+  });
+}
+
+}  // namespace relievo

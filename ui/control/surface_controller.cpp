@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/control/surface_controller.h"
+
+#include <cmath>
+#include <QAction>
+#include <QDialog>
+#include <QUndoView>
+#include <QVBoxLayout>
+
+#include "ui/control/touch_controller.h"
+#include "ui/dialogs/depth_map_dialog.h"
+#include "ui/style/mnemonic.h"
+#include "ui/views/detail_view.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kMoveStep = 0.25;  // Of the window's side.
+constexpr double kTurnStepDeg = 15;
+
+}  // namespace
+
+SurfaceController::SurfaceController(const ControllerParts& parts, DetailView& detail,
+                                     const TouchController& touch)
+    : Controller(parts), detail_(detail), touch_(touch) {
+  makeCommands();
+  showHistory();
+  for (const auto signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged}) {
+    connect(&document_.history(), signal, this, &SurfaceController::showHistory);
+  }
+}
+
+void SurfaceController::makeCommands() {
+  commands_.on(Command::undo, this, [this] {
+    const QString step = document_.history().undoText();
+    document_.history().undo();
+    announce(tr("Undone: %1").arg(step));  // What was said of the step holds no more.
+  });
+  commands_.on(Command::redo, this, [this] {
+    const QString step = document_.history().redoText();
+    document_.history().redo();
+    announce(tr("Done again: %1").arg(step));
+  });
+  commands_.on(Command::history, this, [this] { showSteps(); });
+  commands_.on(Command::fit, this, [this] { detail_.straighten(); });
+  commands_.on(Command::finer, this, [this] { stepDetail(true); });
+  commands_.on(Command::coarser, this, [this] { stepDetail(false); });
+  commands_.on(Command::whole, this, [this] {
+    if (document_.whole()) announce(tr("Whole object"));
+  });
+  commands_.on(Command::move_left, this, [this] { moveWindow(-kMoveStep, 0, tr("Left")); });
+  commands_.on(Command::move_right, this, [this] { moveWindow(kMoveStep, 0, tr("Right")); });
+  commands_.on(Command::move_up, this, [this] { moveWindow(0, kMoveStep, tr("Up")); });
+  commands_.on(Command::move_down, this, [this] { moveWindow(0, -kMoveStep, tr("Down")); });
+  commands_.on(Command::depth_map, this, [this] { chooseDepthMap(); });
+  for (const Command side : {Command::front, Command::back, Command::left, Command::right,
+                             Command::top, Command::bottom, Command::automatic}) {
+    const std::string view = commands_[side].objectName().toStdString();
+    commands_.on(side, this, [this, view] { document_.setView({view, {}}); });
+  }
+  // Named after where the near side goes, as under a middle drag.
+  commands_.on(Command::turn_left, this, [this] { detail_.turnBy(kTurnStepDeg, 0); });
+  commands_.on(Command::turn_right, this, [this] { detail_.turnBy(-kTurnStepDeg, 0); });
+  commands_.on(Command::turn_up, this, [this] { detail_.turnBy(0, -kTurnStepDeg); });
+  commands_.on(Command::turn_down, this, [this] { detail_.turnBy(0, kTurnStepDeg); });
+  commands_.on(Command::use_view, this, [this] { useThisView(); });
+  commands_.on(Command::engine_cpu, this, [this] { document_.setEngine(QStringLiteral("cpu")); });
+  commands_.on(Command::engine_depthbuffer, this,
+               [this] { document_.setEngine(QStringLiteral("depthbuffer")); });
+}
+
+void SurfaceController::stepDetail(bool finer) {
+  const bool done = finer ? document_.finer(touch_.about()) : document_.coarser(touch_.about());
+  if (done) {
+    announce(tr("Detail %1 of %2").arg(document_.detail()).arg(document_.details()));
+  } else {
+    announce(finer ? tr("This is the finest detail") : tr("This is the whole object"));
+  }
+}
+
+void SurfaceController::moveWindow(double dx, double dy, const QString& moved) {
+  if (!document_.move(dx, dy)) {
+    announce(tr("Edge"));
+    return;
+  }
+  const Region& region = document_.project().region;
+  announce(tr("%1. Window at %2, %3 mm")
+               .arg(moved)
+               .arg(region.x_mm, 0, 'f', 1)
+               .arg(region.y_mm, 0, 'f', 1));
+}
+
+void SurfaceController::useThisView() {
+  if (!document_.isOpen() || !detail_.isTurned()) return;
+  const auto& m = document_.surface()->view_from_file.m;
+  const double scale = std::hypot(m[0], m[4], m[8]);
+  const Rotation camera = detail_.cameraRotation();
+  Rotation turned{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        turned[3 * i + j] += camera[3 * i + k] * m[4 * k + j] / scale;
+      }
+    }
+  }
+  document_.setView({"free", turned});
+}
+
+void SurfaceController::chooseDepthMap() {
+  if (document_.busy() || !document_.canRemake()) return;
+  auto* dialog = new DepthMapDialog(document_, &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &DepthMapDialog::unitChosen, this, [this](LengthUnit unit) {
+    settings_.rememberUnit(document_.file(), unit);
+    messages_.close();
+  });
+  dialog->setModal(true);  // The document must not change below a preview of it.
+  dialog->show();
+}
+
+void SurfaceController::showHistory() {
+  const QUndoStack& history = document_.history();
+  const auto show = [](QAction& action, const QString& verb, const QString& what, bool can,
+                       const QString& key) {
+    action.setEnabled(can);
+    action.setText(what.isEmpty() ? verb : tr("%1 %2", "undo, step").arg(verb, what));
+    action.setToolTip(QStringLiteral("%1 (%2)").arg(withoutMnemonic(action.text()), key));
+  };
+  show(commands_[Command::undo], tr("&Undo"), history.undoText(), history.canUndo(),
+       QStringLiteral("Ctrl+Z"));
+  show(commands_[Command::redo], tr("&Redo"), history.redoText(), history.canRedo(),
+       QStringLiteral("Ctrl+Y"));
+}
+
+void SurfaceController::showSteps() {
+  auto* dialog = new QDialog(&window_);
+  dialog->setObjectName(QStringLiteral("history_dialog"));
+  dialog->setWindowTitle(tr("History"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  auto* steps = new QUndoView(&document_.history());
+  steps->setObjectName(QStringLiteral("history_steps"));
+  steps->setAccessibleName(tr("Steps"));
+  steps->setEmptyLabel(tr("As opened"));
+  auto* column = new QVBoxLayout(dialog);
+  column->addWidget(steps);
+  dialog->resize(320, 400);
+  dialog->show();
+}
+
+}  // namespace relievo

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ui/control/export_controller.h"
+#include "ui/control/foreign_files.h"
+#include "ui/control/look_controller.h"
+#include "ui/control/measure_controller.h"
+#include "ui/control/open_controller.h"
+#include "ui/control/package_controller.h"
+#include "ui/control/picture_controller.h"
+#include "ui/control/place_controller.h"
+#include "ui/control/pointer_controller.h"
+#include "ui/control/question_controller.h"
+#include "ui/control/replay_controller.h"
+#include "ui/control/save_controller.h"
+#include "ui/control/surface_controller.h"
+#include "ui/control/touch_controller.h"
+#include "ui/control/video_controller.h"
+#include "ui/work/recordings_end.h"
+
+namespace relievo {
+
+class WorkArea;
+
+/// All controllers of a window, each after those that it needs. [GUI thread]
+struct Controllers {
+  Controllers(const ControllerParts& parts, WorkArea& area);
+
+  SaveController saving;
+  ForeignFiles foreign;
+  PackageController packages;
+  OpenController opening;
+  LookController look;
+  MeasureController measure;
+  TouchController touch;
+  PlaceController places;
+  ReplayController replays;
+  VideoController videos;
+  RecordingsEnd recordings_end;
+  PictureController pictures;
+  ExportController exports;
+  QuestionController questions;
+  PointerController pointer;
+  SurfaceController surface;
+};
+
+}  // namespace relievo
