@@ -24,8 +24,8 @@
 namespace relievo {
 namespace {
 
-constexpr QLatin1String kRecordingKind("recording_kind");
-constexpr QLatin1String kRecordingFolder("recording_folder");
+const QLatin1String kRecordingKind("recording_kind");
+const QLatin1String kRecordingFolder("recording_folder");
 constexpr std::array kOfShownRecording{Command::replay_play, Command::replay_next_event,
                                        Command::replay_previous_event, Command::replay_close};
 

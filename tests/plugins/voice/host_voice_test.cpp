@@ -41,7 +41,7 @@ class HostVoiceTest : public GuiTest {
 };
 
 TEST_F(HostVoiceTest, ErrorsAndMessagesOfTheStripAreSpoken) {
-  window().showError("Recording stopped.", "E401");
+  window().messages().showError("Recording stopped.", "E401");
   EXPECT_THAT(voice_.asked, ElementsAre("Recording stopped."));
   EXPECT_EQ(window().message(), "Recording stopped. (E401)") << "the code is for eyes";
   window().showMessage("The object is 300 × 200 mm.");
@@ -73,9 +73,9 @@ TEST_F(HostVoiceTest, WhatNobodyAskedForIsNoticedAndNoMore) {
 
 TEST_F(HostVoiceTest, WithoutAVoiceTheScreenReaderIsToldTheSame) {
   voice_.speaks = false;
-  window().announce("Press depth 2.50 mm of hand");
+  window().messages().announce("Press depth 2.50 mm of hand");
   EXPECT_EQ(told(), "Press depth 2.5 millimetres of hand");
-  window().showError("Recording stopped.", "E401");
+  window().messages().showError("Recording stopped.", "E401");
   EXPECT_EQ(told(), "Recording stopped.");
   host_.say({said<MessageId::ninth_top_left>()}, SaidBecause::asked);
   EXPECT_EQ(told(), "top left");
