@@ -34,6 +34,7 @@ class WindowHost : public ShownWindow,
   void say(const std::vector<Message>& sentences, SaidBecause why) override;
   void hush() override;
   void setVoice(Voice* voice) override;
+  bool hasVoice() const override { return voice_ != nullptr && voice_->isOn(); }
   void showError(const QString& sentence, const QString& code) override;
   bool run(const QString& command) override;
   std::shared_ptr<const RegionWindow> shownWindow() const override;

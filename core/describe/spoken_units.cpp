@@ -201,13 +201,27 @@ std::string textOf(const MessageLanguage& language, const Quantity& quantity) {
   return text;
 }
 
+/// Whether a number without a unit stands just before, as in "312.0, 207.0 mm": both are of one
+/// kind then, and a single one in other words would be heard as something else.
+bool isSecondOfTwo(std::string_view before) {
+  while (!before.empty() && before.back() == ' ') before.remove_suffix(1);
+  for (const std::string_view between : {",", "–"}) {
+    if (!before.ends_with(between)) continue;
+    before.remove_suffix(between.size());
+    return !before.empty() && isDigit(before.back());
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string spokenUnits(const MessageLanguage& language, std::string_view text) {
   std::string spoken;
   for (std::size_t at = 0; at < text.size();) {
-    const auto quantity =
-        mayBeginAfter(text.substr(0, at)) ? quantityAt(language, text.substr(at)) : std::nullopt;
+    const std::string_view before = text.substr(0, at);
+    const auto quantity = mayBeginAfter(before) && !isSecondOfTwo(before)
+                              ? quantityAt(language, text.substr(at))
+                              : std::nullopt;
     if (quantity) {
       spoken += textOf(language, *quantity);
       at += quantity->bytes;

@@ -137,7 +137,7 @@ void ButtonCommands::voicePress(std::size_t index, double time_s) {
 }
 
 void ButtonCommands::shortPress(std::size_t index, double time_s) {
-  if (time_s - helped_s_ <= kHelpLastsS) return voicePress(index, time_s);
+  if (has_voice_ && time_s - helped_s_ <= kHelpLastsS) return voicePress(index, time_s);
   switch (index) {
     case kPlus:
       run(moving_ ? ButtonCommand::next_place : ButtonCommand::finer);
@@ -199,7 +199,14 @@ void ButtonCommands::heldTogether(double held_s) {
 }
 
 ButtonCommand ButtonCommands::offer(int index) const {
-  return (moving_ ? kScanMoving : kScan)[static_cast<std::size_t>(index)];
+  const auto& all = moving_ ? kScanMoving : kScan;
+  return index + 1 == offers() ? all.back() : all[static_cast<std::size_t>(index)];
+}
+
+/// The three of the voice stand before the last.
+int ButtonCommands::offers() const {
+  constexpr std::size_t kOfVoice = 3;
+  return static_cast<int>(kScan.size() - (has_voice_ ? 0 : kOfVoice));
 }
 
 bool ButtonCommands::anyDown() const {
@@ -256,7 +263,7 @@ std::vector<ButtonOutcome> ButtonCommands::take(double now_s) {
   if (offered_ >= 0 && !anyDown() && now_s - offered_s_ >= options_.scan_s) {
     offered_s_ = now_s;
     ++offered_;
-    if (offered_ == static_cast<int>(kScan.size())) {
+    if (offered_ == offers()) {
       offered_ = -1;  // Once round: the scan ends by itself.
     } else {
       outcomes_.push_back({ButtonOutcome::Kind::offer, offer(offered_)});
@@ -270,9 +277,12 @@ std::vector<Message> ButtonCommands::help(double now_s) {
     return {moving_ ? said<MessageId::one_button_help_moving>()
                     : said<MessageId::one_button_help>()};
   }
+  std::vector<Message> help{moving_ ? said<MessageId::buttons_help_moving>()
+                                    : said<MessageId::buttons_help>()};
+  if (!has_voice_) return help;
   helped_s_ = now_s;
-  return {moving_ ? said<MessageId::buttons_help_moving>() : said<MessageId::buttons_help>(),
-          said<MessageId::buttons_help_speech>()};
+  help.push_back(said<MessageId::buttons_help_speech>());
+  return help;
 }
 
 }  // namespace relievo

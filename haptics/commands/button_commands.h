@@ -85,9 +85,12 @@ class ButtonCommands {
   bool moving() const noexcept { return moving_; }
   /// The loop has forces on; a held Centre then stops them, and never switches them on.
   void setForcesOn(bool on) { forces_on_ = on; }
+  /// There is a voice whose volume and last words the buttons can change and repeat. Without one
+  /// nothing of that is offered.
+  void setVoice(bool has_voice) { has_voice_ = has_voice; }
   /// Begins help: what the buttons do now, in sentences. After it the four buttons are those of the
-  /// voice for kHelpLastsS: Plus louder, Minus softer, Centre repeats, Forward goes back. Each
-  /// press begins that time anew; long presses do what they always do.
+  /// voice, if there is one, for kHelpLastsS: Plus louder, Minus softer, Centre repeats, Forward
+  /// goes back. Each press begins that time anew; long presses do what they always do.
   std::vector<Message> help(double now_s);
   static constexpr double kHelpLastsS = 20;
 
@@ -110,12 +113,14 @@ class ButtonCommands {
   bool anyDown() const;
   void scan(double time_s);
   ButtonCommand offer(int index) const;
+  int offers() const;
   void run(ButtonCommand command);
 
   ButtonOptions options_;
   std::array<Button, kButtons> buttons_;
   std::vector<ButtonOutcome> outcomes_;
   bool moving_ = false;
+  bool has_voice_ = true;
   bool forces_on_ = false, forces_on_at_press_ = false;  // Of Centre.
   bool together_ = false;                                // Plus and minus; until both are up.
   int together_said_ = 0;

@@ -44,6 +44,8 @@ class Windows {
   const TouchedWindow* of(const TouchRow& row) {
     if (!is_known_ || row.window_id != id_) {
       window_ = windowOf(recording_, row);
+      // Of a state that has no view nothing can be measured.
+      if (window_ != nullptr && !(window_->region.side_mm > 0)) window_ = nullptr;
       id_ = row.window_id;
       is_known_ = true;
     }
@@ -62,7 +64,8 @@ double gainOf(const TouchedWindow* window) {
 }
 
 double shareOf(double value, double low, double high) {
-  return high > low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.5;
+  // Ends that stand the other way round turn the tone round.
+  return high != low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.5;
 }
 
 /// Renders and gives away part by part.
@@ -183,13 +186,13 @@ RecordedSound::Summary RecordedSound::render(
     sink.renderTo(frame_at(t_s));
     synth.take(heard);
   };
-  double before_s = start_s;
+  double before_s = recording_.rows.front().t_s;
   for (const TouchRow& row : recording_.rows) {
     // A thousandth of a millisecond's grace: times are sums of floating-point steps.
     if (row.t_s > recording_.startS() + to_s_ + 1e-6) break;
     const bool is_in = row.t_s >= start_s - 1e-6;
-    if (is_in && row.t_s > before_s + kHoldS) fall_silent_at(before_s + kHoldS);
-    if (is_in) before_s = row.t_s;
+    if (is_in && row.t_s > before_s + kHoldS) fall_silent_at(std::max(start_s, before_s + kHoldS));
+    before_s = row.t_s;
     heard = touch.next(sampleOf(row, windows.of(row)));
     if (is_in) {
       sink.renderTo(frame_at(std::max(row.t_s, start_s)));
@@ -209,7 +212,8 @@ RecordedSound::Summary RecordedSound::render(
     }
   }
   // Nothing sounds on because the recording has ended.
-  fall_silent_at(recording_.startS() + to_s_);
+  const double end_s = recording_.startS() + to_s_;
+  fall_silent_at(std::min(end_s, std::max(start_s, before_s + kHoldS)));
   sink.renderTo(frames_);
   summary.peak = sink.peak();
   return summary;

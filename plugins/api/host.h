@@ -120,6 +120,8 @@ enum class SaidBecause : std::uint8_t { asked, noticed };
 class Voice {
  public:
   virtual ~Voice() = default;
+  /// Somebody has switched it on: its volume, and repeating, are commands.
+  virtual bool isOn() const = 0;
   /// @return false: it does not speak now; the screen reader is told
   virtual bool speak(const std::vector<Message>& sentences, SaidBecause why) = 0;
   /// The same of a text in the window's language.
@@ -143,6 +145,8 @@ class Messages {
   virtual void hush() = 0;
   /// Who speaks from now on; not owned; null: the screen reader alone.
   virtual void setVoice(Voice* voice) = 0;
+  /// There is one, and it is on.
+  virtual bool hasVoice() const = 0;
   /// A sentence about a failure above the views; it stays until it is closed.
   /// @param code  of the catalogue ("E401"), or empty
   virtual void showError(const QString& sentence, const QString& code) = 0;

@@ -78,6 +78,7 @@ void DeviceButtons::setSettings(const ButtonSettings& settings) {
 void DeviceButtons::frame(const HapticSample& sample, double now_s) {
   sample_ = sample;
   commands_.setForcesOn(sample.engaged != EngagePhase::off);
+  commands_.setVoice(host_.messages.hasVoice());
   readHid(now_s);
   if (gate_.on && !host_.view.shownWindow()) cancelMoving();
   commands_.hand(sample.hip);
@@ -188,6 +189,7 @@ void DeviceButtons::saySituation(const Message& after) {
 }
 
 void DeviceButtons::sayHelp() {
+  commands_.setVoice(host_.messages.hasVoice());
   host_.messages.say(commands_.help(1e-9 * static_cast<double>(monotonicNs())));
 }
 

@@ -357,9 +357,10 @@ void HapticsPanel::chooseDevice(const QString& id) {
     } catch (const Error&) {
       // Known to no driver: its id must do.
     }
-    // Whether one of a plug-in is here, nobody has asked yet.
-    device_->addItem(isPluginDevice(id.toStdString()) ? name : tr("%1 (not here now)").arg(name),
-                     id);
+    // Whether one of a plug-in, or a certain one of Haply's, is here, nobody has asked yet.
+    const bool may_be_here =
+        isPluginDevice(id.toStdString()) || id.startsWith(QLatin1String("haply:"));
+    device_->addItem(may_be_here ? name : tr("%1 (not here now)").arg(name), id);
   }
   device_->setCurrentIndex(device_->findData(id));
   showTried();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <QAction>
 #include <QApplication>
+#include <QScopedValueRollback>
 #include <QSignalBlocker>
 #include <utility>
 
@@ -78,6 +79,13 @@ void HapticsPlugin::openDevice() {
     session_ = std::make_unique<LoopSession>(kMouse);
     if (panel_) panel_->setSettings(settings_);
     return;
+  } catch (const Error& error) {  // A setting of the environment that names no place, say.
+    if (settings_.device == kMouse) throw;
+    showStandIn(messageOf(error), true);
+    settings_.device = opened_ = kMouse;
+    session_ = std::make_unique<LoopSession>(kMouse);
+    if (panel_) panel_->setSettings(settings_);
+    return;
   }
   const auto choice = falcon::falconChoice(opened_);
   if (!choice || !choice->any()) return;
@@ -99,7 +107,7 @@ void HapticsPlugin::beginOpening() {
 void HapticsPlugin::watchOpening() {
   if (!opening_ || !opening_->isDone()) return;
   const std::unique_ptr<DeviceOpening> done = std::move(opening_);
-  setForces(false);
+  dropForces();
   if (buttons_) buttons_->cancelMoving();
   endRecording();
   try {
@@ -282,6 +290,7 @@ void HapticsPlugin::setForces(bool on) {
     changeDevice();
     on = false;
   }
+  if (on) session_->retryDevice();
   const bool changed = on != forces_asked_;
   forces_asked_ = on;
   {
@@ -293,7 +302,12 @@ void HapticsPlugin::setForces(bool on) {
   session_->loop().sayAlive();  // Whoever asks is there, though no frame came for a while.
   applySettings();
   if (changed) slowReadouts();  // Escape must know at once that there is something to stop.
-  if (changed) host_->messages.announce(on ? tr("Forces on.") : tr("Forces off."));
+  if (changed) host_->messages.announce(on ? tr("Forces on.") : tr("Forces off."), forces_because_);
+}
+
+void HapticsPlugin::dropForces() {
+  const QScopedValueRollback<SaidBecause> because(forces_because_, SaidBecause::noticed);
+  setForces(false);
 }
 
 void HapticsPlugin::changeStrength(int percent) {
@@ -399,7 +413,7 @@ void HapticsPlugin::watchDevice(LoopReport& report) {
 void HapticsPlugin::watchSleep(const HapticSample& sample) {
   switch (sleep_->poll()) {
     case SleepWatch::News::about_to_sleep:
-      setForces(false);
+      dropForces();
       if (setup_) setup_->endBeforeSleep();
       frames_at_zero_ = 0;
       break;
@@ -450,7 +464,7 @@ void HapticsPlugin::watchPlugs() {
 void HapticsPlugin::watchSurface() {
   const std::string problem = session_->takeProblem();
   if (problem.empty()) return;
-  setForces(false);
+  dropForces();
   host_->messages.announce(QString::fromStdString(problem), SaidBecause::noticed);
 }
 
@@ -458,7 +472,7 @@ void HapticsPlugin::watchFault(const HapticSample& sample) {
   if (sample.fault == fault_) return;
   fault_ = sample.fault;
   if (fault_ == DeviceFault::none) return;
-  setForces(false);
+  dropForces();
   host_->messages.announce(tr("Forces off: %1.").arg(messageText(messageOf(fault_))),
                            SaidBecause::noticed);
 }
@@ -467,7 +481,7 @@ void HapticsPlugin::watchFault(const HapticSample& sample) {
 void HapticsPlugin::watchStop(const HapticSample& sample) {
   if (!forces_asked_ || sample.stopped == StopReason::none) return;
   const bool silent = sample.stopped == StopReason::window_silent;
-  setForces(false);
+  dropForces();
   if (silent) {
     host_->messages.announce(
         tr("Forces went off, because the window did not answer for %1 s. Press F5 to "

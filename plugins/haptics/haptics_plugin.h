@@ -51,6 +51,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void connectButtons();
   void showWindow(const RegionWindow& window);
   void setForces(bool on);
+  void dropForces();  ///< Nobody asked for it.
   void changeStrength(int percent);
   void setRecording(bool on);
   void applySettings();
@@ -96,6 +97,7 @@ class HapticsPlugin : public QObject, public Plugin {
   std::string opened_;          // Id of the session's device.
   std::string wish_ = "mouse";  // Of the person; the mouse stands in for one that is not there.
   FalconNews news_;
+  SaidBecause forces_because_ = SaidBecause::asked;
   QString haply_told_;  // Of a device of Haply, last.
   QString stand_in_;    // Why the mouse is the hand and not what was wished; on the screen.
   int readouts_until_look_ = 0;  // For the one that was wished; 0: a plug event will tell.

@@ -239,6 +239,13 @@ const haply::LinkStatus* LoopSession::haplyStatus() {
   return haply_ == nullptr ? nullptr : &haply_->status();
 }
 
+void LoopSession::retryDevice() {
+  const haply::LinkStatus* const status = haplyStatus();
+  if (status == nullptr) return;
+  const haply::LinkState state = status->state;
+  if (state == haply::LinkState::disobeyed || state == haply::LinkState::foreign) haply_->retry();
+}
+
 std::vector<ForcePoint> LoopSession::takePlot() {
   std::vector<ForcePoint> samples;
   ForcePoint sample;

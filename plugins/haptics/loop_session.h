@@ -81,6 +81,8 @@ class LoopSession {
   const falcon::LinkStatus* falconStatus();
   /// The device of a plug-in; null: it is none.
   const foreign::ForeignDevice* foreign() const noexcept { return foreign_; }
+  /// After a fault that does not heal by itself; F5 asks for it.
+  void retryDevice();
   const haply::LinkStatus* haplyStatus();  ///< The same of a device of Haply.
   Recorder& recorder() noexcept { return recorder_; }
   FlightRecord& flight() noexcept { return flight_; }
@@ -113,7 +115,7 @@ class LoopSession {
   SteeredDevice* steered_ = nullptr;
   falcon::FalconDevice* falcon_ = nullptr;
   foreign::ForeignDevice* foreign_ = nullptr;  // Null: no plug-in drives it.
-  haply::HaplyDevice* haply_ = nullptr;  // Likewise.
+  haply::HaplyDevice* haply_ = nullptr;        // Likewise.
   std::unique_ptr<SampleDrain> drain_;
   HandMapping mapping_;
   DeviceMm sent_;  // Where the hand was last sent.

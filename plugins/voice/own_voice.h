@@ -31,6 +31,7 @@ class OwnVoice : public QObject, public Voice {
 
   explicit OwnVoice(VoiceWays ways, QObject* parent = nullptr);
 
+  bool isOn() const override { return settings_.own_voice; }
   bool speak(const std::vector<Message>& sentences, SaidBecause why) override;
   bool speak(const QString& text, SaidBecause why) override;
   void hush() override;

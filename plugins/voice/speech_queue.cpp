@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/message/catalogue.h"
+
 namespace relievo {
 
 void SpeechQueue::say(Speech speech, SaidBecause why) {
@@ -40,8 +42,12 @@ std::optional<Speech> SpeechQueue::take(double now_s, bool speaking) {
     next = &noticed_;
   }
   if (next == nullptr) return std::nullopt;
-  last_ = std::exchange(*next, std::nullopt);
-  return last_;
+  std::optional<Speech> speech = std::exchange(*next, std::nullopt);
+  // Whoever makes it louder to hear something again does not mean the volume.
+  const bool is_volume =
+      speech->sentences.size() == 1 && speech->sentences.front().id == MessageId::voice_volume;
+  if (!is_volume || !last_) last_ = speech;
+  return speech;
 }
 
 }  // namespace relievo

@@ -127,8 +127,10 @@ void VoicePlugin::repeat() {
 }
 
 void VoicePlugin::changeVolume(int percent) {
-  settings_.volume_percent =
-      std::clamp(settings_.volume_percent + percent, kLeastVolume, kMostVolume);
+  const int now = settings_.volume_percent;
+  // One that the panel has set lower does not become louder by "softer".
+  const int least = percent < 0 ? std::min(now, kLeastVolume) : kLeastVolume;
+  settings_.volume_percent = std::clamp(now + percent, least, kMostVolume);
   if (panel_) panel_->setSettings(settings_);
   applySettings();
   host_->messages.say({said<MessageId::voice_volume>(settings_.volume_percent)});

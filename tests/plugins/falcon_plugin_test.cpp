@@ -126,7 +126,7 @@ TEST_F(FalconPluginTest, OneThatAnotherProgramUsesIsNamedUntilItIsFree) {
   const QString e304 = "E304: Another program is using the Falcon. ";
   ASSERT_TRUE(eventually([&] { return state->text().startsWith(e304); }));
   EXPECT_TRUE(state->text().contains("Off. Press F5")) << "and how the mouse is doing";
-  host_.announce("panel.ply is open");
+  host_.announce("panel.ply is open", SaidBecause::asked);
   EXPECT_FALSE(host_.announcements.contains("Device: Falcon NV000001 (USB 1-1)."))
       << "the other one has it";
   EXPECT_TRUE(state->text().startsWith(e304)) << "whatever else is said";

@@ -59,6 +59,7 @@ class TestHost : public ShownWindow,
     if (voice != nullptr) voice->hush();
   }
   void setVoice(Voice* speaker) override { voice = speaker; }
+  bool hasVoice() const override { return voice != nullptr && voice->isOn(); }
   ObjectPlace placeAt(double /*x_mm*/, double /*y_mm*/) const override { return object; }
   bool run(const QString& command) override {
     commands << command;
@@ -125,7 +126,7 @@ class TestHost : public ShownWindow,
   std::vector<ForcePoint> plotted;
   TouchStatus status;
   QStringList announcements, commands, recordings, errors;
-  QStringList answers, noticed;              ///< Of the announcements.
+  QStringList answers, noticed;            ///< Of the announcements.
   std::vector<Region> regions;             ///< Asked to be shown.
   std::vector<std::uint64_t> finer_asked;  ///< Windows.
   std::map<QString, float> rasters;        ///< Names of files that can be read.

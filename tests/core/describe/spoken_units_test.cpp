@@ -32,6 +32,7 @@ TEST(SpokenUnits, SignsAreWordsAndNumbersAreRounded) {
   EXPECT_EQ(english("314.2 mm²"), "a little over 300 square millimetres");
   EXPECT_EQ(english("-2 mm"), "minus 2 millimetres");
   EXPECT_EQ(english("1.2 m (E401)"), "1.2 metres (E401)");
+  EXPECT_EQ(english("Window at 312.0, 207.0 mm"), "Window at 312.0, 207.0 mm") << "of one kind";
 }
 
 TEST(SpokenUnits, EachLanguageHasItsOwn) {

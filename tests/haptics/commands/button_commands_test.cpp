@@ -152,6 +152,14 @@ TEST_F(Buttons, AfterHelpTheyAreTheVoicesForAWhile) {
   EXPECT_THAT(hold(kCentre, 0.1), ElementsAre(where_am_i));
 }
 
+TEST_F(Buttons, WithoutAVoiceHelpSpeaksOfNoneAndTheButtonsStay) {
+  buttons_.setVoice(false);
+  EXPECT_THAT(englishText(buttons_.help(now_)),
+              testing::Not(testing::HasSubstr("Centre: say it again.")));
+  EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(finer));
+  EXPECT_THAT(hold(kCentre, 0.2), ElementsAre(where_am_i));
+}
+
 TEST_F(Buttons, ForwardEndsHelpAndAHeldCentreStillStopsForces) {
   buttons_.help(now_);
   EXPECT_THAT(hold(kForward, 0.2), IsEmpty());
@@ -165,6 +173,15 @@ class OneButton : public Buttons {
  protected:
   OneButton() { buttons_ = ButtonCommands({.one_button = true, .scan_s = 1}); }
 };
+
+TEST_F(OneButton, WithoutAVoiceNothingOfItIsOffered) {
+  buttons_.setVoice(false);
+  hold(kCentre, 0.2);
+  pass(30);
+  EXPECT_THAT(offers_, testing::Not(testing::Contains(louder)));
+  EXPECT_THAT(offers_, testing::Not(testing::Contains(repeat)));
+  EXPECT_EQ(offers_.back(), help);
+}
 
 TEST_F(OneButton, OffersOneAfterTheOtherAndTakesTheLast) {
   EXPECT_THAT(hold(kCentre, 0.2), IsEmpty());

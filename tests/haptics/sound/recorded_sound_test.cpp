@@ -277,6 +277,21 @@ TEST(RecordedSound, WhereSamplesAreMissingNothingIsHeard) {
   EXPECT_GT(rms(left, 2.2, 2.8), 0.03) << "and then it goes on";
 }
 
+TEST(RecordedSound, APartThatEndsOrBeginsWhereSamplesAreMissingIsSilentThere) {
+  TouchRecording recording = recordingOf(3, [](TouchRow& row) { row.contact = true; });
+  std::erase_if(recording.rows, [](const TouchRow& row) { return row.t_s > 4 && row.t_s < 5; });
+  SoundRequest request;
+  request.to_s = 1.8;
+  const std::vector<double> first = leftOf(framesOf(RecordedSound(recording, request)));
+  EXPECT_GT(rms(first, 0.5, 0.9), 0.03);
+  EXPECT_LT(rms(first, 1.15, 1.75), 1e-4);
+  request = {};
+  request.from_s = 1.5;
+  const std::vector<double> second = leftOf(framesOf(RecordedSound(recording, request)));
+  EXPECT_LT(rms(second, 0, 0.45), 1e-4);
+  EXPECT_GT(rms(second, 0.7, 1.3), 0.03);
+}
+
 TEST(RecordedSound, APartSoundsAtItsOwnTimes) {
   const TouchRecording recording = tapping();
   SoundRequest request = withoutTone();

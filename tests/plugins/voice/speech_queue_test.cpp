@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/message/catalogue.h"
+
 namespace relievo {
 namespace {
 
@@ -116,6 +118,14 @@ TEST_F(SpeechQueueTest, HushForgetsWhatWaitsAndRepeatKnowsWhatWasSaid) {
   queue_.hush();
   move(2, 0);
   EXPECT_EQ(taken(), "");
+  EXPECT_EQ(queue_.last()->text, "One");
+}
+
+TEST_F(SpeechQueueTest, TheVolumeIsNotWhatIsRepeated) {
+  say("One", asked);
+  EXPECT_EQ(taken(), "One");
+  queue_.say({{said<MessageId::voice_volume>(60)}, {}}, asked);
+  EXPECT_TRUE(queue_.take(now_s_, false));
   EXPECT_EQ(queue_.last()->text, "One");
 }
 
