@@ -23,6 +23,9 @@ class HaplyInProcess : public haply::Service {
   /// Called with every millisecond of the clock; what it throws ends the link.
   std::function<void(std::int64_t now_ns)> each_ms = {};
 
+  /// The computer sleeps: time goes on, and nobody sees it. From each_ms.
+  void sleepThrough(std::int64_t ns) { now_ns_ += ns; }
+
   std::string address() const override { return "127.0.0.1:10001"; }
   haply::Connection connect(const std::stop_token& stop) override;
   std::int64_t now() const override { return now_ns_; }

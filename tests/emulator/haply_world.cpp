@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Triple = HaplyWorld::Triple;
 
-constexpr std::array<std::string_view, 30> kNames{"none",
+constexpr std::array<std::string_view, 32> kNames{"none",
                                                   "silent",
                                                   "late_3_ms",
                                                   "late_10_ms",
@@ -41,10 +41,13 @@ constexpr std::array<std::string_view, 30> kNames{"none",
                                                   "foreign_basis",
                                                   "foreign_basis_always",
                                                   "foreign_force",
-                                                  "disobedient"};
-static_assert(kNames.size() == static_cast<std::size_t>(HaplyFault::disobedient) + 1);
+                                                  "disobedient",
+                                                  "tells_late",
+                                                  "tells_smooth"};
+static_assert(kNames.size() == static_cast<std::size_t>(HaplyFault::tells_smooth) + 1);
 
 constexpr std::int64_t kIdleNs = 20'000'000;  // So long an order lasts; nobody has published it.
+constexpr std::int64_t kTellNs = 40'000'000;  // Of those that tell the force late or smoothed.
 constexpr double kGripKg = 0.15, kHandNPerMm = 0.25, kHandNsPerMm = 0.012;
 /// Of the base's frame: where the middle of the workspace is, m.
 constexpr Triple kMiddleM{0, -0.15, 0.16};
@@ -174,6 +177,8 @@ void HaplyWorld::pullToward(const Triple& place) {
 void HaplyWorld::advance(std::int64_t now_ns) {
   if (now_ns - ordered_ns_ > kIdleNs) show({}, now_ns, "idle");
   const double seconds = 1e-9 * static_cast<double>(now_ns - std::exchange(advanced_ns_, now_ns));
+  const double kept = std::exp(-1e9 * seconds / static_cast<double>(kTellNs));
+  for (std::size_t i = 0; i < 3; ++i) smooth_[i] = force_[i] + kept * (smooth_[i] - force_[i]);
   if (held_) return;
   constexpr double kStep = 2.5e-4, kLongest = 0.1;
   for (double left = std::min(seconds, kLongest); left > 0; left -= kStep) {
@@ -186,14 +191,23 @@ void HaplyWorld::advance(std::int64_t now_ns) {
   }
 }
 
-std::string HaplyWorld::state(bool everything, std::int64_t /*now_ns*/) {
+Triple HaplyWorld::toldForce(std::int64_t now_ns) const {
+  if (hasFault(HaplyFault::tells_smooth)) return smooth_;
+  if (!hasFault(HaplyFault::tells_late)) return force_;
+  const auto shown = std::find_if(log.rbegin(), log.rend(), [now_ns](const Shown& one) {
+    return one.time_ns <= now_ns - kTellNs;
+  });
+  return shown == log.rend() ? Triple{} : shown->force;
+}
+
+std::string HaplyWorld::state(bool everything, std::int64_t now_ns) {
   Triple place = serviceAxes(grip_);
   for (double& value : place) value /= 1000;
   if (preset_ != "arm_front_centered") {
     for (std::size_t i = 0; i < 3; ++i) place[i] += kMiddleM[i];
   }
   if (hasFault(HaplyFault::jump)) place[0] += 0.03;
-  Triple told = serviceAxes(force_);
+  Triple told = serviceAxes(toldForce(now_ns));
   if (hasFault(HaplyFault::foreign_force)) told[2] += 2;
   Json device{{"device_id", hasFault(HaplyFault::other_id) ? id + "x" : id}};
   if (everything) {

@@ -45,6 +45,8 @@ enum class HaplyFault : std::uint8_t {
   foreign_basis_always,
   foreign_force,
   disobedient,
+  tells_late,    ///< The force of 40 ms before.
+  tells_smooth,  ///< The force as it fades in and out, over 40 ms.
 };
 std::string_view nameOf(HaplyFault fault);
 /// All of them but `none`.
@@ -96,10 +98,11 @@ class HaplyWorld {
   void take(std::string_view message, std::int64_t now_ns, bool& everything);
   void show(const Triple& force, std::int64_t now_ns, const char* why);
   std::string state(bool everything, std::int64_t now_ns);
+  Triple toldForce(std::int64_t now_ns) const;
   Triple serviceAxes(const Triple& ours) const;
   Triple ourAxes(const Triple& services) const;
 
-  Triple grip_{0, 0, 0}, wanted_{0, 0, 0}, velocity_{}, force_{};
+  Triple grip_{0, 0, 0}, wanted_{0, 0, 0}, velocity_{}, force_{}, smooth_{};
   bool held_ = true;
   std::string basis_ = "XYZ", preset_ = "defaults";
   bool foreign_done_ = false;

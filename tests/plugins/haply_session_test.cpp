@@ -21,8 +21,14 @@ using test::eventually;
 
 class HaplySession : public testing::Test {
  protected:
-  HaplySession() { setenv("RELIEVO_HAPLY_SERVICE", std::to_string(mock_.port()).c_str(), 1); }
-  ~HaplySession() override { unsetenv("RELIEVO_HAPLY_SERVICE"); }
+  HaplySession() {
+    setenv("RELIEVO_HAPLY_SERVICE", std::to_string(mock_.port()).c_str(), 1);
+    setenv("RELIEVO_HAPLY_PATIENCE_S", "60", 1);
+  }
+  ~HaplySession() override {
+    unsetenv("RELIEVO_HAPLY_SERVICE");
+    unsetenv("RELIEVO_HAPLY_PATIENCE_S");
+  }
   void plant(HaplyFault fault) {
     mock_.with([&](HaplyWorld& world) { world.fault = fault; });
   }

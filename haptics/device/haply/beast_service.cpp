@@ -10,10 +10,15 @@
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
 
+#include <sys/socket.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <exception>
 
 #include "haptics/device/haply/service_address.h"
 #include "haptics/rt/realtime_thread.h"
@@ -29,7 +34,7 @@ using Clock = std::chrono::steady_clock;  // CLOCK_MONOTONIC, as monotonicNs().
 
 constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kLookNs = 100 * kMs;  // At the stop token.
-constexpr std::int64_t kConnectNs = 1000 * kMs, kGoodbyeNs = 50 * kMs;
+constexpr std::int64_t kGoodbyeNs = 50 * kMs;
 /// The service's own messages have two kilobytes for each device.
 constexpr std::size_t kMostBytes = 65536;
 
@@ -50,6 +55,29 @@ struct Operation {
     };
   }
 };
+
+/// Programs that this one starts must not inherit a session: it would live on with them, and with
+/// it the last force. Asio opens its sockets without that, and a flag that is set later comes too
+/// late where another thread starts a program.
+error_code openAlone(tcp::socket& socket, const tcp& protocol) {
+  const int descriptor =
+      ::socket(protocol.family(), protocol.type() | SOCK_CLOEXEC, protocol.protocol());
+  error_code error;
+  if (descriptor < 0) {
+    error.assign(errno, boost::system::system_category());
+    return error;
+  }
+  socket.assign(protocol, descriptor, error);
+  if (error) ::close(descriptor);
+  return error;
+}
+
+/// To whoever else may hold the connection, too: to close a descriptor ends it for its last holder.
+void end(tcp::socket& socket) {
+  error_code ignored;
+  socket.shutdown(tcp::socket::shutdown_both, ignored);
+  socket.close(ignored);
+}
 
 /// @return false: it is still under way
 bool run(asio::io_context& io, const Operation& operation, std::int64_t until_ns,
@@ -73,15 +101,18 @@ class BeastPort : public Port {
       stream_.async_close(beast::websocket::close_code::going_away, closing_.handler());
       run(io_, closing_, monotonicNs() + kGoodbyeNs);
     }
-    error_code ignored;
-    beast::get_lowest_layer(stream_).close(ignored);
+    end(socket());
     // What was under way ends now; it refers to this.
     io_.restart();
     io_.run();
   }
 
-  tcp::socket& socket() { return beast::get_lowest_layer(stream_); }
-  asio::io_context& io() { return io_; }
+  /// @return false: not in time, or nobody takes it
+  bool reach(const tcp::endpoint& there, std::int64_t until_ns, const std::stop_token& stop) {
+    if (openAlone(socket(), there.protocol())) return false;
+    socket().async_connect(there, receiving_.handler());
+    return run(io_, receiving_, until_ns, stop) && !receiving_.error;
+  }
   /// @return false: not in time, or not what was asked for
   bool shakeHands(const std::string& host, std::int64_t until_ns, const std::stop_token& stop) {
     error_code ignored;
@@ -121,6 +152,8 @@ class BeastPort : public Port {
   }
 
  private:
+  tcp::socket& socket() { return beast::get_lowest_layer(stream_); }
+
   asio::io_context io_{1};
   beast::websocket::stream<tcp::socket> stream_{io_};
   beast::flat_static_buffer<kMostBytes> in_;
@@ -133,14 +166,16 @@ class BeastPort : public Port {
 class VersionQuestion {
  public:
   ~VersionQuestion() {
-    error_code ignored;
-    socket_.close(ignored);
+    end(socket_);
     io_.restart();
     io_.run();
   }
   /// @return the body; nothing: nobody answers so
   std::optional<std::string> ask(const tcp::endpoint& there, const std::string& host,
                                  std::int64_t until_ns, const std::stop_token& stop) {
+    if (const error_code error = openAlone(socket_, there.protocol())) {
+      throw boost::system::system_error(error);
+    }
     socket_.async_connect(there, step_.handler());
     refused_ = run(io_, step_, until_ns, stop) && step_.error;
     if (!step_.ended || step_.error) return std::nullopt;
@@ -174,6 +209,7 @@ class BeastService : public Service {
       : address_(std::move(address)), port_(address_.ports.front()) {}
 
   std::string address() const override { return address_.host + ":" + std::to_string(port_); }
+  std::int64_t patienceNs() const override { return address_.patience_ns; }
   std::int64_t now() const override { return monotonicNs(); }
   void sleepUntil(std::int64_t time_ns) override { relievo::sleepUntil(time_ns); }
 
@@ -184,7 +220,7 @@ class BeastService : public Service {
     // Whoever speaks as the service does is it; the first other answer is told.
     Connection best;
     for (const std::uint16_t port : address_.ports) {
-      Connection connection = connectTo({host, port}, stop);
+      Connection connection = tryTo({host, port}, stop);
       if (connection.reached == Reached::connected || best.reached == Reached::absent) {
         if (connection.reached != Reached::absent) port_ = port;
         best = std::move(connection);
@@ -195,9 +231,18 @@ class BeastService : public Service {
   }
 
  private:
+  /// The device's thread may not throw: that no descriptor is left is a reason like others.
+  Connection tryTo(const tcp::endpoint& there, const std::stop_token& stop) const {
+    try {
+      return connectTo(there, stop);
+    } catch (const std::exception& error) {
+      return {.reached = Reached::other, .detail = error.what()};
+    }
+  }
+
   Connection connectTo(const tcp::endpoint& there, const std::stop_token& stop) const {
     const std::string host = address_.host + ":" + std::to_string(there.port());
-    const std::int64_t until_ns = monotonicNs() + kConnectNs;
+    const std::int64_t until_ns = monotonicNs() + address_.patience_ns;
     Connection connection;
     const auto question = std::make_unique<VersionQuestion>();
     const auto body = question->ask(there, host, until_ns, stop);
@@ -214,14 +259,7 @@ class BeastService : public Service {
     connection.reached = Reached::other;
     connection.detail = "no WebSocket";
     auto session = std::make_unique<BeastPort>();
-    Operation reach;
-    session->socket().async_connect(there, reach.handler());
-    const bool reached = run(session->io(), reach, until_ns, stop) && !reach.error;
-    if (!reach.ended) {  // Its handler refers to what ends here.
-      error_code ignored;
-      session->socket().close(ignored);
-      run(session->io(), reach, until_ns + kLookNs);
-    }
+    const bool reached = session->reach(there, until_ns, stop);
     if (!reached || !session->shakeHands(host, until_ns, stop)) return connection;
     connection.reached = Reached::connected;
     connection.port = std::move(session);

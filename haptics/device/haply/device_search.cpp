@@ -8,7 +8,6 @@ namespace relievo::haply {
 
 namespace {
 constexpr std::string_view kKind = "haply";
-constexpr std::int64_t kInventoryNs = 1'000'000'000;
 constexpr std::int64_t kLookNs = 100'000'000;  // At the stop token.
 
 LinkState stateOf(Reached reached) {
@@ -48,7 +47,7 @@ Inventory lookAround(Service& service, const std::stop_token& stop) {
   inventory.version = connection.version;
   inventory.detail = std::move(connection.detail);
   if (inventory.state != LinkState::ready) return inventory;
-  const std::int64_t give_up = service.now() + kInventoryNs;
+  const std::int64_t give_up = service.now() + service.patienceNs();
   Port::Incoming first;
   while (first.result == PortResult::timeout && service.now() < give_up && !stop.stop_requested()) {
     first = connection.port->receive(std::min(service.now() + kLookNs, give_up));

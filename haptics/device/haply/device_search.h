@@ -26,7 +26,7 @@ struct Inventory {
   std::string detail;  ///< If another service answers.
   ServiceState seen;
 };
-/// Waits three seconds at most. @throw DeviceError  this build cannot
+/// Waits for three times its patience at most. @throw DeviceError  this build cannot
 Inventory lookAround(Service& service, const std::stop_token& stop);
 
 /// The one that is meant, in that inventory; null: there is none.

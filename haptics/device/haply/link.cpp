@@ -12,6 +12,8 @@ constexpr std::int64_t kTickNs = kMs;
 constexpr std::int64_t kSendNs = 20 * kMs;  // On loopback a message waits for nobody.
 /// While no loop asks: a question now and then, and looks between them whether it asks again.
 constexpr std::int64_t kRestAfterNs = 1000 * kMs, kRestNs = 100 * kMs, kRestLookNs = 20 * kMs;
+/// So long a message that comes is waited for between looks at the stop token.
+constexpr std::int64_t kLookNs = 20 * kMs;
 constexpr std::int64_t kEverythingNs = 100 * kMs;
 constexpr std::int64_t kFirstPauseNs = 100 * kMs, kLongestPauseNs = 2000 * kMs;
 constexpr int kZeros = 3;
@@ -89,6 +91,8 @@ Link::Leave Link::operate(const std::stop_token& stop) {
   resting_ = drives_ = disobeyed_ = false;
   excess_ns_ = pushed_ns_ = foreign_ns_ = 0;
   sent_ = {};
+  excesses_ = 0;
+  unsteady_ns_ = now;
   told_state_ = LinkState::not_started;
   held_over_ = ~0U;
   reading_.buttons = 0;
@@ -129,7 +133,9 @@ std::optional<Link::Leave> Link::drain() {
 /// Waits for all that was asked.
 std::optional<Link::Leave> Link::answer(const std::stop_token& stop) {
   while (under_way_ > 0) {
-    const Port::Incoming in = port_->receive(std::max(silentAt(), service_.now()));
+    const std::int64_t before = service_.now();
+    const std::int64_t until = std::clamp(silentAt(), before, before + kLookNs);
+    const Port::Incoming in = port_->receive(until);
     if (in.result == PortResult::gone) return Leave::gone;
     const std::int64_t now = service_.now();
     std::optional<Leave> leave;
@@ -150,6 +156,7 @@ std::int64_t Link::silentAt() const {
 
 std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
   force_gate_.shut(now_ns);
+  unsteady_ns_ = now_ns;
   switch (silence_step_++) {
     case 0:
       ++status_.counts.hiccups;
@@ -191,10 +198,8 @@ bool Link::ask(std::int64_t now_ns) {
   drives_ = status_.state == LinkState::ready && !resting_;
   const bool orders = drives_ || zeros_left_ > 0;
   if (shown_n == 0) zeros_left_ = std::max(0, zeros_left_ - 1);
-  std::rotate(sent_.begin(), sent_.end() - 1, sent_.end());
-  sent_.front() = shown;
-  const bool everything = std::exchange(everything_next_, false) || set_up_ == SetUp::asked ||
-                          now_ns - everything_ns_ >= kEverythingNs;
+  noteSent(shown, now_ns);
+  const bool everything = set_up_ == SetUp::asked || now_ns - everything_ns_ >= kEverythingNs;
   if (everything) everything_ns_ = now_ns;
   asked_ns_ = now_ns;
   silence_step_ = 0;
@@ -253,6 +258,7 @@ std::optional<Link::Leave> Link::takeAnswer(std::string_view text, std::int64_t 
 void Link::countAnswer(std::int64_t now_ns) {
   ++status_.counts.answers;
   status_.counts.worst_answer_ns = std::max(status_.counts.worst_answer_ns, now_ns - asked_ns_);
+  forgiveGap(now_ns);
   answered_ns_ = now_ns;
   if (status_.state == LinkState::silent && under_way_ == 0) setState(LinkState::checking, now_ns);
   constexpr std::uint64_t kAnswersPerRate = 256;
@@ -274,6 +280,7 @@ void Link::sayGoodbye() {
 void Link::interrupt(DeviceFault fault, std::int64_t now_ns) {
   reading_.interrupt(fault, now_ns);
   force_gate_.shut(now_ns);
+  unsteady_ns_ = now_ns;
   held_over_ = ~0U;
   reading_.buttons = 0;
   mailbox_.readings.write(reading_);

@@ -56,6 +56,10 @@ class Link {
   void checkSetUp(const ServiceDevice& device, std::int64_t now_ns);
   void setUpAnew(std::int64_t now_ns);
   void checkEcho(const ServiceDevice& device, std::int64_t now_ns);
+  void checkHeard(double told_n);
+  void checkExcess(ServiceN told, std::int64_t now_ns);
+  void noteSent(ServiceN force, std::int64_t now_ns);
+  void forgiveGap(std::int64_t now_ns);
   LinkState judge(std::int64_t now_ns) const;
   void takeButtons(std::uint32_t buttons);
 
@@ -95,7 +99,7 @@ class Link {
 
   // The set-up.
   SetUp set_up_ = SetUp::asked;
-  bool configure_next_ = false, everything_next_ = false;
+  bool configure_next_ = false;
   std::int64_t everything_ns_ = 0;  // When it was asked for last.
   std::int64_t told_ns_ = 0;        // When a configuration was told last.
   std::int64_t set_up_ns_ = 0;      // Since when it is asked for, or foreign.
@@ -103,10 +107,16 @@ class Link {
   std::optional<Pose> mount_;       // That came with ours.
 
   // Forces that were sent, the newest first; and what was told of them.
-  std::array<ServiceN, 4> sent_{};
-  int unheard_ = 0;             // Answers without what was sent.
-  std::int64_t excess_ns_ = 0;  // Since when more is told than was sent; 0: it is not.
-  std::int64_t pushed_ns_ = 0;  // When that was last so for long; 0: never.
+  struct Sent {
+    ServiceN force;
+    std::int64_t time_ns = 0;
+  };
+  std::array<Sent, 64> sent_{};
+  int unheard_ = 0;               // Answers without what was sent.
+  std::int64_t unsteady_ns_ = 0;  // When the own force was interrupted, fell or turned last.
+  std::int64_t excess_ns_ = 0;    // Since when more is told than was sent; 0: it is not.
+  int excesses_ = 0;              // Answers since then.
+  std::int64_t pushed_ns_ = 0;    // When that was last so for long; 0: never.
   bool disobeyed_ = false;
 };
 

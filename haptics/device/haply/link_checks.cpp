@@ -3,6 +3,7 @@
 // come there, is what was sent what is shown, and is the device ready?
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "haptics/device/haply/link.h"
 
@@ -19,6 +20,12 @@ constexpr double kMuchN = 0.5, kHeardPart = 0.1;
 constexpr int kUnheard = 50;
 constexpr double kExcessN = 1;
 constexpr std::int64_t kExcessNs = 20 * kMs, kPushedNs = 2000 * kMs;
+constexpr int kExcesses = 10;
+constexpr std::int64_t kToldLateNs = 50 * kMs;  // What is told may be of so long before.
+constexpr std::size_t kLastAsks = 4;            // And of one of these, however slow they are.
+constexpr std::int64_t kSteadyNs = 100 * kMs;   // So long a service may smooth what it tells.
+/// More than a rest between two questions, less than a set-up may take.
+constexpr std::int64_t kGapNs = 200 * kMs;
 
 /// The fault that the loop is told where the state is no answer to one already.
 DeviceFault faultOf(LinkState state) {
@@ -111,30 +118,58 @@ void Link::checkSetUp(const ServiceDevice& device, std::int64_t now_ns) {
   if (too_long) others();
 }
 
-void Link::checkEcho(const ServiceDevice& device, std::int64_t now_ns) {
-  if (!device.force) return;  // Older services tell none.
-  const double told_n = norm(*device.force);
-  double least_n = norm(sent_.front()), excess_n = beyond(*device.force, sent_.front());
-  for (const ServiceN& sent : sent_) {  // What is told may be of one before.
-    least_n = std::min(least_n, norm(sent));
-    excess_n = std::min(excess_n, beyond(*device.force, sent));
-  }
-  if (least_n > kMuchN) {
-    unheard_ = told_n < kHeardPart * least_n ? unheard_ + 1 : 0;
-    if (unheard_ >= kUnheard && !disobeyed_) {
-      disobeyed_ = true;
-      unheard_ = 0;
-      status_.ordered_n = least_n;
-      status_.told_n = told_n;
+/// This program stood still, or the computer did: what comes first was asked before, and nobody
+/// failed to tell the set-up meanwhile.
+void Link::forgiveGap(std::int64_t now_ns) {
+  if (now_ns - answered_ns_ < kGapNs) return;
+  told_ns_ = now_ns;
+  if (set_up_ == SetUp::asked) set_up_ns_ = now_ns;
+}
+
+void Link::noteSent(ServiceN force, std::int64_t now_ns) {
+  for (const Sent& sent : sent_) {
+    // Whoever still told that would seem to push.
+    if (now_ns - sent.time_ns <= kToldLateNs && beyond(sent.force, force) > kExcessN) {
+      unsteady_ns_ = now_ns;
     }
   }
-  if (excess_n <= kExcessN) {
-    excess_ns_ = 0;
-  } else if (excess_ns_ == 0) {
-    excess_ns_ = now_ns;
-  } else if (now_ns - excess_ns_ >= kExcessNs) {
-    pushed_ns_ = now_ns;
+  std::rotate(sent_.begin(), sent_.end() - 1, sent_.end());
+  sent_.front() = {force, now_ns};
+}
+
+void Link::checkEcho(const ServiceDevice& device, std::int64_t now_ns) {
+  if (!device.force) return;  // Older services tell none.
+  checkHeard(norm(*device.force));
+  checkExcess(*device.force, now_ns);
+}
+
+void Link::checkHeard(double told_n) {
+  double least_n = norm(sent_.front().force);
+  for (std::size_t i = 1; i < kLastAsks; ++i) {
+    least_n = std::min(least_n, norm(sent_[i].force));
   }
+  if (least_n <= kMuchN) return;
+  unheard_ = told_n < kHeardPart * least_n ? unheard_ + 1 : 0;
+  if (unheard_ < kUnheard || disobeyed_) return;
+  disobeyed_ = true;
+  unheard_ = 0;
+  status_.ordered_n = least_n;
+  status_.told_n = told_n;
+}
+
+void Link::checkExcess(ServiceN told, std::int64_t now_ns) {
+  double excess_n = beyond(told, sent_.front().force);
+  for (std::size_t i = 1; i < sent_.size(); ++i) {
+    if (i >= kLastAsks && now_ns - sent_[i].time_ns > kToldLateNs) break;
+    excess_n = std::min(excess_n, beyond(told, sent_[i].force));
+  }
+  if (excess_n <= kExcessN || now_ns - unsteady_ns_ < kSteadyNs) {
+    excess_ns_ = 0;
+    excesses_ = 0;
+    return;
+  }
+  if (std::exchange(excesses_, excesses_ + 1) == 0) excess_ns_ = now_ns;
+  if (excesses_ >= kExcesses && now_ns - excess_ns_ >= kExcessNs) pushed_ns_ = now_ns;
 }
 
 LinkState Link::judge(std::int64_t now_ns) const {

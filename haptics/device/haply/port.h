@@ -51,6 +51,8 @@ struct Connection {
   std::string detail{};
 };
 
+inline constexpr std::int64_t kPatienceNs = 1'000'000'000;
+
 /// Haply's Inverse Service, wherever it listens, and the clock of its sessions. All calls but
 /// address(): one thread.
 class Service {
@@ -61,9 +63,10 @@ class Service {
   Service& operator=(const Service&) = delete;
 
   virtual std::string address() const = 0;  ///< For people: "127.0.0.1:10001".
-  /// Asks for the version and begins a session; waits two seconds at most, and at most 100 ms after
-  /// a stop. @throw DeviceError  this build cannot
+  /// Asks for the version and begins a session; waits at most patienceNs() at each port, and at
+  /// most 100 ms after a stop. @throw DeviceError  this build cannot
   virtual Connection connect(const std::stop_token& stop) = 0;
+  virtual std::int64_t patienceNs() const { return kPatienceNs; }
   virtual std::int64_t now() const = 0;
   virtual void sleepUntil(std::int64_t time_ns) = 0;
 };

@@ -15,7 +15,7 @@ class ShortText {
   ShortText() = default;
   /// What is longer is cut.
   explicit ShortText(std::string_view text) noexcept { take(text); }
-  /// @return false: it is too long, and nothing was taken
+  /// What is longer is cut, too. @return false: it was
   bool take(std::string_view text) noexcept;
   std::string_view view() const noexcept { return {chars_.data(), size_}; }
   const char* text() const noexcept { return chars_.data(); }  ///< Zero-terminated.

@@ -17,33 +17,55 @@
 
 namespace relievo::haply {
 
+namespace {
+/// Numbers alone: to look up a name takes as long as it takes.
+bool isHost(const std::string& text) {
+  in6_addr ignored{};  // Large enough for either.
+  return ::inet_pton(AF_INET, text.c_str(), &ignored) == 1 ||
+         ::inet_pton(AF_INET6, text.c_str(), &ignored) == 1;
+}
+}  // namespace
+
 std::optional<ServiceAddress> addressOf(std::string_view text) {
   ServiceAddress address;
   const std::size_t colon = text.rfind(':');
   if (colon != std::string_view::npos) {
     address.host = text.substr(0, colon);
     text.remove_prefix(colon + 1);
+    if (address.host.starts_with('[') && address.host.ends_with(']')) {
+      address.host = address.host.substr(1, address.host.size() - 2);
+    }
   }
   std::uint16_t port = 0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), port);
   const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
-  if (!whole || port == 0 || address.host.empty()) return std::nullopt;
+  if (!whole || port == 0 || !isHost(address.host)) return std::nullopt;
   address.ports = {port};
   return address;
 }
 
 namespace {
+std::string environment(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? std::string() : value;
+}
 std::string namedAddress() {
-  const char* const named = std::getenv("RELIEVO_HAPLY_SERVICE");
-  return named == nullptr ? std::string() : named;
+  return environment("RELIEVO_HAPLY_SERVICE");
+}
+std::int64_t namedPatienceNs() {
+  const std::string text = environment("RELIEVO_HAPLY_PATIENCE_S");
+  constexpr std::int64_t kLongestS = 3600;
+  std::int64_t seconds = 0;
+  std::from_chars(text.data(), text.data() + text.size(), seconds);
+  return seconds > 0 && seconds <= kLongestS ? seconds * 1'000'000'000 : kPatienceNs;
 }
 }  // namespace
 
 ServiceAddress serviceAddress() {
   const std::string named = namedAddress();
-  if (named.empty()) return {};
-  auto address = addressOf(named);
+  auto address = named.empty() ? std::optional<ServiceAddress>(ServiceAddress{}) : addressOf(named);
   if (!address) throw failure<MessageId::haply_address_unknown>(named);
+  address->patience_ns = namedPatienceNs();
   return *std::move(address);
 }
 

@@ -16,10 +16,13 @@ namespace relievo::haply {
 struct ServiceAddress {
   std::string host = "127.0.0.1";  ///< Not "localhost", which may mean ::1 first.
   std::vector<std::uint16_t> ports{10001, 10000};
+  std::int64_t patience_ns = kPatienceNs;  ///< Until an answer is not waited for any more.
 };
-/// "10002", "127.0.0.1:10002"; nothing: it is none.
+/// "10002", "127.0.0.1:10002", "[::1]:10002"; nothing: it is none.
 std::optional<ServiceAddress> addressOf(std::string_view text);
-/// By RELIEVO_HAPLY_SERVICE, else the usual one. @throw ArgumentError  it is none
+/// By RELIEVO_HAPLY_SERVICE, else the usual one; its patience by RELIEVO_HAPLY_PATIENCE_S, which is
+/// for tests on a busy computer: whole seconds, and anything else is the usual one. @throw
+/// ArgumentError  it is none
 ServiceAddress serviceAddress();
 
 /// Somebody on this computer listens at one of those ports; nothing is said to them. Another

@@ -23,7 +23,8 @@ class HaplyVerbs : public test::CommandTest {
   InverseService mock_;
 
   CommandResult run(const std::vector<std::string>& words) const {
-    return test::runRelievo(words, {"RELIEVO_HAPLY_SERVICE=" + std::to_string(mock_.port())});
+    return test::runRelievo(words, {"RELIEVO_HAPLY_SERVICE=" + std::to_string(mock_.port()),
+                                    "RELIEVO_HAPLY_PATIENCE_S=60"});
   }
   nlohmann::json listed() const {
     return nlohmann::json::parse(run({"devices", "--report", "json"}).out, nullptr, false);

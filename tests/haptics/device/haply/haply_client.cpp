@@ -9,8 +9,9 @@
 #include "haptics/rt/realtime_thread.h"
 
 int main(int count, char** words) {
-  const auto address = relievo::haply::addressOf(count == 2 ? words[1] : "");
+  auto address = relievo::haply::addressOf(count == 2 ? words[1] : "");
   if (!address) return 2;
+  address->patience_ns = 60'000'000'000;
   relievo::haply::HaplyDevice device(relievo::haply::inverseService(*address), {});
   device.open();
   for (std::int64_t next_ns = relievo::monotonicNs();; next_ns += 1'000'000) {

@@ -119,6 +119,13 @@ TEST_F(HaplyLink, AServiceThatIsSilentGetsZeroThenTheForcesAreOff) {
   EXPECT_LE(steepest, 0.11) << "and rises";
 }
 
+TEST_F(HaplyLink, IsLeftAtOnceWhileTheServiceIsSilent) {
+  plantAt(1000, HaplyFault::silent);
+  run(1100);
+  EXPECT_LE(service_.now(), timeOf(1100) + 30'000'000) << "and not when the session is given up";
+  EXPECT_EQ(status().state, LinkState::closed);
+}
+
 TEST_F(HaplyLink, AnswersThatAreALittleLateChangeNothing) {
   wanted_ = {0, 0, 3};
   plantAt(1000, HaplyFault::late_3_ms);
@@ -321,6 +328,22 @@ TEST_F(HaplyLink, WhoeverChangesAxesAgainAndAgainEndsTheForce) {
   EXPECT_NEAR(riseAfter(timeOf(5000)).second, 3, 1e-3) << "ten seconds later it is tried again";
 }
 
+/// What is answered first was asked before, and few questions ask for the set-up.
+TEST_F(HaplyLink, ATimeInWhichNothingRanIsNoSetUpOfOthers) {
+  wanted_ = {0, 0, 3};
+  plantAt(900, HaplyFault::late_3_ms);
+  for (const int ms : {1000, 2011, 3022}) {
+    at(ms, [this] { service_.sleepThrough(2'000'000'000); });
+  }
+  at(5000, [this] {
+    EXPECT_EQ(status().state, LinkState::ready);
+    EXPECT_NEAR(shownN(), 3, 1e-3);
+  });
+  run(5100);
+  EXPECT_EQ(world().configurations, 1U);
+  EXPECT_THAT(told_, Not(Contains(DeviceFault::protocol)));
+}
+
 TEST_F(HaplyLink, AServiceThatDoesNotObeyIsSaidAndGetsNoForce) {
   wanted_ = {0, 0, 3};
   world().fault = HaplyFault::disobedient;
@@ -350,6 +373,25 @@ TEST_F(HaplyLink, WhereOthersPushTooTheForceEnds) {
   run(6000);
   EXPECT_NEAR(riseAfter(timeOf(2000)).second, 3, 1e-3);
 }
+
+class HaplyTells : public HaplyLink, public testing::WithParamInterface<HaplyFault> {};
+
+TEST_P(HaplyTells, OwnForceIsNotTakenForThatOfOthers) {
+  world().fault = GetParam();
+  wanted_ = {0, 0, 3};
+  at(1000, [this] { mailbox_.cuts.fetch_add(1); });
+  at(1500, [this] { wanted_ = {}; });
+  at(2000, [this] { wanted_ = {0, 4, 0}; });
+  at(2500, [this] { wanted_ = {4, 0, 0}; });
+  at(3000, [this] { wanted_ = {-4, 0, 0}; });
+  at(3500, [this] { loop_runs_ = false; });
+  at(3900, [this] { loop_runs_ = true; });
+  run(5000);
+  EXPECT_THAT(told_, Not(Contains(DeviceFault::protocol)));
+}
+INSTANTIATE_TEST_SUITE_P(OfTheService, HaplyTells,
+                         testing::Values(HaplyFault::tells_late, HaplyFault::tells_smooth),
+                         [](const auto& one) { return std::string(nameOf(one.param)); });
 
 TEST_F(HaplyLink, ACutEndsTheForceUntilANewerOrder) {
   wanted_ = {0, 0, 3};

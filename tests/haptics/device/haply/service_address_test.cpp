@@ -17,7 +17,10 @@ TEST(HaplyAddress, IsAPortOrAnAddressWithAPort) {
   EXPECT_EQ(addressOf("10002")->host, "127.0.0.1");
   EXPECT_EQ(addressOf("192.168.1.5:10001")->host, "192.168.1.5");
   EXPECT_EQ(addressOf("192.168.1.5:10001")->ports, std::vector<std::uint16_t>{10001});
-  for (const char* text : {"", "0", "65536", "-1", "1x", "host", ":10001", "host:", "1 "}) {
+  EXPECT_EQ(addressOf("::1:10001")->host, "::1");
+  EXPECT_EQ(addressOf("[::1]:10001")->host, "::1");
+  for (const char* text : {"", "0", "65536", "-1", "1x", "host", ":10001", "host:", "1 ",
+                           "localhost:10001", "127.0.0.999:1", "10001:", "[]:1", "[::1]"}) {
     EXPECT_FALSE(addressOf(text)) << text;
   }
 }
@@ -27,6 +30,12 @@ TEST(HaplyAddress, IsGivenByTheEnvironment) {
   EXPECT_EQ(serviceAddress().ports, (std::vector<std::uint16_t>{10001, 10000}));
   setenv("RELIEVO_HAPLY_SERVICE", "20001", 1);
   EXPECT_EQ(serviceAddress().ports, std::vector<std::uint16_t>{20001});
+  EXPECT_EQ(serviceAddress().patience_ns, kPatienceNs);
+  setenv("RELIEVO_HAPLY_PATIENCE_S", "60", 1);
+  EXPECT_EQ(serviceAddress().patience_ns, 60 * kPatienceNs);
+  setenv("RELIEVO_HAPLY_PATIENCE_S", "-1", 1);
+  EXPECT_EQ(serviceAddress().patience_ns, kPatienceNs);
+  unsetenv("RELIEVO_HAPLY_PATIENCE_S");
   setenv("RELIEVO_HAPLY_SERVICE", "nonsense", 1);
   EXPECT_THROW(serviceAddress(), ArgumentError);
   unsetenv("RELIEVO_HAPLY_SERVICE");

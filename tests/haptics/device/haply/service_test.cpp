@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The session by WebSocket with a mock of the service on a port of this computer. How long things
 // take is no matter here: the link is judged on a made-up clock (link_test).
+#include <arpa/inet.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <signal.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "core/base/error.h"
 #include "haptics/device/haply/haply_device.h"
@@ -29,8 +37,50 @@ constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kLong = 60'000 * kMs;  // For what hangs.
 
 std::unique_ptr<Service> serviceAt(std::uint16_t port) {
-  return inverseService(*addressOf(std::to_string(port)));
+  ServiceAddress address = *addressOf(std::to_string(port));
+  address.patience_ns = kLong;
+  return inverseService(std::move(address));
 }
+
+/// Descriptors of this process that are connected to that port.
+std::vector<int> connectionsTo(std::uint16_t port) {
+  std::vector<int> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    const int descriptor = std::stoi(entry.path().filename().string());
+    sockaddr_in there{};
+    socklen_t size = sizeof there;
+    if (::getpeername(descriptor, reinterpret_cast<sockaddr*>(&there), &size) == 0 &&
+        there.sin_family == AF_INET && ntohs(there.sin_port) == port) {
+      found.push_back(descriptor);
+    }
+  }
+  return found;
+}
+
+/// A port that is given to nobody else while no service listens there.
+class HeldPort {
+ public:
+  HeldPort() {
+    const int on = 1;
+    sockaddr_in here{};
+    here.sin_family = AF_INET;
+    here.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof here;
+    auto* const address = reinterpret_cast<sockaddr*>(&here);
+    EXPECT_EQ(::setsockopt(descriptor_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on), 0);
+    EXPECT_EQ(::bind(descriptor_, address, size), 0);
+    EXPECT_EQ(::getsockname(descriptor_, address, &size), 0);
+    port_ = ntohs(here.sin_port);
+  }
+  ~HeldPort() { ::close(descriptor_); }
+  HeldPort(const HeldPort&) = delete;
+  HeldPort& operator=(const HeldPort&) = delete;
+  std::uint16_t port() const { return port_; }
+
+ private:
+  int descriptor_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  std::uint16_t port_ = 0;
+};
 
 class HaplySocket : public testing::Test {
  protected:
@@ -100,6 +150,46 @@ TEST_F(HaplySocket, AnAnswerThatIsLateIsKept) {
   EXPECT_EQ(inventory.port->receive(monotonicNs() + kLong).result, PortResult::ok);
 }
 
+/// A browser that shows the manual may live longer than this program.
+TEST_F(HaplySocket, ProgramsThatAreStartedMeanwhileDoNotInheritTheSession) {
+  const Inventory inventory = lookAround(*service_, {});
+  ASSERT_TRUE(inventory.port);
+  const std::vector<int> sessions = connectionsTo(mock_.port());
+  ASSERT_EQ(sessions.size(), 1U);
+  EXPECT_EQ(::fcntl(sessions[0], F_GETFD) & FD_CLOEXEC, FD_CLOEXEC);
+}
+
+TEST_F(HaplySocket, ASessionEndsWhoeverElseHoldsIt) {
+  Inventory inventory = lookAround(*service_, {});
+  ASSERT_TRUE(inventory.port);
+  const std::vector<int> sessions = connectionsTo(mock_.port());
+  ASSERT_EQ(sessions.size(), 1U);
+  const int held = ::dup(sessions[0]);
+  plant(HaplyFault::huge_frame);  // Then no goodbye is said.
+  MessageWriter writer;
+  const auto text = writer.question(inventory.seen.told()[0], false);
+  ASSERT_EQ(inventory.port->send(text, monotonicNs() + kLong), PortResult::ok);
+  ASSERT_EQ(inventory.port->receive(monotonicNs() + kLong).result, PortResult::gone);
+  inventory.port.reset();
+  EXPECT_EQ(::send(held, "x", 1, MSG_NOSIGNAL), -1);
+  EXPECT_EQ(errno, EPIPE);
+  ::close(held);
+}
+
+/// In the device's thread nothing may be thrown.
+TEST_F(HaplySocket, WhereNoDescriptorIsLeftThatIsAReason) {
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  rlimit none = before;
+  none.rlim_cur = 3;  // Those that are open stay.
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+  Connection connection;
+  EXPECT_NO_THROW(connection = service_->connect({}));
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_EQ(connection.reached, Reached::other);
+  EXPECT_FALSE(connection.detail.empty());
+}
+
 class HaplyForms : public HaplySocket, public testing::WithParamInterface<HaplyFault> {};
 
 TEST_P(HaplyForms, AreUnderstood) {
@@ -152,10 +242,10 @@ TEST_F(HaplySocket, WhoeverTellsNoVersionIsNotSpokenTo) {
 }
 
 TEST(HaplyService, NobodyThereIsSeenWithoutASession) {
-  std::uint16_t port = 0;
+  const HeldPort held;
+  const std::uint16_t port = held.port();
   {
-    const InverseService mock;
-    port = mock.port();
+    const InverseService mock(port);
     EXPECT_TRUE(isListenedTo(*addressOf(std::to_string(port))));
   }
   EXPECT_FALSE(isListenedTo(*addressOf(std::to_string(port))));
@@ -176,8 +266,9 @@ TEST_F(HaplySocket, AForceThatIsOrderedIsShownAndEndsWithTheDevice) {
 }
 
 TEST_F(HaplySocket, AServiceThatIsStartedAgainIsFoundAgain) {
-  auto mock = std::make_unique<InverseService>();
-  const std::uint16_t port = mock->port();
+  const HeldPort held;
+  const std::uint16_t port = held.port();
+  auto mock = std::make_unique<InverseService>(port);
   HaplyDevice device(serviceAt(port), {});
   device.open();
   const auto isReady = [&] { return device.status().state == LinkState::ready; };
