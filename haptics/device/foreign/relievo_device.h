@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* relievo_device.h - plug-ins for haptic devices, in C11 or C++.
  *
- * A plug-in is a shared library that exports one symbol, `relievo_device_entry`. relievo itself never
- * loads it: relievo-device-host, a child process, loads one plug-in and drives one device.
+ * A plug-in is a shared library that exports one symbol, `relievo_device_entry`. relievo itself
+ * never loads it: relievo-device-host, a child process, loads one plug-in and drives one device.
  *
  * Frame: right-handed, x right, y up, z towards the person; the origin is the workspace's centre.
  * Units: mm, N, mm/s, N/mm, and ns of CLOCK_MONOTONIC. Strings are UTF-8, owned by the plug-in, and
@@ -97,8 +97,8 @@ typedef struct relievo_device {
    * priority holds, no file, no printing. May wait for the device, for at most 5 ms. The force is
    * finite and within the limits, and holds until the next call. On failure zero force was sent. */
   relievo_status (*step)(void* self, const double force_n[3], int64_t now_ns, relievo_sample* out);
-  /* [any] Zero force now, within 5 ms, also while step hangs. The next step may drive again. May come
-   * at any time from create() to destroy(): before open() or during it, and after close(). */
+  /* [any] Zero force now, within 5 ms, also while step hangs. The next step may drive again. May
+   * come at any time from create() to destroy(): before open() or during it, and after close(). */
   relievo_status (*cut_force)(void* self);
   const char* (*last_error)(void* self);                    /* [main] never null */
   const void* (*get_extension)(void* self, const char* id); /* [main] null: unknown */
@@ -109,8 +109,8 @@ typedef struct relievo_device_entry_t {
   const char *name, *version, *maker, *licence; /* constants; read before init */
   relievo_status (*init)(const relievo_host* host, const char* own_path); /* [main] once */
   void (*deinit)(void);                                                   /* [main] */
-  /* [main] Devices that are there; fills at most `capacity`, returns how many there are. Opens none.
-   * out[0].struct_size says the size of one element; all have it. */
+  /* [main] Devices that are there; fills at most `capacity`, returns how many there are. Opens
+   * none. out[0].struct_size says the size of one element; all have it. */
   uint32_t (*scan)(relievo_device_name* out, uint32_t capacity);
   relievo_device* (*create)(const char* id); /* [main] null: unknown id. Opens nothing. */
   void (*destroy)(relievo_device* device);   /* [main] it was closed before */
