@@ -89,7 +89,7 @@ Message sayableShare(double share) {
     return std::abs(share / a.share - 1) < std::abs(share / b.share - 1);
   });
   if (std::abs(share / nearest->share - 1) <= kRoughly) return {nearest->words, {}};
-  return said<MessageId::share_percent>(std::lround(100 * share));
+  return said<MessageId::share_percent>(NumberArgument{.value = std::round(100 * share)});
 }
 
 Ninth ninthOf(const RectMm& object, double x_mm, double y_mm) {

@@ -73,7 +73,7 @@ constexpr std::array<Unit, 12> kUnits{
      {"mm", length<1>},
      {"cm", length<10>},
      {"m", length<1000>},
-     {"%", sayable<counted<MessageId::share_percent, MessageId::sayable_part_percent>>},
+     {"%", sayable<measured<MessageId::share_percent>>},
      {"°", sayable<counted<MessageId::sayable_degree, MessageId::sayable_part_degree>>},
      {"Hz", sayable<measured<MessageId::sayable_hertz>>},
      {"s", sayable<counted<MessageId::sayable_second, MessageId::sayable_part_second>>},
