@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <CLI/CLI.hpp>
+#include <utility>
 
+#include "app/cli/early_input.h"
 #include "app/cli/verb.h"
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
@@ -16,13 +18,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Provenance withInput(Provenance provenance, const MapArguments& arguments, const fs::path& out,
-                     const Task& task) {
-  const fs::path folder = out.parent_path();
-  provenance.input = inputFile(arguments.file, folder.empty() ? fs::path(".") : folder, task);
+Provenance withInput(Provenance provenance, const MapArguments& arguments, InputFile input) {
+  provenance.input = std::move(input);
   provenance.accept_incomplete = arguments.scan.accept_incomplete;
   provenance.scan = importOptions(arguments.scan).scan;
   return provenance;
+}
+
+InputFile inputOf(const MapArguments& arguments, const fs::path& out, const Task& task) {
+  const fs::path folder = out.parent_path();
+  return inputFile(arguments.file, folder.empty() ? fs::path(".") : folder, task);
 }
 
 }  // namespace
@@ -79,12 +84,18 @@ Surface surfaceOf(const Project& project, const Task& task) {
 
 Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,
                             const fs::path& out, const Task& task) {
-  return withInput(provenanceOf(surface, surfaceOptions(arguments)), arguments, out, task);
+  return provenanceOfVerb(arguments, surface, inputOf(arguments, out, task));
+}
+
+Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,
+                            InputFile input) {
+  return withInput(provenanceOf(surface, surfaceOptions(arguments)), arguments, std::move(input));
 }
 
 Provenance provenanceOfVerb(const MapArguments& arguments, const LargeMap& map, const fs::path& out,
                             const Task& task) {
-  return withInput(provenanceOf(map, surfaceOptions(arguments)), arguments, out, task);
+  return withInput(provenanceOf(map, surfaceOptions(arguments)), arguments,
+                   inputOf(arguments, out, task));
 }
 
 Project projectOfVerb(const MapArguments& arguments, const Surface& surface, const Region& region,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/provenance/libraries.h"
 
-#include "core/io/raster/gdal_version.h"
 #include "core/io/raster/png_version.h"
+#include "core/io/raster/raster_file.h"
 #include "core/neighbours/point_neighbours.h"
 #include "core/prepare/pcl_version.h"
 #include "core/provenance/parameters_json.h"

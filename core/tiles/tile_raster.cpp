@@ -9,8 +9,6 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
-#include <limits>
-#include <mutex>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -18,24 +16,12 @@
 #include "core/base/failure.h"
 #include "core/file/atomic_file.h"
 #include "core/io/file_check.h"
-#include "core/io/raster/gdal_session.h"
+#include "core/io/raster/map_file.h"
+#include "core/io/raster/raster_file.h"
 #include "core/io/raster/tiff_head.h"
 #include "core/tiles/tile_layout.h"
 
 namespace relievo {
-namespace {
-
-GDALDriver& geoTiffDriver() {
-  static std::once_flag registered;
-  std::call_once(registered, [] {
-    GDALRegister_GTiff();
-    // By default a twentieth of the machine's memory. Tiles pass through once; none is read again.
-    GDALSetCacheMax64(64LL << 20U);
-  });
-  return *GetGDALDriverManager()->GetDriverByName("GTiff");
-}
-
-}  // namespace
 
 struct TileRasterWriter::Impl {
   explicit Impl(const OutputFile& place) : file(place.path), written(place) {}
@@ -44,23 +30,24 @@ struct TileRasterWriter::Impl {
   AtomicFile written;
   GridFrame frame;
   Layout layout;
-  Dataset dataset;
+  std::unique_ptr<RasterFile> raster;
   std::vector<std::vector<std::byte>> rows;  ///< Per band: the rows of one row of tiles.
   int next_row = 0;                          ///< From the lowest.
 
-  GDALDataType type() const { return layout.cell_bytes == 4 ? GDT_Float32 : GDT_Byte; }
   std::size_t lineBytes() const {
     return static_cast<std::size_t>(frame.size.cols) * layout.cell_bytes;
   }
 
   void requireRoom() const;
   void create();
-  void writeTiles(int file_tile_row, int lines, const GdalErrors& errors);
-  void writeMask(const BitRows& mask, const GdalErrors& errors);
+  void requireGood() const {
+    if (!raster->good()) cannotWrite(file, raster->complaint());
+  }
+  void writeTiles(int file_tile_row, int lines);
+  void writeMask(const BitRows& mask);
 };
 
-/// Before hours of work. GDAL asks the same, but of the folder of the name that it is given, which
-/// may be one of /proc.
+/// Before hours of work: GDAL is not asked (RasterSpec::passes_once).
 void TileRasterWriter::Impl::requireRoom() const {
   constexpr std::uintmax_t kLittle = 1'000'000'000;
   const std::uintmax_t bytes =
@@ -76,36 +63,30 @@ void TileRasterWriter::Impl::requireRoom() const {
 
 void TileRasterWriter::Impl::create() {
   requireRoom();
-  const CPLConfigOptionSetter asked_already("CHECK_DISK_FREE_SPACE", "NO", false);
-  const GdalErrors errors;
-  CPLStringList options;
-  for (const char* const option :
-       {"TILED=YES", "BLOCKXSIZE=256", "BLOCKYSIZE=256", "INTERLEAVE=BAND", "BIGTIFF=IF_SAFER",
-        "COMPRESS=NONE", "ENDIANNESS=LITTLE"}) {
-    options.AddString(option);
-  }
-  if (layout.has_alpha) {
-    options.AddString("ALPHA=NON-PREMULTIPLIED");
-    options.AddString(layout.bands == 4 ? "PHOTOMETRIC=RGB" : "PHOTOMETRIC=MINISBLACK");
-  }
   const GridSize size = frame.size;
-  dataset.reset(geoTiffDriver().Create(written.path().c_str(), size.cols, size.rows, layout.bands,
-                                       type(), options.List()));
-  if (!dataset) cannotWrite(file, errors.first());
   const double s = frame.spacing_mm;
-  std::array<double, 6> transform{frame.first_x_mm - 0.5 * s,         s, 0,
-                                  frame.yMm(size.rows - 1) + 0.5 * s, 0, -s};
-  dataset->SetGeoTransform(transform.data());
-  dataset->SetProjection(kViewSystem);
-  if (layout.nan_is_nodata) {
-    dataset->GetRasterBand(1)->SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
+  RasterSpec spec{
+      .size = size,
+      .bands = layout.bands,
+      .is_float = layout.cell_bytes == sizeof(float),
+      .options = {"TILED=YES", "BLOCKXSIZE=256", "BLOCKYSIZE=256", "INTERLEAVE=BAND",
+                  "BIGTIFF=IF_SAFER", "COMPRESS=NONE", "ENDIANNESS=LITTLE"},
+      .transform = {frame.first_x_mm - 0.5 * s, s, 0, frame.yMm(size.rows - 1) + 0.5 * s, 0, -s},
+      .projection = kViewSystem,
+      .nan_is_nodata = layout.nan_is_nodata,
+      .passes_once = true};
+  if (layout.has_alpha) {
+    spec.options.push_back("ALPHA=NON-PREMULTIPLIED");
+    spec.options.push_back(layout.bands == 4 ? "PHOTOMETRIC=RGB" : "PHOTOMETRIC=MINISBLACK");
   }
+  raster = createRasterFile(written.path(), spec);
+  requireGood();
   rows.resize(static_cast<std::size_t>(layout.bands));
   for (auto& band : rows) band.resize(kTileSide * lineBytes());
 }
 
 /// @param lines  of the file's row of tiles that are in `rows`, the rest is beyond the raster
-void TileRasterWriter::Impl::writeTiles(int file_tile_row, int lines, const GdalErrors& errors) {
+void TileRasterWriter::Impl::writeTiles(int file_tile_row, int lines) {
   const std::size_t tile_line = kTileSide * layout.cell_bytes;
   std::vector<std::byte> tile(kTileSide * tile_line);
   for (int band = 0; band < layout.bands; ++band) {
@@ -117,32 +98,24 @@ void TileRasterWriter::Impl::writeTiles(int file_tile_row, int lines, const Gdal
         std::copy_n(from.data() + line * lineBytes() + start, bytes,
                     tile.data() + line * tile_line);
       }
-      if (dataset->GetRasterBand(band + 1)->WriteBlock(static_cast<int>(x), file_tile_row,
-                                                       tile.data()) != CE_None ||
-          errors.any()) {
-        cannotWrite(file, errors.first());
-      }
+      raster->writeTile(band + 1, static_cast<int>(x), file_tile_row, tile.data());
+      requireGood();
     }
   }
 }
 
-void TileRasterWriter::Impl::writeMask(const BitRows& mask, const GdalErrors& errors) {
-  CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES");
-  const CPLErr made = dataset->CreateMaskBand(GMF_PER_DATASET);
-  CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", nullptr);
-  if (made != CE_None) cannotWrite(file, errors.first());
-  GDALRasterBand& band = *dataset->GetRasterBand(1)->GetMaskBand();
+void TileRasterWriter::Impl::writeMask(const BitRows& mask) {
+  raster->addMask();
+  requireGood();
   const GridSize size = frame.size;
   for (int top = 0; top < size.rows; top += kTileSide) {
     const int lines = std::min(kTileSide, size.rows - top);
     // In the file the highest row comes first.
     std::vector<std::uint8_t> cells = mask.bytes(size.rows - top - lines, lines);
     for (std::uint8_t& cell : cells) cell = cell != 0 ? 255 : 0;
-    std::uint8_t* highest = cells.data() + size.index({.col = 0, .row = lines - 1});
-    if (band.RasterIO(GF_Write, 0, top, size.cols, lines, highest, size.cols, lines, GDT_Byte, 1,
-                      -static_cast<GSpacing>(size.cols), nullptr) != CE_None) {
-      cannotWrite(file, errors.first());
-    }
+    const std::uint8_t* highest = cells.data() + size.index({.col = 0, .row = lines - 1});
+    raster->writeRows(RasterFile::kMask, top, lines, highest, -std::ptrdiff_t{size.cols});
+    requireGood();
   }
 }
 
@@ -154,10 +127,7 @@ TileRasterWriter::TileRasterWriter(const OutputFile& file, const GridFrame& fram
   impl_->create();
 }
 
-TileRasterWriter::~TileRasterWriter() {
-  const GdalErrors silent;
-  impl_->dataset.reset();
-}
+TileRasterWriter::~TileRasterWriter() = default;
 
 void TileRasterWriter::add(std::span<const void* const> bands) {
   const int file_row = impl_->frame.size.rows - 1 - impl_->next_row;
@@ -167,19 +137,15 @@ void TileRasterWriter::add(std::span<const void* const> bands) {
   }
   ++impl_->next_row;
   if (file_row % kTileSide != 0) return;
-  const GdalErrors errors;
   const int lines = std::min(kTileSide, impl_->frame.size.rows - file_row);
-  impl_->writeTiles(file_row / kTileSide, lines, errors);
+  impl_->writeTiles(file_row / kTileSide, lines);
 }
 
 void TileRasterWriter::close(const RasterFacts& facts, const BitRows* mask) {
-  const GdalErrors errors;
-  if (mask != nullptr) impl_->writeMask(*mask, errors);
-  CPLStringList metadata;
-  for (const auto& [name, text] : facts) metadata.SetNameValue(name.c_str(), text.c_str());
-  impl_->dataset->SetMetadata(metadata.List());
-  impl_->dataset.reset();  // Flushes; a full disk shows itself here at the latest.
-  if (errors.any()) cannotWrite(impl_->file, errors.first());
+  if (mask != nullptr) impl_->writeMask(*mask);
+  impl_->raster->setEntries({facts.begin(), facts.end()});
+  impl_->raster->close();
+  impl_->requireGood();
 }
 
 void TileRasterWriter::commit() {

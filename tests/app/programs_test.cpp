@@ -33,7 +33,7 @@ class Programs : public test::CommandTest {
     test::CommandTest::SetUp();
     fs::create_directory(path("bin"));
     for (const char* name : {"relievo", "relievo-cli", "relievo-import", "relievo-import-pcl",
-                             "relievo-import-libraries", "relievo-prepare"}) {
+                             "relievo-import-libraries", "relievo-prepare", "relievo-gdal.so"}) {
       fs::copy_file(fs::path(RELIEVO_BINARY_DIR) / "bin" / name, path("bin") + "/" + name);
     }
   }
@@ -59,6 +59,31 @@ TEST_F(Programs, TheCommandLineLoadsNoLibraryOfGraphics) {
        {"libQt5", "libvtkRendering", "libGL", "libX11", "libqwt", "libpcl_"}) {
     EXPECT_THAT(needs.text, Not(HasSubstr(library)));
   }
+}
+
+// GDAL and what it needs take longer to load than a small scan to read; most verbs never call it.
+TEST_F(Programs, TheCommandLineLoadsGdalWhenItIsCalled) {
+  const Said needs = said("ldd " + path("bin") + "/relievo-cli");
+  ASSERT_EQ(needs.exit_code, 0);
+  EXPECT_THAT(needs.text, Not(HasSubstr("libgdal")));
+  const std::string map = path("map.tif");
+  const std::string loads = "LD_DEBUG=files " + path("bin") + "/relievo-cli ";
+  const std::string scan = "'" + plane() + "' --unit mm ";
+  EXPECT_THAT(said(loads + "info " + scan).text, Not(HasSubstr("libgdal")));
+  EXPECT_THAT(said(loads + "depthmap " + scan + "-o " + map).text, HasSubstr("libgdal"));
+  EXPECT_TRUE(fs::exists(map));
+}
+
+TEST_F(Programs, WithoutItsGdalItSaysSoAndWritesNothing) {
+  fs::remove(path("bin") + "/relievo-gdal.so");
+  const std::string map = path("map.tif");
+  const Said refused = alone("depthmap '" + plane() + "' --unit mm -o " + map);
+  EXPECT_EQ(refused.exit_code, 2) << refused.text;
+  EXPECT_THAT(refused.text, HasSubstr("The part 'relievo-gdal.so' of relievo cannot be loaded"));
+  EXPECT_FALSE(fs::exists(map));
+  std::ofstream(path("bin") + "/relievo-gdal.so") << "no library";
+  EXPECT_EQ(alone("depthmap '" + plane() + "' --unit mm -o " + map).exit_code, 2);
+  EXPECT_EQ(alone("info '" + plane() + "' --unit mm").exit_code, 0) << "needs none";
 }
 
 // PCL's parser of PLY comes without the libraries that PCL's other readers bring.

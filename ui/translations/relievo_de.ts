@@ -7178,6 +7178,10 @@
         <translation>Das Programm %1 kann nicht gestartet werden: %2. Es wurde nichts getan. Installieren Sie relievo neu.</translation>
     </message>
     <message>
+        <source>The part %1 of relievo cannot be loaded: %2. Nothing was written. Install relievo again.</source>
+        <translation>Der Teil %1 von relievo kann nicht geladen werden: %2. Es wurde nichts geschrieben. Installieren Sie relievo neu.</translation>
+    </message>
+    <message>
         <source>Gain, grip factor and number of windows must be above 0. Nothing was made.</source>
         <translation>Überhöhung, Griff-Faktor und Anzahl der Fenster müssen über 0 liegen. Es wurde nichts gemacht.</translation>
     </message>

@@ -7178,6 +7178,10 @@
         <translation>प्रोग्राम %1 शुरू नहीं हो सकता: %2। कुछ नहीं किया गया। relievo फिर से इंस्टॉल करें।</translation>
     </message>
     <message>
+        <source>The part %1 of relievo cannot be loaded: %2. Nothing was written. Install relievo again.</source>
+        <translation>relievo का भाग %1 लोड नहीं हो सकता: %2। कुछ नहीं लिखा गया। relievo फिर से इंस्टॉल करें।</translation>
+    </message>
+    <message>
         <source>Gain, grip factor and number of windows must be above 0. Nothing was made.</source>
         <translation>ऊँचाई-गुणक, पकड़-गुणक और खिड़कियों की संख्या 0 से ऊपर होनी चाहिए। कुछ नहीं बनाया गया।</translation>
     </message>

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <CLI/CLI.hpp>
 
+#include "app/cli/early_input.h"
 #include "app/cli/json.h"
 #include "app/cli/large.h"
 #include "app/cli/map_report.h"
@@ -114,6 +115,7 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
     throw failure<MessageId::option_quality>();
   }
   if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, a.out, task);
+  EarlyInput input(a.map.file, a.out, task);
   Surface surface = loadForVerb(a.map, task);
   if (a.quality && surface.quality.empty()) {
     surface.not_done.emplace_back(
@@ -121,7 +123,7 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
         "map was written.");
     tell(surface.not_done.back());
   }
-  const std::string state = toJson(provenanceOfVerb(a.map, surface, a.out, task), -1);
+  const std::string state = toJson(provenanceOfVerb(a.map, surface, input.take()), -1);
   const auto start = std::chrono::steady_clock::now();
   const GridColours own = finestColours(surface);
   writeFiles(a, surface, own, state);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 
+#include "app/cli/early_input.h"
 #include "app/cli/json.h"
 #include "app/cli/large.h"
 #include "app/cli/report_text.h"
@@ -60,11 +61,12 @@ void writeLevels(const std::filesystem::path& out, const Surface& surface,
 Outcome runPyramid(const PyramidArguments& a, const Task& task) {
   requireOwnOrAbsent(levelFile(a.out, 0));
   if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, levelFile(a.out, 0), task);
+  EarlyInput input(a.map.file, a.out, task);
   const Surface surface = loadForVerb(a.map, task);
   for (std::size_t l = 0; l < surface.pyramid.levels.size(); ++l) {
     requireOwnOrAbsent(levelFile(a.out, l));
   }
-  const std::string state = toJson(provenanceOfVerb(a.map, surface, a.out, task), -1);
+  const std::string state = toJson(provenanceOfVerb(a.map, surface, input.take()), -1);
   writeLevels(a.out, surface, state);
   Json levels = Json::array();
   Outcome outcome;

@@ -1,33 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Only for the .cpp files that read and write rasters, of core/io and core/tiles: what all need of
-// GDAL.
+// Only for the .cpp files of core/io that call GDAL: what all need of it.
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal_priv.h>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
 
 namespace relievo {
-
-inline constexpr std::string_view kOriginContent =
-    "origins";  ///< RELIEVO_CONTENT of NAME.origin.tif.
-
-/// Holds the state a file was made with (MapFileOptions::state).
-inline constexpr const char* kDescriptionTag = "TIFFTAG_IMAGEDESCRIPTION";
-
-/// The coordinates of maps in view mm, for programs that ask in which unit a raster is.
-inline constexpr const char* kViewSystem =
-    R"(LOCAL_CS["view millimetres",UNIT["millimetre",0.001],AXIS["x",EAST],AXIS["y",NORTH]])";
-
-/// NAME.origin.tif beside NAME.tif.
-inline std::filesystem::path originFileOf(std::filesystem::path map_file) {
-  return map_file.replace_extension(".origin.tif");
-}
 
 struct CloseDataset {
   void operator()(GDALDataset* dataset) const { GDALClose(dataset); }

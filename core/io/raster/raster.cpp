@@ -18,6 +18,7 @@
 #include "core/io/raster/ascii_grid.h"
 #include "core/io/raster/colour_rows.h"
 #include "core/io/raster/gdal_session.h"
+#include "core/io/raster/map_file.h"
 #include "core/io/raster/tiff_head.h"
 #include "core/io/worker/planted_fault.h"
 #include "core/io/worker/reader_guard.h"

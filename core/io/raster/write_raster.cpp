@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Maps and exports as GeoTIFF.
+#include <algorithm>
 #include <array>
+#include <future>
 #include <limits>
-#include <mutex>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -13,9 +17,9 @@
 #include "core/hash/sha256.h"
 #include "core/io/formats/number_text.h"
 #include "core/io/raster/export_grid.h"
-#include "core/io/raster/gdal_session.h"
-#include "core/io/raster/gdal_version.h"
+#include "core/io/raster/map_file.h"
 #include "core/io/raster/raster.h"
+#include "core/io/raster/raster_file.h"
 #include "core/io/raster/tiff_head.h"
 
 namespace relievo {
@@ -25,9 +29,8 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 /// One band, row 0 of `cells` at the lowest y, which is the last row of the file.
 struct BandToWrite {
-  GDALDataType type;
   const void* cells;
-  std::size_t cell_bytes;
+  bool is_float;
   const std::vector<std::uint8_t>* mask = nullptr;  ///< 255 where the cell counts, else 0.
 };
 
@@ -43,54 +46,40 @@ RasterPlace placeOf(const GridFrame& frame) {
   return {frame.size, frame.first_x_mm, frame.first_y_mm, frame.spacing_mm, kViewSystem};
 }
 
-/// @return  false once GDAL complains
-bool writeRows(GDALRasterBand& band, GridSize size, GDALDataType type, const void* cells,
+void writeRows(RasterFile& file, int band, GridSize size, const void* cells,
                std::size_t cell_bytes) {
   const auto* bottom_up = static_cast<const std::uint8_t*>(cells);
   const std::size_t line_bytes = static_cast<std::size_t>(size.cols) * cell_bytes;
-  for (int file_row = 0; file_row < size.rows; ++file_row) {
+  for (int file_row = 0; file_row < size.rows && file.good(); ++file_row) {
     const auto row = static_cast<std::size_t>(size.rows - 1 - file_row);
-    auto* line = const_cast<std::uint8_t*>(bottom_up + row * line_bytes);
-    if (band.RasterIO(GF_Write, 0, file_row, size.cols, 1, line, size.cols, 1, type, 0, 0,
-                      nullptr) != CE_None) {
-      return false;
-    }
+    file.writeRows(band, file_row, 1, bottom_up + row * line_bytes,
+                   static_cast<std::ptrdiff_t>(line_bytes));
   }
-  return true;
 }
 
-void describe(GDALDataset& dataset, const RasterPlace& place, const CPLStringList& metadata) {
+RasterSpec specOf(const RasterPlace& place, const RasterEntries& entries) {
   const double s = place.spacing;
-  std::array<double, 6> transform{
-      place.first_x - 0.5 * s, s, 0, place.first_y + (place.size.rows - 1) * s + 0.5 * s, 0, -s};
-  dataset.SetGeoTransform(transform.data());
-  if (*place.projection != '\0') dataset.SetProjection(place.projection);
-  dataset.SetMetadata(const_cast<char**>(metadata.List()));
-  if (!place.unit.empty()) dataset.GetRasterBand(1)->SetUnitType(place.unit.c_str());
+  return {.size = place.size,
+          .transform = {place.first_x - 0.5 * s, s, 0,
+                        place.first_y + (place.size.rows - 1) * s + 0.5 * s, 0, -s},
+          .projection = place.projection,
+          .unit = place.unit,
+          .entries = entries};
 }
 
 void writeBand(const std::filesystem::path& file, const std::filesystem::path& shown,
-               const RasterPlace& place, const BandToWrite& band, const CPLStringList& metadata) {
-  GdalErrors errors;
-  registerRasterDrivers();
-  const GridSize size = place.size;
-  const char* const options[] = {"COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS",
-                                 nullptr};
-  Dataset dataset(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
-      file.c_str(), size.cols, size.rows, 1, band.type, const_cast<char**>(options)));
-  if (!dataset) cannotWrite(shown, errors.first());
-  describe(*dataset, place, metadata);
-  GDALRasterBand& cells = *dataset->GetRasterBand(1);
-  if (band.type == GDT_Float32) cells.SetNoDataValue(kNaN);
-  bool good = writeRows(cells, size, band.type, band.cells, band.cell_bytes);
-  if (good && band.mask != nullptr) {
-    // Within the file, not as NAME.tif.msk beside it.
-    const CPLConfigOptionSetter inside("GDAL_TIFF_INTERNAL_MASK", "YES", false);
-    good = dataset->CreateMaskBand(GMF_PER_DATASET) == CE_None &&
-           writeRows(*cells.GetMaskBand(), size, GDT_Byte, band.mask->data(), 1);
+               const RasterPlace& place, const BandToWrite& band, const RasterEntries& entries) {
+  RasterSpec spec = specOf(place, entries);
+  spec.is_float = spec.nan_is_nodata = band.is_float;
+  spec.options = {"COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS"};
+  const std::unique_ptr<RasterFile> raster = createRasterFile(file, spec);
+  writeRows(*raster, 1, place.size, band.cells, band.is_float ? sizeof(float) : 1);
+  if (band.mask != nullptr) {
+    raster->addMask();
+    writeRows(*raster, RasterFile::kMask, place.size, band.mask->data(), 1);
   }
-  dataset.reset();  // Flushes; a full disk shows itself here at the latest.
-  if (!good || errors.any()) cannotWrite(shown, errors.first());
+  raster->close();
+  if (!raster->good()) cannotWrite(shown, raster->complaint());
 }
 
 void checkMap(const DepthMap& map) {
@@ -104,22 +93,35 @@ void checkMap(const DepthMap& map) {
   }
 }
 
+RasterEntries entriesOf(const DepthMap& map, const MapFileOptions& options) {
+  const GridFrame& frame = map.frame;
+  RasterEntries entries{
+      {"RELIEVO_UNIT", options.unit},
+      {"RELIEVO_VERSION", RELIEVO_VERSION_STRING},
+      {"RELIEVO_VIEW_FROM_FILE", roundTripText(options.view_from_file.m)},
+      {"RELIEVO_FRAME",
+       roundTripText(std::array{frame.first_x_mm, frame.first_y_mm, frame.spacing_mm})},
+      {"TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING}};
+  if (!options.state.empty()) entries.emplace_back(kDescriptionTag, options.state);
+  entries.emplace_back(kSetFact, options.set.empty() ? setOf(map, {}, options) : options.set);
+  if (!options.what.empty()) entries.emplace_back(kContentFact, options.what);
+  if (options.level) entries.emplace_back(kLevelFact, std::to_string(*options.level));
+  return entries;
+}
+
+/// The same of a map's origins.
+RasterEntries asOrigins(RasterEntries entries) {
+  const auto content =
+      std::ranges::find(entries, std::string_view(kContentFact), &RasterEntries::value_type::first);
+  if (content == entries.end()) {
+    entries.emplace_back(kContentFact, kOriginContent);
+  } else {
+    content->second = kOriginContent;
+  }
+  return entries;
+}
+
 }  // namespace
-
-std::string gdalVersion() {
-  return GDALVersionInfo("RELEASE_NAME");
-}
-
-void registerRasterDrivers() {
-  static std::once_flag registered;
-  std::call_once(registered, [] {
-    GDALRegister_GTiff();
-    GDALRegister_PNG();
-    GDALRegister_AAIGrid();
-    GDALRegister_MEM();
-    GDALRegister_COG();
-  });
-}
 
 std::string setOf(const DepthMap& map, const GridColours& colours, const MapFileOptions& options) {
   Sha256 sum;
@@ -154,49 +156,39 @@ void writeMap(const OutputFile& place, const DepthMap& map, const MapFileOptions
     mask[i] = 0;
     if (options.outside_as_nan) heights[i] = kNaN;
   }
-  CPLStringList metadata;
-  metadata.SetNameValue("RELIEVO_UNIT", options.unit.c_str());
-  metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
-  metadata.SetNameValue("RELIEVO_VIEW_FROM_FILE", roundTripText(options.view_from_file.m).c_str());
-  metadata.SetNameValue(
-      "RELIEVO_FRAME",
-      roundTripText(std::array{map.frame.first_x_mm, map.frame.first_y_mm, map.frame.spacing_mm})
-          .c_str());
-  metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
-  if (!options.state.empty()) metadata.SetNameValue(kDescriptionTag, options.state.c_str());
-  metadata.SetNameValue(
-      kSetFact, options.set.empty() ? setOf(map, {}, options).c_str() : options.set.c_str());
-  if (!options.what.empty()) metadata.SetNameValue(kContentFact, options.what.c_str());
-  if (options.level) {
-    metadata.SetNameValue(kLevelFact, std::to_string(*options.level).c_str());
-  }
+  const RasterEntries entries = entriesOf(map, options);
 
   const std::filesystem::path origin_name = originFileOf(file);
   if (options.write_origins) requireOwnOrAbsent(origin_name);
   AtomicFile map_file(place);
-  writeBand(map_file.path(), file, placeOf(map.frame), {GDT_Float32, heights.data(), sizeof(float)},
-            metadata);
+  std::optional<AtomicFile> origin_file;
+  std::future<void> origins;  // Beside the heights: both are mostly compression.
   if (options.write_origins) {
-    AtomicFile origin_file(set.file(origin_name));
-    metadata.SetNameValue(kContentFact, std::string(kOriginContent).c_str());
-    writeBand(origin_file.path(), origin_name, placeOf(map.frame), {GDT_Byte, codes.data(), 1},
-              metadata);
-    origin_file.commit();
+    origin_file.emplace(set.file(origin_name));
+    origins = std::async(std::launch::async, [&] {
+      writeBand(origin_file->path(), origin_name, placeOf(map.frame), {codes.data(), false},
+                asOrigins(entries));
+    });
   } else if (isOwnTiff(origin_name)) {
     set.removes(origin_name);  // An older map's would lie about this one.
+  }
+  writeBand(map_file.path(), file, placeOf(map.frame),
+            {heights.data(), true, options.mask_band ? &mask : nullptr}, entries);
+  if (origin_file) {
+    origins.get();
+    origin_file->commit();
   }
   map_file.commit();
 }
 
 namespace {
 
-CPLStringList factsOf(const ExportGrid& grid) {
-  CPLStringList metadata;
-  metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
-  metadata.SetNameValue("HEIGHT_UNIT", grid.unit.c_str());
-  metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
-  if (!grid.state.empty()) metadata.SetNameValue(kDescriptionTag, grid.state.c_str());
-  return metadata;
+RasterEntries entriesOf(const ExportGrid& grid) {
+  RasterEntries entries{{"RELIEVO_VERSION", RELIEVO_VERSION_STRING},
+                        {"HEIGHT_UNIT", grid.unit},
+                        {"TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING}};
+  if (!grid.state.empty()) entries.emplace_back(kDescriptionTag, grid.state);
+  return entries;
 }
 
 RasterPlace placeOf(const ExportGrid& grid) {
@@ -206,14 +198,6 @@ RasterPlace placeOf(const ExportGrid& grid) {
           grid.spacing,
           grid.is_view ? kViewSystem : grid.projection.c_str(),
           grid.unit};
-}
-
-/// Passes GDAL's progress on and stops it.
-int passProgress(double fraction, const char* /*words*/, void* data) {
-  const auto& task = *static_cast<const Task*>(data);
-  if (task.stop.stop_requested()) return 0;
-  task.report("Writing", fraction);
-  return 1;
 }
 
 }  // namespace
@@ -227,43 +211,34 @@ void writeGeoTiff(const std::filesystem::path& file, const ExportGrid& grid) {
     mask[i] = 0;
   }
   AtomicFile written(file);
-  writeBand(written.path(), file, placeOf(grid),
-            {GDT_Float32, heights.data(), sizeof(float), &mask}, factsOf(grid));
+  writeBand(written.path(), file, placeOf(grid), {heights.data(), true, &mask}, entriesOf(grid));
   written.commit();
 }
 
 void writeCloudGeoTiff(const std::filesystem::path& file, const ExportGrid& grid,
                        const Task& task) {
-  GdalErrors errors;
-  registerRasterDrivers();
   // The driver writes overviews beside the file before they are in it.
   AtomicFile written(file, TemporaryName::beside);
-  // The driver copies what is complete: its first bytes say where everything is.
-  Dataset whole(GetGDALDriverManager()->GetDriverByName("MEM")->Create(
-      "", grid.size.cols, grid.size.rows, 1, GDT_Float32, nullptr));
-  if (!whole) cannotWrite(file, errors.first());
   std::vector<float> heights = grid.heights;
   for (std::size_t i = 0; i < heights.size(); ++i) {
     if (!grid.holds(i)) heights[i] = kNaN;
   }
-  describe(*whole, placeOf(grid), factsOf(grid));
-  whole->GetRasterBand(1)->SetNoDataValue(kNaN);
-  bool good =
-      writeRows(*whole->GetRasterBand(1), grid.size, GDT_Float32, heights.data(), sizeof(float));
+  RasterSpec spec = specOf(placeOf(grid), entriesOf(grid));
+  spec.nan_is_nodata = true;
+  // The driver copies what is complete: its first bytes say where everything is.
+  const std::unique_ptr<RasterFile> whole = createRasterFile({}, spec);
+  writeRows(*whole, 1, grid.size, heights.data(), sizeof(float));
   std::vector<float>().swap(heights);
-  const char* const options[] = {
-      "COMPRESS=DEFLATE",   "PREDICTOR=YES",    "BLOCKSIZE=512", "OVERVIEWS=AUTO",
-      "RESAMPLING=AVERAGE", "BIGTIFF=IF_SAFER", nullptr};
-  Dataset made;
-  if (good) {
-    made.reset(GetGDALDriverManager()->GetDriverByName("COG")->CreateCopy(
-        written.path().c_str(), whole.get(), 0, const_cast<char**>(options), passProgress,
-        const_cast<Task*>(&task)));
-  }
+  whole->copyForClouds(written.path(),
+                       {"COMPRESS=DEFLATE", "PREDICTOR=YES", "BLOCKSIZE=512", "OVERVIEWS=AUTO",
+                        "RESAMPLING=AVERAGE", "BIGTIFF=IF_SAFER"},
+                       [&task](double fraction) {
+                         if (task.stop.stop_requested()) return false;
+                         task.report("Writing", fraction);
+                         return true;
+                       });
   task.check();
-  good = made != nullptr;
-  made.reset();
-  if (!good || errors.any()) cannotWrite(file, errors.first());
+  if (!whole->good()) cannotWrite(file, whole->complaint());
   written.commit();
 }
 

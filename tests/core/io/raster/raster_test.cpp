@@ -158,6 +158,31 @@ TEST(Raster, MapFileIsNorthUpWithSamplesAtCellCentresAndNaNOutside) {
   GDALClose(origins);
 }
 
+TEST(Raster, AnExportedMapHoldsItsMaskForProgramsThatKnowNoNodata) {
+  const TemporaryFolder folder;
+  const DepthMap map = roughMap({9, 7});
+  const std::filesystem::path file = folder.path() / "map.tif";
+  writeMap(file, map, {.view_from_file = oddView(), .mask_band = true});
+  GDALAllRegister();
+  auto* dataset = static_cast<GDALDataset*>(GDALOpen(file.c_str(), GA_ReadOnly));
+  ASSERT_NE(dataset, nullptr);
+  GDALRasterBand& band = *dataset->GetRasterBand(1);
+  EXPECT_EQ(band.GetMaskFlags(), GMF_PER_DATASET);
+  std::vector<std::uint8_t> mask(map.origins.size());
+  ASSERT_EQ(band.GetMaskBand()->RasterIO(GF_Read, 0, 0, 9, 7, mask.data(), 9, 7, GDT_Byte, 0, 0,
+                                         nullptr),
+            CE_None);
+  for (int row = 0; row < 7; ++row) {
+    for (int col = 0; col < 9; ++col) {
+      const std::size_t in_file = map.frame.size.index({col, 6 - row});
+      EXPECT_EQ(mask[in_file] != 0, map.origin({col, row}) != Origin::outside);
+    }
+  }
+  GDALClose(dataset);
+  const RasterMap back = importRaster(file);
+  EXPECT_EQ(back.origins, map.origins) << "it is read as every map";
+}
+
 TEST(Raster, WritingLeavesTheMapAndItsOriginsAndNothingElse) {
   const TemporaryFolder folder;
   writeMap(folder.path() / "map.tif", roughMap({5, 5}), {oddView(), true});
