@@ -79,7 +79,7 @@ TEST_F(Programs, WithoutItsGdalItSaysSoAndWritesNothing) {
   const std::string map = path("map.tif");
   const Said refused = alone("depthmap '" + plane() + "' --unit mm -o " + map);
   EXPECT_EQ(refused.exit_code, 2) << refused.text;
-  EXPECT_THAT(refused.text, HasSubstr("The part 'relievo-gdal.so' of relievo cannot be loaded"));
+  EXPECT_THAT(refused.text, HasSubstr("The part relievo-gdal.so of relievo cannot be loaded"));
   EXPECT_FALSE(fs::exists(map));
   std::ofstream(path("bin") + "/relievo-gdal.so") << "no library";
   EXPECT_EQ(alone("depthmap '" + plane() + "' --unit mm -o " + map).exit_code, 2);
