@@ -18,6 +18,7 @@
 #include "core/session/large/large_map.h"
 #include "core/session/large/tiled_surface.h"
 #include "core/tiles/level_files.h"
+#include "core/tiles/threads.h"
 #include "core/tiles/tiled_map.h"
 
 namespace relievo::batch {
@@ -105,16 +106,28 @@ Json reportOf(const LargeMap& map, double factor) {
 
 }  // namespace
 
-void addMemoryOption(CLI::App& verb, std::optional<double>& memory_mb) {
+void addTileOptions(CLI::App& verb, TileArguments& tiles) {
   takes(verb.add_option(
-            "--memory", memory_mb,
+            "--memory", tiles.memory_mb,
             "Make the map by tiles within so many MB (LAS, LAZ, binary PLY, rasters); all "
             "levels are written"),
         {.low = 64, .high = 1e9, .unit = "MB"});
+  takes(verb.add_option("--threads", tiles.threads,
+                        "With --memory: so many work at once (usually one for each core that this "
+                        "process may use)"),
+        {.low = 1, .high = kMostThreads});
 }
 
-Outcome runByTiles(const MapArguments& arguments, double memory_mb,
+bool areGiven(const TileArguments& tiles) {
+  if (tiles.threads && !tiles.memory_mb) {
+    throw failure<MessageId::option_needs_other>("--threads", "--memory");
+  }
+  return tiles.memory_mb.has_value();
+}
+
+Outcome runByTiles(const MapArguments& arguments, const TileArguments& tiles,
                    const std::filesystem::path& finest, const Task& task) {
+  const double memory_mb = tiles.memory_mb.value_or(0);
   if (!(memory_mb > 0) || !(memory_mb < 1e9)) {
     throw failure<MessageId::option_memory>();
   }
@@ -125,7 +138,7 @@ Outcome runByTiles(const MapArguments& arguments, double memory_mb,
                    }};
   LargeMapOptions large{.file = finest,
                         .memory_bytes = static_cast<std::uint64_t>(memory_mb * 1e6),
-                        .threads = 0,
+                        .threads = tiles.threads.value_or(0),
                         .on_view =
                             [&](const Surface& view) {
                               line.clear();

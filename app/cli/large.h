@@ -9,12 +9,22 @@
 
 namespace relievo::batch {
 
-/// --memory MB, of the verbs that make maps by tiles.
-void addMemoryOption(CLI::App& verb, std::optional<double>& memory_mb);
+/// Of the verbs that make maps by tiles where `memory_mb` is given.
+struct TileArguments {
+  std::optional<double> memory_mb;
+  std::optional<int>
+      threads;  ///< Nothing: as many as there are usable cores and memory has room for.
+};
 
-/// Makes all levels by tiles within a budget and reports them.
+/// --memory MB and --threads N.
+void addTileOptions(CLI::App& verb, TileArguments& tiles);
+
+/// Is the map to be made by tiles? @throw ArgumentError  threads without that
+bool areGiven(const TileArguments& tiles);
+
+/// Makes all levels by tiles within a budget and reports them. @pre areGiven(tiles)
 /// @param finest  file of level 0 @throw Error
-Outcome runByTiles(const MapArguments& arguments, double memory_mb,
+Outcome runByTiles(const MapArguments& arguments, const TileArguments& tiles,
                    const std::filesystem::path& finest, const Task& task);
 
 /// A tiled map as it is, anything else as loadForVerb; for verbs that only need windows.

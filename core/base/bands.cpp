@@ -6,6 +6,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/base/control_group.h"
+
 namespace relievo {
 namespace {
 
@@ -17,8 +19,8 @@ constexpr int kMostThreads = 4;  // Memory is the limit; more threads only take 
 int threadsFor(std::size_t cells, int wanted) {
   if (wanted > 0) return wanted;
   const auto worth = static_cast<int>(std::min<std::size_t>(cells / kCellsWorthAThread, 64));
-  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-  return std::clamp(worth, 1, std::clamp(cores, 1, kMostThreads));
+  static const int cores = usableCores();
+  return std::clamp(worth, 1, std::min(cores, kMostThreads));
 }
 
 void inBands(int rows, int threads, const std::function<void(int first, int end)>& work) {

@@ -13,9 +13,9 @@
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
-#include <thread>
 #include <utility>
 
+#include "core/base/control_group.h"
 #include "core/base/error.h"
 #include "core/file/owned_fd.h"
 #include "core/io/file_check.h"
@@ -35,8 +35,7 @@ constexpr suseconds_t kLookUs = 50'000;      ///< Between two looks at the stop 
 constexpr double kMostCpuS = 7 * 24 * 3600;  ///< A stream is as long as the work on it.
 
 int channelCount() {
-  return static_cast<int>(
-      std::clamp(std::thread::hardware_concurrency(), 1U, static_cast<unsigned>(kMostChannels)));
+  return std::min(usableCores(), kMostChannels);
 }
 
 /// A socket that forgets to wait after a while; the other end is above the numbers of a child.

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <thread>
 #include <utility>
 
 #include <flann/config.h>
 #include <flann/flann.hpp>
 
 #include "core/base/bands.h"
+#include "core/base/control_group.h"
 #include "core/base/failure.h"
 
 namespace relievo {
@@ -70,7 +70,7 @@ class MortonCurve {
 int threadsForQueries(std::size_t queries, int wanted) {
   if (wanted > 0) return wanted;
   const auto worth = static_cast<int>(std::min<std::size_t>(queries / kQueriesWorthAThread, 1024));
-  return std::clamp(worth, 1, std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+  return std::clamp(worth, 1, usableCores());
 }
 
 struct Sorted {

@@ -16,11 +16,18 @@ namespace relievo {
 /// surface.unit and where it is from. @pre surface.info
 void chooseUnit(Surface& surface, const SurfaceOptions& options);
 
+/// Where a map is kept while it is made: it limits how many cells there can be.
+enum class MapPlace {
+  memory,  ///< 16384^2 cells, 1 GiB of heights.
+  tiles,   ///< 2^40 cells, and 2^23 a side: 10^6 x 10^6, say, if the disk has room.
+};
+
 /// Samples so that the first and last lie on the box; the map's lower left edge becomes (0, 0).
 /// @param propose  how many cells the points carry, asked if the options leave it open
 /// @throw ArgumentError, FileError
 GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const RotatedBounds& box,
-                      const std::function<CellProposal()>& propose);
+                      const std::function<CellProposal()>& propose,
+                      MapPlace place = MapPlace::memory);
 
 /// Rotation, scaling to millimetres, then a shift.
 ViewFromFile viewFromFile(const Rotation& rotation, double mm_per_unit, double dx, double dy,

@@ -22,7 +22,9 @@
 namespace relievo {
 namespace {
 
-constexpr double kMostCells = 268'435'456;  // 16384^2: 1 GiB of heights.
+constexpr double kMostCells = 0x1p28;
+constexpr double kMostCellsByTiles = 0x1p40;
+constexpr double kMostSideByTiles = 0x1p23;  // So that tiles can be numbered.
 
 class Stopwatch {
  public:
@@ -38,6 +40,20 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// @throw ArgumentError  more than fit there
+void requireCells(double cols, double rows, MapPlace place) {
+  constexpr double kCounted = 9e18;  // What can be said of a grid of any size.
+  const auto count = [&](double cells) {
+    return static_cast<long long>(std::min(cells, kCounted));
+  };
+  if (place == MapPlace::memory && !(cols * rows <= kMostCells)) {
+    throw failure<MessageId::too_many_cells>(count(cols), count(rows));
+  }
+  if (!(cols * rows <= kMostCellsByTiles) || !(std::max(cols, rows) <= kMostSideByTiles)) {
+    throw failure<MessageId::too_many_cells_by_tiles>(count(cols), count(rows));
+  }
+}
+
 }  // namespace
 
 void chooseUnit(Surface& surface, const SurfaceOptions& options) {
@@ -51,7 +67,7 @@ void chooseUnit(Surface& surface, const SurfaceOptions& options) {
 
 /// Samples so that the first and last lie on the box; the map's lower left edge becomes (0, 0).
 GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const RotatedBounds& box,
-                      const std::function<CellProposal()>& propose) {
+                      const std::function<CellProposal()>& propose, MapPlace place) {
   const double width = box.max.x - box.min.x;
   const double height = box.max.y - box.min.y;
   const double side = std::max(width, height);
@@ -87,10 +103,7 @@ GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const Rot
         "Seen from here the points lie on one line of cells, so that next to nothing can be seen "
         "or touched. Choose another view, or more cells.");
   }
-  if (!(cols * rows <= kMostCells)) {
-    throw failure<MessageId::too_many_cells>(static_cast<long long>(cols),
-                                             static_cast<long long>(rows));
-  }
+  requireCells(cols, rows, place);
   return {.size = {.cols = static_cast<int>(cols), .rows = static_cast<int>(rows)},
           .spacing_mm = spacing,
           .first_x_mm = 0.5 * spacing,

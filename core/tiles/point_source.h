@@ -46,7 +46,7 @@ struct SourceBounds {
   FileBounds file;  ///< In file coordinates, likewise.
 };
 
-/// Reads everything once. @param threads  0: as many as there are cores, at most 4 [worker]
+/// Reads everything once. @param threads  0: as many as there are usable cores [worker]
 /// @throw Cancelled, FileError
 SourceBounds boundsOf(const PointSource& source, const ViewFromFile& view_from_file, int threads,
                       const Task& task);

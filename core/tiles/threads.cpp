@@ -2,16 +2,15 @@
 #include "core/tiles/threads.h"
 
 #include <algorithm>
-#include <thread>
 
 #include "core/base/bands.h"
+#include "core/base/control_group.h"
 
 namespace relievo {
 
 int threadCount(int wanted) {
-  constexpr int kMost = 4;  // Disk and memory are the limit.
-  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-  return wanted > 0 ? wanted : std::clamp(cores, 1, kMost);
+  static const int cores = std::min(usableCores(), kMostThreads);
+  return wanted > 0 ? wanted : cores;
 }
 
 void inParts(std::uint64_t first, std::uint64_t end, int threads,

@@ -6,7 +6,9 @@
 
 namespace relievo {
 
-/// @param wanted  0: as many as there are cores, at most 4; else exactly these
+inline constexpr int kMostThreads = 64;  ///< Each has bands of its own in memory.
+
+/// @param wanted  0: as many as there are cores for this process; else exactly these
 int threadCount(int wanted);
 
 /// Calls work(part, first, end) for `threads` parts of first ... end, one of them on this thread,

@@ -22,7 +22,7 @@ struct TileStoreOptions {
   std::size_t memory_bytes = std::size_t{512} << 20U;  ///< For points and states.
   std::filesystem::path spill_folder = ".";
   double sum_unit_mm = 1.0 / (1 << 20);  ///< A power of two; see sumUnit.
-  int threads = 0;                       ///< 0: as many as there are cores, at most 4.
+  int threads = 0;                       ///< 0: as many as there are usable cores.
 };
 
 /// The largest resolution at which `points` heights of at most `most_mm` add up without overflow.

@@ -5070,8 +5070,16 @@
         <translation>Das Gitter braucht mindestens 2 Zellen in der Breite.</translation>
     </message>
     <message>
-        <source>A grid of %1 x %2 cells is larger than this version can hold (16384 x 16384). Choose fewer cells.</source>
-        <translation>Ein Gitter von %1 x %2 Zellen ist größer, als diese Version fassen kann (16384 x 16384). Wählen Sie weniger Zellen.</translation>
+        <source>A grid of %1 x %2 cells is larger than this version can hold (16384 x 16384). Choose fewer cells, or have the map made by tiles (--memory).</source>
+        <translation>Ein Gitter von %1 x %2 Zellen ist größer, als diese Version fassen kann (16384 x 16384). Wählen Sie weniger Zellen, oder lassen Sie die Karte aus Kacheln machen (--memory).</translation>
+    </message>
+    <message>
+        <source>A grid of %1 x %2 cells is larger than maps by tiles can be (2^40 cells, 2^23 a side). Choose fewer cells.</source>
+        <translation>Ein Gitter von %1 x %2 Zellen ist größer, als Karten aus Kacheln sein können (2^40 Zellen, 2^23 je Seite). Wählen Sie weniger Zellen.</translation>
+    </message>
+    <message>
+        <source>A map of %1 x %2 cells needs about %3 MB on the disk of %4 while it is made; %5 MB are free. Nothing was made. Free some space, or choose larger cells.</source>
+        <translation>Eine Karte von %1 x %2 Zellen braucht, während sie gemacht wird, etwa %3 MB auf der Platte von %4; %5 MB sind frei. Es wurde nichts gemacht. Schaffen Sie Platz, oder wählen Sie größere Zellen.</translation>
     </message>
     <message>
         <source>Rules other than front are for point clouds in the cpu engine. Nothing was made.</source>

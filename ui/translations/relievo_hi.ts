@@ -5070,8 +5070,16 @@
         <translation>ग्रिड में कम से कम 2 कोशिकाएँ आर-पार चाहिए।</translation>
     </message>
     <message>
-        <source>A grid of %1 x %2 cells is larger than this version can hold (16384 x 16384). Choose fewer cells.</source>
-        <translation>%1 x %2 कोशिकाओं का ग्रिड इस संस्करण की क्षमता (16384 x 16384) से बड़ा है। कम कोशिकाएँ चुनें।</translation>
+        <source>A grid of %1 x %2 cells is larger than this version can hold (16384 x 16384). Choose fewer cells, or have the map made by tiles (--memory).</source>
+        <translation>%1 x %2 कोशिकाओं का ग्रिड इस संस्करण की क्षमता (16384 x 16384) से बड़ा है। कम कोशिकाएँ चुनें, या मानचित्र टाइलों से बनवाएँ (--memory)।</translation>
+    </message>
+    <message>
+        <source>A grid of %1 x %2 cells is larger than maps by tiles can be (2^40 cells, 2^23 a side). Choose fewer cells.</source>
+        <translation>%1 x %2 कोशिकाओं का ग्रिड टाइलों से बने मानचित्रों की सीमा (2^40 कोशिकाएँ, प्रति भुजा 2^23) से बड़ा है। कम कोशिकाएँ चुनें।</translation>
+    </message>
+    <message>
+        <source>A map of %1 x %2 cells needs about %3 MB on the disk of %4 while it is made; %5 MB are free. Nothing was made. Free some space, or choose larger cells.</source>
+        <translation>%1 x %2 कोशिकाओं का मानचित्र बनाते समय %4 की डिस्क पर लगभग %3 MB चाहिए; %5 MB खाली हैं। कुछ नहीं बनाया गया। जगह खाली करें, या बड़ी कोशिकाएँ चुनें।</translation>
     </message>
     <message>
         <source>Rules other than front are for point clouds in the cpu engine. Nothing was made.</source>

@@ -22,7 +22,7 @@ namespace {
 
 struct DepthmapArguments {
   MapArguments map;
-  std::optional<double> memory_mb;
+  TileArguments tiles;
   std::string out;
   bool quality = false;
 };
@@ -111,10 +111,10 @@ Json depthBufferJson(const Surface& surface) {
 }
 
 Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
-  if (a.memory_mb && a.quality) {
+  if (areGiven(a.tiles) && a.quality) {
     throw failure<MessageId::option_quality>();
   }
-  if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, a.out, task);
+  if (a.tiles.memory_mb) return runByTiles(a.map, a.tiles, a.out, task);
   EarlyInput input(a.map.file, a.out, task);
   Surface surface = loadForVerb(a.map, task);
   if (a.quality && surface.quality.empty()) {
@@ -173,7 +173,7 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
 VerbFiles filesOf(const DepthmapArguments& a) {
   VerbFiles files;
   files.reads(a.map.file);
-  if (a.memory_mb) {
+  if (a.tiles.memory_mb) {
     files.writesLevels(a.out);
   } else {
     files.writesMap(a.out);
@@ -195,7 +195,7 @@ Verb depthmapVerb() {
       .declare =
           [arguments](CLI::App& verb) {
             addMapOptions(verb, arguments->map);
-            addMemoryOption(verb, arguments->memory_mb);
+            addTileOptions(verb, arguments->tiles);
             verb.add_option(
                     "-o,--output", arguments->out,
                     "MAP.tif; MAP.origin.tif beside it, and MAP.colour.tif, MAP.intensity.tif if "

@@ -19,7 +19,7 @@ namespace {
 
 struct PyramidArguments {
   MapArguments map;
-  std::optional<double> memory_mb;
+  TileArguments tiles;
   std::string out;
 };
 
@@ -60,7 +60,7 @@ void writeLevels(const std::filesystem::path& out, const Surface& surface,
 
 Outcome runPyramid(const PyramidArguments& a, const Task& task) {
   requireOwnOrAbsent(levelFile(a.out, 0));
-  if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, levelFile(a.out, 0), task);
+  if (areGiven(a.tiles)) return runByTiles(a.map, a.tiles, levelFile(a.out, 0), task);
   EarlyInput input(a.map.file, a.out, task);
   const Surface surface = loadForVerb(a.map, task);
   for (std::size_t l = 0; l < surface.pyramid.levels.size(); ++l) {
@@ -104,7 +104,7 @@ Verb pyramidVerb() {
           .declare =
               [arguments](CLI::App& verb) {
                 addMapOptions(verb, arguments->map);
-                addMemoryOption(verb, arguments->memory_mb);
+                addTileOptions(verb, arguments->tiles);
                 verb.add_option("-o,--output", arguments->out, "OUT.tif becomes OUT.L0.tif, ...")
                     ->required();
               },

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <thread>
 
+#include "core/base/control_group.h"
 #include "core/io/formats/scalar.h"
 
 namespace relievo {
@@ -29,7 +30,7 @@ LazBytesSource sourceOf(std::string_view bytes) {
 
 std::size_t threadsFor(int wanted) {
   if (wanted > 0) return static_cast<std::size_t>(wanted);
-  return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, kMostThreads);
+  return std::min(static_cast<std::size_t>(usableCores()), kMostThreads);
 }
 
 /// Points by return that the header states, where their sum is that of the points.
@@ -121,8 +122,8 @@ std::size_t LasRecords::planBatch(std::size_t from, Batch& batch) const {
 /// @param meanwhile  done by this thread before it helps
 void LasRecords::unpackOnAllThreads(Batch& batch, const std::function<void()>& meanwhile) const {
   std::atomic<std::size_t> taken{0};
-  // A piece that was taken is unpacked, whatever comes: nobody else does it, and what it held before
-  // would be given in its place.
+  // A piece that was taken is unpacked, whatever comes: nobody else does it, and what it held
+  // before would be given in its place.
   const auto work = [&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       const std::size_t i = taken++;

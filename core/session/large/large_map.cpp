@@ -31,7 +31,6 @@
 #include "core/tiles/colours/colour_files.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/scatter.h"
-#include "core/tiles/threads.h"
 
 namespace relievo {
 namespace {
@@ -313,10 +312,13 @@ Placed place(Surface& facts, const PointStream& stream, const Scan& sample,
   facts.info.bounds = bounds.file;
   const RotatedBounds box{.min = bounds.min, .max = bounds.max};
   findFront(placed, sample, turned, task);
-  placed.frame = chooseFrame(facts, options, box, [&] {
-    return placed.front ? cellsByFront(*placed.front, sample, turned, bounds)
-                        : proposeCells(sample, placed.rotation.rotation, bounds.finite_points);
-  });
+  placed.frame = chooseFrame(
+      facts, options, box,
+      [&] {
+        return placed.front ? cellsByFront(*placed.front, sample, turned, bounds)
+                            : proposeCells(sample, placed.rotation.rotation, bounds.finite_points);
+      },
+      MapPlace::tiles);
   placed.lowest_mm = bounds.min.z;
   placed.range_mm = bounds.max.z - bounds.min.z;
   placed.view_from_file =
@@ -450,14 +452,28 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
 
 /// What is in memory beside the tiles as long as points are read: the surface in front, and what of
 /// a packed file is unpacked, once for the places and once for what is stored beside them.
-std::uint64_t heldBytes(const PointStream& stream, const Placed& placed,
-                        const LargeMapOptions& large) {
-  const auto threads = static_cast<std::uint64_t>(threadCount(large.threads));
-  return (placed.front ? placed.front->bytes() : 0) + 2 * threads * stream.keptBytes();
+std::uint64_t heldBytes(const PointStream& stream, const Placed& placed, int threads) {
+  return (placed.front ? placed.front->bytes() : 0) +
+         2 * static_cast<std::uint64_t>(threads) * stream.keptBytes();
+}
+
+/// What the work may take, asked before it; and the options with the number of threads in them.
+/// @param points, held  as diskBytes and planMemory @throw ArgumentError, WriteError
+MemoryPlan planWork(const GridFrame& frame, const SurfaceOptions& options, LargeMapOptions& large,
+                    std::optional<std::uint64_t> points,
+                    const std::function<std::uint64_t(int threads)>& held) {
+  const MemoryPlan plan = planMemory(frame, large, held);
+  large.threads = plan.threads;
+  const std::filesystem::path folder = spillFolder(large);
+  std::error_code unknown;
+  const auto space = std::filesystem::space(folder, unknown);
+  requireDisk(frame, folder, diskBytes(PyramidRows::frames(frame, options.pyramid), points, plan),
+              unknown ? std::nullopt : std::optional<std::uint64_t>(space.available));
+  return plan;
 }
 
 LargeMap fromPoints(const std::filesystem::path& file, const InputFacts& facts,
-                    const SurfaceOptions& options, const LargeMapOptions& large,
+                    const SurfaceOptions& options, const LargeMapOptions& asked,
                     const ImportOptions& import, const Task& task) {
   const auto start = Clock::now();
   requireStreamable(file, facts);
@@ -466,11 +482,11 @@ LargeMap fromPoints(const std::filesystem::path& file, const InputFacts& facts,
   }
   const PointStream stream(file, import, task);
   LargeMap map;
-  if (large.on_view) {
+  if (asked.on_view) {
     const Scan sample = sampleOf(stream, firstRuns(stream, kFirstSample), task);
     const Surface view = viewOf(sample, options, kFirstViewCells, task);
     map.first_view_s = secondsSince(start);
-    large.on_view(view);
+    asked.on_view(view);
   }
   Surface made;
   made.info = stream.info();
@@ -478,11 +494,15 @@ LargeMap fromPoints(const std::filesystem::path& file, const InputFacts& facts,
   Scan sample = sampleOf(stream, evenRuns(stream, kSecondSample), task);
   const ScanInUse sample_in_use(sample, options.strays,
                                 options.nodata ? options.nodata->value : std::nullopt, task);
-  const Placed placed = place(made, stream, sample_in_use.scan(), options, large, task);
+  const Placed placed = place(made, stream, sample_in_use.scan(), options, asked, task);
   map.strays = placed.points.strays;
   map.missing = placed.points.missing;
   sayLeftOut(made, placed.points, stream, options);
-  const MemoryPlan plan = planMemory(placed.frame, large, heldBytes(stream, placed, large));
+  LargeMapOptions large = asked;
+  const bool merges = options.rule && isMergeable(*options.rule);
+  const MemoryPlan plan =
+      planWork(placed.frame, options, large, merges ? 0 : made.info.finite_points,
+               [&](int threads) { return heldBytes(stream, placed, threads); });
   if (large.on_view) large.on_view(viewOf(sample, options, kSecondViewCells, task));
   sample = {};
   copyFacts(made, map);
@@ -543,8 +563,9 @@ void writeOwnMap(LargeMap& map, const RasterRows& raster, const GridFrame& frame
 }
 
 LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& options,
-                    const LargeMapOptions& large, const ImportOptions& import, const Task& task) {
+                    const LargeMapOptions& asked, const ImportOptions& import, const Task& task) {
   const auto start = Clock::now();
+  LargeMapOptions large = asked;
   const RasterRows rows = importRasterRows(file, spillFolder(large), import, task);
   const RasterHead& raster = rows.head();
   LargeMap map;
@@ -579,7 +600,7 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
     frame.first_x_mm = raster.first.x;
     frame.first_y_mm = raster.first.y;
   }
-  const MemoryPlan plan = planMemory(frame, large);
+  const MemoryPlan plan = planWork(frame, options, large, std::nullopt, {});
   map.seconds.read = secondsSince(start);
   if (raster.is_own_map) {
     writeOwnMap(map, rows, frame, options, large, task);

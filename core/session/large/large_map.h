@@ -21,7 +21,7 @@ struct LargeMap;
 struct LargeMapOptions {
   std::filesystem::path file;                  ///< Of the finest level; the others lie beside it.
   std::uint64_t memory_bytes = 2'000'000'000;  ///< For all but the program itself.
-  int threads = 0;                             ///< 0: as many as there are cores, at most 4.
+  int threads = 0;                             ///< 0: as many as there are usable cores.
   /// Called with surfaces made from a sample of the points: first after a fraction of a second from
   /// some 250 000, then from some 2 000 000 found while the whole is measured. Each covers the
   /// object as `LargeMap` will, but for points not seen yet. For rasters never. [worker]

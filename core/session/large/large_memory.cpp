@@ -48,33 +48,60 @@ namespace {
 }  // namespace
 
 MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large,
-                      std::uint64_t held_bytes) {
-  const std::uint64_t held = kProgram + held_bytes;
-  const int threads = threadCount(large.threads);
-  const std::uint64_t filling = bandBytes(frame.size, threads) + writingBytes(frame.size);
+                      const std::function<std::uint64_t(int threads)>& held_bytes) {
   // While points are sorted into tiles: the store and a block of points being sorted; while cells
   // get their heights: the store and three rows of tiles, which hold what the store let go of.
   const std::uint64_t gridding = 2 * TileStore::leastMemoryBytes(frame.size) + 64 * kMegabyte;
-  const std::uint64_t needed = held + std::max(filling, gridding);
-  if (needed > large.memory_bytes) refuse(frame, large, needed);
-  const std::uint64_t free_bytes = large.memory_bytes - held;
+  const auto held = [&](int threads) { return kProgram + (held_bytes ? held_bytes(threads) : 0); };
+  const auto filling = [&](int threads) {
+    return bandBytes(frame.size, threads) + writingBytes(frame.size);
+  };
+  const auto needed = [&](int threads) {
+    return held(threads) + std::max(filling(threads), gridding);
+  };
+  int threads = threadCount(large.threads);
+  if (large.threads == 0) {
+    while (threads > 1 && needed(threads) > large.memory_bytes) --threads;
+  }
+  if (needed(threads) > large.memory_bytes) refuse(frame, large, needed(threads));
+  const std::uint64_t free_bytes = large.memory_bytes - held(threads);
   // While gaps are filled, depths may take 0.4 of what filling leaves; so may colours.
   const std::uint64_t making = BandColours::memoryBytes(frame.size, threads);
   const std::uint64_t colours = making + ValueStore::leastMemoryBytes(frame.size) + 8 * kMegabyte;
-  const std::uint64_t room = (free_bytes - filling) * 5 / 10;
-  return {.held_bytes = held,
+  const std::uint64_t room = (free_bytes - filling(threads)) * 5 / 10;
+  return {.threads = threads,
+          .held_bytes = held(threads),
           .points_bytes = static_cast<std::size_t>((free_bytes - 64 * kMegabyte) * 6 / 10),
           .gridding_bytes = static_cast<std::size_t>(free_bytes),
-          .depths_bytes = static_cast<std::size_t>((free_bytes - filling) * 8 / 10),
+          .depths_bytes = static_cast<std::size_t>((free_bytes - filling(threads)) * 8 / 10),
           .values_bytes = room >= colours ? static_cast<std::size_t>(room - making) * 8 / 10 : 0,
-          .colours_need = held + filling + 2 * colours};
+          .colours_need = held(threads) + filling(threads) + 2 * colours};
+}
+
+std::uint64_t diskBytes(const std::vector<GridFrame>& frames, std::optional<std::uint64_t> points,
+                        const MemoryPlan& plan) {
+  constexpr std::uint64_t kCell = sizeof(float) + 1;  // Height and origin.
+  constexpr std::uint64_t kPoint = sizeof(CellPoint);
+  std::uint64_t bytes = 0;
+  for (const GridFrame& frame : frames) bytes += kCell * frame.size.count();
+  if (!points) return bytes;
+  const std::uint64_t in_tiles = kPoint * *points;
+  return bytes + sizeof(float) * frames.front().size.count() + in_tiles -
+         std::min<std::uint64_t>(in_tiles, plan.points_bytes);
+}
+
+void requireDisk(const GridFrame& frame, const std::filesystem::path& folder, std::uint64_t needed,
+                 std::optional<std::uint64_t> free_bytes) {
+  if (!free_bytes || needed <= *free_bytes) return;
+  throw failure<MessageId::disk_needed>(frame.size.cols, frame.size.rows, megabytes(needed), folder,
+                                        megabytes(*free_bytes));
 }
 
 std::size_t storeBytes(const MemoryPlan& plan, const GridFrame& frame, const LargeMapOptions& large,
                        std::size_t rows_bytes, std::size_t tile_bytes) {
   // Of a tile's 16 bytes a point the rules make places, order and neighbours: thrice as much
   // (measured: 2.7).
-  const auto threads = static_cast<std::uint64_t>(threadCount(large.threads));
+  const auto threads = static_cast<std::uint64_t>(plan.threads);
   const std::uint64_t work = rows_bytes + 3 * threads * tile_bytes;
   const std::uint64_t least = TileStore::leastMemoryBytes(frame.size);
   if (work + least > plan.gridding_bytes) refuse(frame, large, plan.held_bytes + work + least);

@@ -3,6 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <vector>
 
 #include "core/base/grid.h"
 #include "core/session/large/large_map.h"
@@ -12,6 +16,7 @@ namespace relievo {
 /// How the budget of a map by tiles is divided. The stages follow each other, so that each may use
 /// what the other gave back.
 struct MemoryPlan {
+  int threads = 1;
   std::uint64_t held_bytes = 0;    ///< Taken all the time, beside the stages.
   std::size_t points_bytes = 0;    ///< For TileStore, while points are sorted into it.
   std::size_t gridding_bytes = 0;  ///< For TileStore and what heights are made from.
@@ -28,10 +33,22 @@ struct MemoryPlan {
 std::size_t storeBytes(const MemoryPlan& plan, const GridFrame& frame, const LargeMapOptions& large,
                        std::size_t rows_bytes, std::size_t tile_bytes);
 
-/// To be asked before the work.
-/// @param held_bytes  what the input keeps until the map is made
+/// To be asked before the work. Where `large.threads` leaves it open, as many work as the budget
+/// has room for.
+/// @param held_bytes  what the input keeps until the map is made, of so many threads
 /// @throw ArgumentError  E102, with what would do
 MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large,
-                      std::uint64_t held_bytes = 0);
+                      const std::function<std::uint64_t(int threads)>& held_bytes = {});
+
+/// Bytes on the disk of the finest level while a map is made, at least: all levels and, of a cloud,
+/// the depths before gaps are filled and the points that are not in memory.
+/// @param frames  of the levels
+/// @param points  that are kept until the cells have their heights; nothing: a raster
+std::uint64_t diskBytes(const std::vector<GridFrame>& frames, std::optional<std::uint64_t> points,
+                        const MemoryPlan& plan);
+
+/// To be asked before the work. @param free_bytes  nothing: not known @throw WriteError
+void requireDisk(const GridFrame& frame, const std::filesystem::path& folder, std::uint64_t needed,
+                 std::optional<std::uint64_t> free_bytes);
 
 }  // namespace relievo

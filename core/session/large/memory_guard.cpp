@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "core/base/control_group.h"
 #include "core/base/failure.h"
 
 namespace relievo {
@@ -42,13 +43,13 @@ std::optional<std::uint64_t> freeOnMachine(const std::filesystem::path& root) {
   return std::nullopt;
 }
 
-/// Where a version of the kernel's control groups keeps what.
+/// How a version of the kernel's control groups calls what.
 struct GroupFiles {
-  const char *mount, *limit, *use, *reclaimable;
+  const char *limit, *use, *reclaimable;
 };
-constexpr GroupFiles kVersion2{"sys/fs/cgroup", "memory.max", "memory.current", "inactive_file"};
-constexpr GroupFiles kVersion1{"sys/fs/cgroup/memory", "memory.limit_in_bytes",
-                               "memory.usage_in_bytes", "total_inactive_file"};
+constexpr GroupFiles kVersion2{"memory.max", "memory.current", "inactive_file"};
+constexpr GroupFiles kVersion1{"memory.limit_in_bytes", "memory.usage_in_bytes",
+                               "total_inactive_file"};
 
 /// The number in a file; nothing if there is none, as where the limit is "max".
 std::optional<std::uint64_t> numberIn(const std::filesystem::path& file) {
@@ -73,25 +74,6 @@ std::optional<std::uint64_t> freeInGroup(const std::filesystem::path& group,
   return *limit - std::min(*limit, *use);
 }
 
-/// The least that the group and those above it leave. Within a container the path may be that of
-/// the machine outside, of which only the end is mounted: then the mount itself is the group.
-std::optional<std::uint64_t> freeInGroups(const std::filesystem::path& mount,
-                                          const std::string& path, const GroupFiles& files) {
-  std::optional<std::uint64_t> least;
-  std::filesystem::path group = mount;
-  const auto look = [&] {
-    const auto left = freeInGroup(group, files);
-    if (left) least = std::min(*left, least.value_or(*left));
-  };
-  look();
-  for (const std::filesystem::path& part : std::filesystem::path(path).relative_path()) {
-    if (part == "..") break;  // Above what this process can see.
-    group /= part;
-    look();
-  }
-  return least;
-}
-
 }  // namespace
 
 std::uint64_t surfaceBytes(GridSize size) {
@@ -109,19 +91,10 @@ std::uint64_t colourBytes(GridSize size, bool scan_colours, bool scan_intensitie
 
 std::optional<std::uint64_t> availableBytes(const std::filesystem::path& root) {
   std::optional<std::uint64_t> least = freeOnMachine(root);
-  std::ifstream groups(root / "proc/self/cgroup");
-  for (std::string line; std::getline(groups, line);) {
-    // "0::/user.slice/..." of version 2, "7:cpu,memory:/user/..." of version 1.
-    const std::size_t list = line.find(':');
-    const std::size_t path = list == std::string::npos ? list : line.find(':', list + 1);
-    if (path == std::string::npos) continue;
-    const std::string controllers = line.substr(list + 1, path - list - 1);
-    const bool is_memory = ("," + controllers + ",").find(",memory,") != std::string::npos;
-    if (!controllers.empty() && !is_memory) continue;
-    const GroupFiles& files = controllers.empty() ? kVersion2 : kVersion1;
-    const auto in_groups = freeInGroups(root / files.mount, line.substr(path + 1), files);
-    if (in_groups) least = std::min(*in_groups, least.value_or(*in_groups));
-  }
+  forEachControlGroup(root, "memory", [&](const ControlGroup& group) {
+    const auto left = freeInGroup(group.folder, group.is_second ? kVersion2 : kVersion1);
+    if (left) least = std::min(*left, least.value_or(*left));
+  });
   return least;
 }
 

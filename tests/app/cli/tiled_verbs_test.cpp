@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Maps by tiles by the command line, tried from outside: the same as maps in memory.
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 
@@ -45,6 +46,42 @@ class TiledVerbs : public test::CommandTest {
     return rows;
   }
 };
+
+TEST_F(TiledVerbs, AreTheSameForAnyNumberOfThreads) {
+  const auto made = [&](const std::string& threads) {
+    const std::string file = path("by" + threads + ".tif");
+    EXPECT_EQ(runRelievo({"depthmap", test::kReliefF, "--unit", "mm", "--view", "top", "--cells",
+                          "900", "--memory", "400", "--threads", threads, "-o", file})
+                  .exit_code,
+              0);
+    return file;
+  };
+  const RasterMap one = readRaster(made("1"));
+  for (const char* threads : {"3", "7"}) {
+    const RasterMap other = readRaster(made(threads));
+    ASSERT_EQ(other.values.size(), one.values.size());
+    const std::size_t bytes = one.values.size() * sizeof(float);  // NaN is no number's equal.
+    EXPECT_EQ(std::memcmp(other.values.data(), one.values.data(), bytes), 0) << threads;
+    EXPECT_EQ(other.origins, one.origins) << threads;
+  }
+}
+
+TEST_F(TiledVerbs, ThreadsAreOfMapsByTilesAlone) {
+  const auto refused = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"depthmap", test::kReliefF, "--unit", "mm", "-o", path("a.tif")};
+    words.insert(words.end(), more.begin(), more.end());
+    const CommandResult result = runRelievo(words);
+    EXPECT_EQ(result.exit_code, 1) << result.err;
+    return result.err;
+  };
+  EXPECT_NE(refused({"--threads", "2"}).find("--memory"), std::string::npos);
+  for (const char* number : {"0", "65", "1.5", "two", "-1"}) {
+    EXPECT_NE(refused({"--memory", "400", "--threads", number}).find("--threads"),
+              std::string::npos)
+        << number;
+  }
+  EXPECT_FALSE(fs::exists(path("a.tif")));
+}
 
 TEST_F(TiledVerbs, MeasureTheSameWithoutReadingThemWhole) {
   const auto measured = [&](const std::string& map) {
