@@ -10,9 +10,11 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
@@ -42,10 +44,24 @@ std::array<Reading, 1024>& readings() {
   return *all;
 }
 
+/// The function behind ours of that name. Nothing is locked while the loader is asked, no guard of
+/// a static variable either: a thread that loads a library holds the loader's lock, and what the
+/// library does at its start may wait for ours.
+/// @param known  where the answer is kept: one for each name
 template <class Function>
-Function next(const char* name) {
-  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+Function next(std::atomic<void*>& known, const char* name) {
+  void* function = known.load(std::memory_order_acquire);
+  if (function == nullptr) {
+    function = dlsym(RTLD_NEXT, name);
+    known.store(function, std::memory_order_release);
+  }
+  return reinterpret_cast<Function>(function);
 }
+
+/// `real`, the function behind NAME, of the type that follows.
+#define RELIEVO_REAL(NAME, ...)                \
+  static constinit std::atomic<void*> known{}; \
+  const auto real = next<__VA_ARGS__>(known, NAME)
 
 std::string settingOf(const char* name) {
   const char* const text = std::getenv(name);
@@ -80,12 +96,12 @@ const std::string* inputOf(const struct stat& facts) {
 
 void tell(const std::string& line) {
   static const std::string* const log = new std::string(settingOf("RELIEVO_GUARD_LOG"));
-  static const auto real_open = next<int (*)(const char*, int, ...)>("open");
-  static const auto real_close = next<int (*)(int)>("close");
-  const int fd = real_open(log->c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+  // Not by open and close, which would ask the loader here, under the lock of readings().
+  const auto fd = static_cast<int>(::syscall(SYS_openat, AT_FDCWD, log->c_str(),
+                                             O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600));
   if (fd < 0) return;
   [[maybe_unused]] const ssize_t written = ::write(fd, (line + "\n").data(), line.size() + 1);
-  real_close(fd);
+  ::syscall(SYS_close, fd);
 }
 
 void opened(int fd, bool for_reading) {
@@ -145,7 +161,7 @@ extern "C" {
 // NOLINTBEGIN: these are the C library's names and forms.
 #define RELIEVO_OPEN(NAME)                                                                 \
   int NAME(const char* file, int flags, ...) {                                             \
-    static const auto real = next<int (*)(const char*, int, ...)>(#NAME);                  \
+    RELIEVO_REAL(#NAME, int (*)(const char*, int, ...));                                   \
     va_list more;                                                                          \
     va_start(more, flags);                                                                 \
     const mode_t mode = (flags & (O_CREAT | __O_TMPFILE)) != 0 ? va_arg(more, mode_t) : 0; \
@@ -159,7 +175,7 @@ RELIEVO_OPEN(open64)
 
 #define RELIEVO_OPENAT(NAME)                                                               \
   int NAME(int folder, const char* file, int flags, ...) {                                 \
-    static const auto real = next<int (*)(int, const char*, int, ...)>(#NAME);             \
+    RELIEVO_REAL(#NAME, int (*)(int, const char*, int, ...));                              \
     va_list more;                                                                          \
     va_start(more, flags);                                                                 \
     const mode_t mode = (flags & (O_CREAT | __O_TMPFILE)) != 0 ? va_arg(more, mode_t) : 0; \
@@ -171,82 +187,82 @@ RELIEVO_OPEN(open64)
 RELIEVO_OPENAT(openat)
 RELIEVO_OPENAT(openat64)
 
-#define RELIEVO_FOPEN(NAME)                                                    \
-  FILE* NAME(const char* file, const char* how) {                              \
-    static const auto real = next<FILE* (*)(const char*, const char*)>(#NAME); \
-    FILE* const stream = real(file, how);                                      \
-    if (stream != nullptr) opened(fileno(stream), how[0] == 'r');              \
-    return stream;                                                             \
+#define RELIEVO_FOPEN(NAME)                                       \
+  FILE* NAME(const char* file, const char* how) {                 \
+    RELIEVO_REAL(#NAME, FILE* (*)(const char*, const char*));     \
+    FILE* const stream = real(file, how);                         \
+    if (stream != nullptr) opened(fileno(stream), how[0] == 'r'); \
+    return stream;                                                \
   }
 RELIEVO_FOPEN(fopen)
 RELIEVO_FOPEN(fopen64)
 
 int fclose(FILE* stream) {
-  static const auto real = next<int (*)(FILE*)>("fclose");
+  RELIEVO_REAL("fclose", int (*)(FILE*));
   closed(fileno(stream));
   return real(stream);
 }
 
 int close(int fd) {
-  static const auto real = next<int (*)(int)>("close");
+  RELIEVO_REAL("close", int (*)(int));
   closed(fd);
   return real(fd);
 }
 
 ssize_t read(int fd, void* to, size_t bytes) {
-  static const auto real = next<ssize_t (*)(int, void*, size_t)>("read");
+  RELIEVO_REAL("read", ssize_t(*)(int, void*, size_t));
   const ssize_t count = real(fd, to, bytes);
   got(fd, count, -1);
   return count;
 }
 
 size_t fread(void* to, size_t size, size_t count, FILE* stream) {
-  static const auto real = next<size_t (*)(void*, size_t, size_t, FILE*)>("fread");
+  RELIEVO_REAL("fread", size_t(*)(void*, size_t, size_t, FILE*));
   const size_t items = real(to, size, count, stream);
   got(fileno(stream), static_cast<ssize_t>(items * size), -1);
   return items;
 }
 
-#define RELIEVO_PREAD(NAME)                                                       \
-  ssize_t NAME(int fd, void* to, size_t bytes, off_t at) {                        \
-    static const auto real = next<ssize_t (*)(int, void*, size_t, off_t)>(#NAME); \
-    const ssize_t count = real(fd, to, bytes, at);                                \
-    got(fd, count, at);                                                           \
-    return count;                                                                 \
+#define RELIEVO_PREAD(NAME)                                      \
+  ssize_t NAME(int fd, void* to, size_t bytes, off_t at) {       \
+    RELIEVO_REAL(#NAME, ssize_t (*)(int, void*, size_t, off_t)); \
+    const ssize_t count = real(fd, to, bytes, at);               \
+    got(fd, count, at);                                          \
+    return count;                                                \
   }
 RELIEVO_PREAD(pread)
 RELIEVO_PREAD(pread64)
 
-#define RELIEVO_MMAP(NAME)                                                                \
-  void* NAME(void* start, size_t bytes, int how, int flags, int fd, off_t at) {           \
-    static const auto real = next<void* (*)(void*, size_t, int, int, int, off_t)>(#NAME); \
-    if (fd >= 0) {                                                                        \
-      struct stat facts {};                                                               \
-      const bool is_file = ::fstat(fd, &facts) == 0 && S_ISREG(facts.st_mode);            \
-      const std::string* const input = is_file ? inputOf(facts) : nullptr;                \
-      if (input != nullptr) tell("mapped " + *input);                                     \
-    }                                                                                     \
-    return real(start, bytes, how, flags, fd, at);                                        \
+#define RELIEVO_MMAP(NAME)                                                      \
+  void* NAME(void* start, size_t bytes, int how, int flags, int fd, off_t at) { \
+    RELIEVO_REAL(#NAME, void* (*)(void*, size_t, int, int, int, off_t));        \
+    if (fd >= 0) {                                                              \
+      struct stat facts {};                                                     \
+      const bool is_file = ::fstat(fd, &facts) == 0 && S_ISREG(facts.st_mode);  \
+      const std::string* const input = is_file ? inputOf(facts) : nullptr;      \
+      if (input != nullptr) tell("mapped " + *input);                           \
+    }                                                                           \
+    return real(start, bytes, how, flags, fd, at);                              \
   }
 RELIEVO_MMAP(mmap)
 RELIEVO_MMAP(mmap64)
 
 void* GDALOpenEx(const char* file, unsigned flags, const char* const* drivers,
                  const char* const* options, const char* const* siblings) {
-  static const auto real = next<void* (*)(const char*, unsigned, const char* const*,
-                                          const char* const*, const char* const*)>("GDALOpenEx");
+  RELIEVO_REAL("GDALOpenEx", void* (*)(const char*, unsigned, const char* const*,
+                                       const char* const*, const char* const*));
   byLibrary("GDALOpenEx", file);
   return real(file, flags, drivers, options, siblings);
 }
 
 void* zip_open(const char* file, int flags, int* error) {
-  static const auto real = next<void* (*)(const char*, int, int*)>("zip_open");
+  RELIEVO_REAL("zip_open", void* (*)(const char*, int, int*));
   byLibrary("zip_open", file);
   return real(file, flags, error);
 }
 
 std::int64_t H5Fopen(const char* file, unsigned flags, std::int64_t access) {
-  static const auto real = next<std::int64_t (*)(const char*, unsigned, std::int64_t)>("H5Fopen");
+  RELIEVO_REAL("H5Fopen", std::int64_t(*)(const char*, unsigned, std::int64_t));
   byLibrary("H5Fopen", file);
   return real(file, flags, access);
 }
