@@ -17,6 +17,7 @@
 #include "app/plugin_loader.h"
 #include "core/base/error.h"
 #include "core/io/worker/reader_guard.h"
+#include "ui/frame/accessible_widgets.h"
 #include "ui/language/language.h"
 #include "ui/views/surface_view.h"
 #include "ui/vtk/depth_capture.h"
@@ -67,6 +68,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   // QApplication takes the user's locale; the readers need the dot as decimal sign.
   std::setlocale(LC_NUMERIC, "C");
   installAccessibleViews();
+  installAccessibleWidgets();
 
   const auto mode = options.safe_mode ? Settings::Mode::safe : Settings::Mode::remembered;
   {

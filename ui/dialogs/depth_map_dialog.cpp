@@ -184,6 +184,7 @@ void DepthMapDialog::layOut() {
   step_->setAccessibleName(tr("What is being done"));
 
   auto* left = new QScrollArea;
+  left->setFocusPolicy(Qt::NoFocus);  // What stands in it has the keyboard.
   left->setWidget(form_);
   left->setWidgetResizable(true);
   left->setFrameShape(QFrame::NoFrame);
@@ -199,6 +200,7 @@ void DepthMapDialog::layOut() {
   for (QLabel* label : {problem_, shares_, details_}) word_column->addWidget(label);
   word_column->addStretch(1);
   auto* word_area = new QScrollArea;
+  word_area->setAccessibleName(tr("What the map is made of"));
   word_area->setWidget(words);
   word_area->setWidgetResizable(true);
   word_area->setFrameShape(QFrame::NoFrame);

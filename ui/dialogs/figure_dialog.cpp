@@ -54,6 +54,7 @@ FigureDialog::FigureDialog(std::shared_ptr<const Surface> surface, Project proje
   complete_ = true;
   // On a small screen with large text not even the columns' least widths have room.
   auto* scrolled = new QScrollArea;
+  scrolled->setFocusPolicy(Qt::NoFocus);  // What stands in it has the keyboard.
   scrolled->setWidget(both);
   scrolled->setWidgetResizable(true);
   scrolled->setFrameShape(QFrame::NoFrame);
@@ -77,6 +78,7 @@ FigureDialog::~FigureDialog() {
 QWidget* FigureDialog::formColumn() {
   QWidget* form = makeForm();
   auto* column = new QScrollArea;
+  column->setFocusPolicy(Qt::NoFocus);  // What stands in it has the keyboard.
   column->setWidget(form);
   column->setWidgetResizable(true);
   column->setFrameShape(QFrame::NoFrame);

@@ -3,6 +3,7 @@
 
 #include <QAccessible>
 #include <QAccessibleWidget>
+#include <QApplication>
 
 namespace relievo {
 namespace {
@@ -47,6 +48,12 @@ void Announcer::say(const QString& text) {
   if (text.isEmpty() || !QAccessible::isActive()) return;
   QAccessibleEvent event(this, QAccessible::ObjectShow);
   QAccessible::updateAccessibility(&event);
+}
+
+void Announcer::sayAnywhere(const QString& text) {
+  for (const QWidget* window : QApplication::topLevelWidgets()) {
+    if (auto* announcer = window->findChild<Announcer*>()) return announcer->say(text);
+  }
 }
 
 }  // namespace relievo

@@ -14,6 +14,8 @@ class Announcer : public QWidget {
  public:
   explicit Announcer(QWidget* parent);
   void say(const QString& text);
+  /// By the announcer of any window of this program: to say what a dialog without one has to say.
+  static void sayAnywhere(const QString& text);
   /// What was said last.
   const QString& text() const { return text_; }
 

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/frame/accessible_widgets.h"
 #include "ui/style/palette.h"
 
 namespace relievo {
@@ -40,6 +41,7 @@ void SidePanels::add(const QString& title, QWidget* panel) {
 
 void SidePanels::insert(int index, const QString& title, QWidget* panel) {
   auto* header = new QToolButton(widget());
+  header->setProperty(kUnfolded, true);  // Before anybody is told of it.
   header->setText(title);
   header->setToolTip(tr("Show or hide %1").arg(title));
   header->setAccessibleName(tr("%1 panel").arg(title));
@@ -74,6 +76,7 @@ void SidePanels::addAtPlace(const QString& title, QWidget* panel) {
 void SidePanels::fold(QWidget* panel, bool folded) {
   QToolButton* header = headers_[static_cast<std::size_t>(column_->indexOf(panel) / 2)];
   header->setArrowType(folded ? Qt::RightArrow : Qt::DownArrow);
+  header->setProperty(kUnfolded, !folded);
   header->setAccessibleDescription(folded ? tr("folded") : tr("open"));
   panel->setVisible(!folded);
 }

@@ -124,7 +124,8 @@ void StatusFields::set(StatusField field, const QString& text, const QString& ti
   if (label->text() == text && label->toolTip() == tip) return;
   label->setText(text);
   label->setToolTip(tip);
-  label->setAccessibleDescription(tip.isEmpty() ? text : text + QLatin1String(". ") + tip);
+  // Its text is in the name that screen readers are told; they are not told of every change.
+  if (label->accessibleDescription() != tip) label->setAccessibleDescription(tip);
   if (field == StatusField::pointer) {
     rows_->setSpareWanted(!text.isEmpty());
   } else if (field != StatusField::message) {

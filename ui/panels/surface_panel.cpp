@@ -203,6 +203,8 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   gain_slider_->setAccessibleName(tr("Vertical exaggeration"));
   gain_slider_->setToolTip(tr("Heights are multiplied by this; the middle is true to scale"));
   gain_slider_->setRange(-kGainSteps, kGainSteps);
+  // Its steps are no numbers that somebody knows; keys and ears have the field beside it.
+  gain_slider_->setFocusPolicy(Qt::NoFocus);
   auto* gain_label = new QLabel(tr("Exaggeratio&n"));
   gain_label->setBuddy(gain_);
   auto* gain_row = new QHBoxLayout;  // Of its own: its long name would leave the fields no room.

@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
+    <name>AccessibleWidgets</name>
+    <message>
+        <source>Clear</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translation>Weitere Werkzeuge</translation>
+    </message>
+</context>
+<context>
     <name>Core</name>
     <message>
         <source>Checksum</source>
@@ -1974,6 +1985,10 @@
 </context>
 <context>
     <name>relievo::DepthMapDialog</name>
+    <message>
+        <source>What the map is made of</source>
+        <translation>Woraus die Karte besteht</translation>
+    </message>
     <message>
         <source>%1 of the cells are measured</source>
         <translation>%1 der Zellen sind gemessen</translation>

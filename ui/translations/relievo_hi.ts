@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="hi_IN">
 <context>
+    <name>AccessibleWidgets</name>
+    <message>
+        <source>Clear</source>
+        <translation>मिटाएँ</translation>
+    </message>
+    <message>
+        <source>More tools</source>
+        <translation>और औज़ार</translation>
+    </message>
+</context>
+<context>
     <name>Core</name>
     <message>
         <source>Checksum</source>
@@ -1974,6 +1985,10 @@
 </context>
 <context>
     <name>relievo::DepthMapDialog</name>
+    <message>
+        <source>What the map is made of</source>
+        <translation>मानचित्र किससे बना है</translation>
+    </message>
     <message>
         <source>%1 of the cells are measured</source>
         <translation>%1 सेल मापे गए हैं</translation>

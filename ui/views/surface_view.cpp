@@ -40,8 +40,11 @@ class AccessibleView : public QAccessibleWidget {
  public:
   explicit AccessibleView(SurfaceView* view) : QAccessibleWidget(view, QAccessible::Graphic) {}
   QString text(QAccessible::Text kind) const override {
-    if (kind == QAccessible::Value) return static_cast<SurfaceView*>(widget())->whereAmI();
-    return QAccessibleWidget::text(kind);
+    // Qt tells nobody the value of what is no number; the description is read with the focus.
+    if (kind != QAccessible::Value && kind != QAccessible::Description) {
+      return QAccessibleWidget::text(kind);
+    }
+    return static_cast<SurfaceView*>(widget())->whereAmI();
   }
 };
 
@@ -418,12 +421,9 @@ void SurfaceView::setBackground(const QColor& colour) {
   requestRender();
 }
 
+// Without an event: it would be spoken at every movement of the hand.
 void SurfaceView::setWhereAmI(const QString& text) {
-  if (text == where_am_i_) return;
   where_am_i_ = text;
-  if (!QAccessible::isActive()) return;
-  QAccessibleValueChangeEvent event(this, text);
-  QAccessible::updateAccessibility(&event);
 }
 
 void SurfaceView::setGrid(std::shared_ptr<const HeldGrid> grid) {
