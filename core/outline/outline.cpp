@@ -107,7 +107,7 @@ double heightAt(const RegionWindow& window, const SamplePlace& place) {
   double sum = 0, weights = 0;
   for (int k = 0; k < 4; ++k) {
     const int dc = k % 2, dr = k / 2;  // NOLINT: two by two.
-    const auto i = static_cast<std::size_t>((r + dr) * kSide + c + dc);
+    const auto i = static_cast<std::size_t>(r + dr) * kSide + static_cast<std::size_t>(c + dc);
     if (window.origins[i] == Origin::outside) continue;
     // A place on the border has weight on the object's side alone.
     const double weight =
@@ -201,7 +201,8 @@ std::vector<Outline> objectOutlines(const RegionWindow& window, std::uint8_t edg
   for (int row = 0; row < kSide; ++row) {
     for (int col = 0; col < kSide; ++col) {
       const bool is_outside =
-          window.origins[static_cast<std::size_t>(row * kSide + col)] == Origin::outside;
+          window.origins[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(col)] ==
+          Origin::outside;
       samples.values[samples.at(col + 1, row + 1)] = is_outside ? 0 : 1;
     }
   }
