@@ -46,7 +46,11 @@ void HapticsPlugin::attach(Host& host) {
   buttons_panel_ = new ButtonsPanel;  // The host owns it from addPanel on.
   buttons_panel_->setSettings(button_settings_);
   host.controls.addPanel(tr("Buttons"), buttons_panel_);
+  guide_ = std::make_unique<TouchGuide>(host);
   connectButtons();
+  connectGuide();
+  training_ = std::make_unique<TouchTraining>(host);
+  connectTraining();
   connectControls();
   connectHost();
   applySettings();
@@ -153,6 +157,7 @@ void HapticsPlugin::showStandIn(const Message& message, bool only_the_plug_helps
 
 void HapticsPlugin::changeDevice() {
   setForces(false);
+  if (training_) training_->stop();
   if (buttons_) buttons_->cancelMoving();
   shown_ = {};
   fault_ = DeviceFault::none;
@@ -184,6 +189,8 @@ void HapticsPlugin::detach() noexcept {
   delete setup_;  // Zero force, joins.
   endRecording();
   buttons_.reset();
+  guide_.reset();
+  training_.reset();
   session_.reset();  // Zero force, joins, closes an open recording.
   forces_asked_ = false;
   firmness_.reset();
@@ -203,6 +210,10 @@ void HapticsPlugin::connectHost() {
     if (!session_) return;
     // It is over what the host shows, whoever heard first of another window.
     const auto window = host_->view.shownWindow();
+    if (training_ && training_->isOn()) {
+      if (window) session_->moveHand(training_->target(target, *window));
+      return;
+    }
     if (window && window->id != given_window_) showWindow(*window);
     session_->moveHand(target.position);
   });
@@ -270,15 +281,18 @@ void HapticsPlugin::connectButtons() {
     actions_.move_mode->setChecked(buttons_->moving());
   });
   connect(actions_.move_back, &QAction::triggered, this, [this] { buttons_->cancelMoving(); });
-  connect(actions_.where_am_i, &QAction::triggered, this, [this] { buttons_->whereAmI(false); });
+  connect(actions_.where_am_i, &QAction::triggered, this,
+          [this] { training_->isOn() ? training_->repeat() : buttons_->whereAmI(false); });
   connect(actions_.where_am_i_long, &QAction::triggered, this,
-          [this] { buttons_->whereAmI(true); });
+          [this] { training_->isOn() ? training_->repeat() : buttons_->whereAmI(true); });
   connect(actions_.say_detail, &QAction::triggered, this, [this] { buttons_->sayDetail(); });
   connect(actions_.button_help, &QAction::triggered, this, [this] { buttons_->sayHelp(); });
 }
 
 void HapticsPlugin::setForces(bool on) {
   if (!session_) return;
+  if (!on && guide_) guide_->drop();
+  if (!on && training_) training_->stop();
   if (on && !session_->hasWindow()) {
     host_->messages.announce(tr("Nothing to touch yet. Open a scan first."));
     on = false;
@@ -322,6 +336,7 @@ void HapticsPlugin::applySettings() {
   if (!session_) return;
   HapticOptions options = hapticOptions(settings_, forces_asked_);
   if (buttons_) options.gate = buttons_->gate();
+  if (guide_) options.guide = guide_->options();
   constexpr std::uint32_t kAnyButton = 0b1111;
   if (button_settings_.one_button) options.stop.buttons = kAnyButton;
   session_->setOptions(options);
@@ -332,7 +347,8 @@ void HapticsPlugin::frame() {
   const HapticSample sample = session_->update();
   if (session_->hasWindow() && sample.window_id != 0) {
     const Probe probe = probeOf(sample);
-    if (!looksTheSame(probe, shown_)) {
+    // What is shown is not what a hand touches in the introduction.
+    if (!training_->isOn() && !looksTheSame(probe, shown_)) {
       shown_ = probe;
       host_->touch.showProbe(probe);
     }
@@ -537,6 +553,8 @@ void HapticsPlugin::runButtons(const HapticSample& sample) {
     buttons_->press(event->button, event->down, 1e-9 * static_cast<double>(event->time_ns));
   }
   buttons_->frame(sample, 1e-9 * static_cast<double>(monotonicNs()));
+  guide_->frame(*session_, sample);
+  training_->frame(sample, 1e-9 * static_cast<double>(monotonicNs()));
 }
 
 void HapticsPlugin::setUpDevice() {

@@ -18,7 +18,9 @@
 #include "plugins/haptics/note_dialog.h"
 #include "plugins/haptics/plugin_devices.h"
 #include "plugins/haptics/touch_actions.h"
+#include "plugins/haptics/touch_guide.h"
 #include "plugins/haptics/touch_settings.h"
+#include "plugins/haptics/training/touch_training.h"
 
 namespace relievo {
 
@@ -84,6 +86,11 @@ class HapticsPlugin : public QObject, public Plugin {
   void lookAgain();  // For a Falcon that was there and could not be opened.
   void showStandIn(const Message& message, bool only_the_plug_helps);
   void watchSleep(const HapticSample& sample);
+  void connectGuide();
+  void chooseWay();  // That the hand is to be led along.
+  void connectTraining();
+  void setTraining(bool on);
+  void showTraining();  // What it laid under the hand, or the relief again.
   void runButtons(const HapticSample& sample);
   void setUpDevice();
 
@@ -93,6 +100,8 @@ class HapticsPlugin : public QObject, public Plugin {
   std::unique_ptr<DeviceOpening> opening_;  // Null: none is being opened.
   TouchSettings settings_;
   std::unique_ptr<DeviceButtons> buttons_;
+  std::unique_ptr<TouchGuide> guide_;
+  std::unique_ptr<TouchTraining> training_;
   QPointer<DeviceSetupDialog> setup_;
   std::string opened_;          // Id of the session's device.
   std::string wish_ = "mouse";  // Of the person; the mouse stands in for one that is not there.

@@ -28,6 +28,12 @@ void HapticsPlugin::setRecording(bool on) {
     session_->stopRecording(loopLines(session_->stats()) + recorded_windows_.toStdString());
     return;
   }
+  if (training_->isOn()) {
+    const QSignalBlocker blocker(actions_.record);
+    actions_.record->setChecked(false);
+    host_->messages.announce(tr("The introduction is not recorded. End it first."));
+    return;
+  }
   try {
     const QDateTime now = QDateTime::currentDateTime();
     const QString file =

@@ -13,7 +13,8 @@
 namespace relievo {
 
 void HapticsPlugin::showWindow(const RegionWindow& window) {
-  shown_ = {};  // The host may have cleared its probe.
+  if (training_ && training_->isOn()) return;  // It comes once the introduction has ended.
+  shown_ = {};                                 // The host may have cleared its probe.
   given_window_ = window.id;
   surface_ = settings_.feel.surface;
   session_->show(window, surface_, mapsUnder(window));

@@ -193,6 +193,24 @@ void LoopSession::setOptions(const HapticOptions& options) {
   loop_->options().write(named);
 }
 
+std::uint64_t LoopSession::lead(GuidePath path) {
+  path.id = ++guide_id_;
+  path.scene_id = scene_id_;
+  // A recording may begin while the hand is led.
+  if (!recorder_.running()) guide_lines_.clear();
+  guide_lines_.push_back(guideLine(path));
+  loop_->paths().write(path);
+  return path.id;
+}
+
+void LoopSession::giveWay(const HapticSample& sample) {
+  if (steered_ == nullptr) return;
+  constexpr double kPart = 0.08;  // Of the way in a frame: an arm that gives way in 0.2 s.
+  sent_ = sent_ + kPart * (sample.hip - sent_);
+  hovers_ = false;
+  steered_->moveTo(sent_);
+}
+
 void LoopSession::startRecording(const std::string& file, const std::string& header) {
   if (!shown_ && filling_.valid()) {  // The very first: a few milliseconds.
     filling_.wait();
@@ -217,6 +235,7 @@ void LoopSession::stopRecording(const std::string& footer) {
                           foundFrom(recording_folder_, firmness_files_.at(scene.firmness)));
   }
   for (const std::string& line : options_lines_) lines += line;
+  for (const std::string& line : guide_lines_) lines += line;
   recorder_.stop(lines);
 }
 
