@@ -76,6 +76,14 @@ void makeButtonActions(TouchActions& actions) {
             QT_TRANSLATE_NOOP("relievo::TouchActions",
                               "How large the window is and what one millimetre of hand is.")},
            {QKeySequence(QStringLiteral("Ctrl+Shift+I"))}, false);
+  actions.rumble =
+      made({"rumble", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Gamepads rumble"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Let gamepads rumble at contact and edge: a cue, no force"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "A knock when the hand meets the surface, and a soft hum at the edge "
+                              "of the window. The panel Buttons has the same switch.")},
+           {}, true);
   actions.button_help =
       made({"buttonHelp", QT_TRANSLATE_NOOP("relievo::TouchActions", "Button &help"),
             QT_TRANSLATE_NOOP("relievo::TouchActions", "Say what the device's buttons do now"),
@@ -139,7 +147,7 @@ TouchActions addTouchActions(Host& host) {
   for (QAction* action :
        {actions.forces, actions.forces_off, actions.stronger, actions.weaker, actions.setup,
         actions.use_mouse, actions.move_mode, actions.move_back, actions.where_am_i,
-        actions.where_am_i_long, actions.say_detail, actions.button_help}) {
+        actions.where_am_i_long, actions.say_detail, actions.button_help, actions.rumble}) {
     host.controls.addAction(touch, action);
   }
   host.controls.addAction(record, actions.record);

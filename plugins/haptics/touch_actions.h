@@ -20,6 +20,7 @@ struct TouchActions {
   QAction* where_am_i = nullptr;       ///< "whereAmI": Ctrl+I.
   QAction* where_am_i_long = nullptr;  ///< "whereAmILong": Ctrl+Alt+I.
   QAction* say_detail = nullptr;       ///< "sayDetail": detail, window and scale; Ctrl+Shift+I.
+  QAction* rumble = nullptr;           ///< "rumble": of gamepads, on and off.
   QAction* button_help = nullptr;      ///< "buttonHelp": what the device's buttons do now.
   QAction* record = nullptr;           ///< "record": start and stop; Ctrl+R.
   QAction* note = nullptr;             ///< "addNote": into the running recording; Ctrl+Shift+N.

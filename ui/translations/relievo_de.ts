@@ -774,6 +774,18 @@
         <source>SpaceMouse moves</source>
         <translation>SpaceMouse bewegt</translation>
     </message>
+    <message>
+        <source>Gamepads r&amp;umble (a cue)</source>
+        <translation>Gamepads &amp;vibrieren (ein Hinweis)</translation>
+    </message>
+    <message>
+        <source>Gamepads rumble at contact and edge</source>
+        <translation>Gamepads vibrieren bei Berührung und am Rand</translation>
+    </message>
+    <message>
+        <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. It is a cue: it has no direction and is no force.</source>
+        <translation>Ein Klopfen, wenn die Hand die Oberfläche trifft, und ein leises Brummen am Rand des Ausschnitts. Es ist ein Hinweis: Er hat keine Richtung und ist keine Kraft.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CellLegend</name>
@@ -4100,6 +4112,14 @@
     <message>
         <source>Motors: %1 % of what they can take for good; forces stay below %2 N.</source>
         <translation>Motoren: %1 % dessen, was sie auf Dauer vertragen; Kräfte bleiben unter %2 N.</translation>
+    </message>
+    <message>
+        <source>Gamepads rumble at contact and edge. It is a cue, no force.</source>
+        <translation>Gamepads vibrieren bei Berührung und am Rand. Das ist ein Hinweis und keine Kraft.</translation>
+    </message>
+    <message>
+        <source>Gamepads do not rumble.</source>
+        <translation>Gamepads vibrieren nicht.</translation>
     </message>
 </context>
 <context>
@@ -7862,6 +7882,10 @@
         <translation>Das Haply-Gerät war nicht innerhalb von %1 bereit, und es wurde nichts aufgezeichnet. %2</translation>
     </message>
     <message>
+        <source>Gamepads that are no HID devices cannot be used: this program was built without the system&apos;s header linux/input.h.</source>
+        <translation>Gamepads, die keine HID-Geräte sind, können nicht benutzt werden: Dieses Programm wurde ohne die Kopfdatei linux/input.h des Systems gebaut.</translation>
+    </message>
+    <message>
         <source>%1&apos;s library was not found, or cannot be used (%2)</source>
         <translation>die Bibliothek von %1 wurde nicht gefunden oder kann nicht benutzt werden (%2)</translation>
     </message>
@@ -10703,6 +10727,18 @@
     <message>
         <source>Also the distances from the object&apos;s edges, and how fine the shown samples are.</source>
         <translation>Auch die Abstände von den Rändern des Objekts, und wie fein die gezeigten Abtastwerte sind.</translation>
+    </message>
+    <message>
+        <source>&amp;Gamepads rumble</source>
+        <translation>Gamepads vib&amp;rieren</translation>
+    </message>
+    <message>
+        <source>Let gamepads rumble at contact and edge: a cue, no force</source>
+        <translation>Gamepads bei Berührung und am Rand vibrieren lassen: ein Hinweis, keine Kraft</translation>
+    </message>
+    <message>
+        <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. The panel Buttons has the same switch.</source>
+        <translation>Ein Klopfen, wenn die Hand die Oberfläche trifft, und ein leises Brummen am Rand des Ausschnitts. Das Feld Knöpfe am Gerät hat denselben Schalter.</translation>
     </message>
 </context>
 <context>

@@ -774,6 +774,18 @@
         <source>SpaceMouse moves</source>
         <translation>SpaceMouse चलाए</translation>
     </message>
+    <message>
+        <source>Gamepads r&amp;umble (a cue)</source>
+        <translation>गेमपैड कँपें (एक संकेत) (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Gamepads rumble at contact and edge</source>
+        <translation>छूने पर और किनारे पर गेमपैड कँपें</translation>
+    </message>
+    <message>
+        <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. It is a cue: it has no direction and is no force.</source>
+        <translation>हाथ के सतह से मिलने पर एक ठोकर, और विंडो के किनारे पर हल्की गूँज। यह एक संकेत है: इसकी कोई दिशा नहीं और यह बल नहीं है।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CellLegend</name>
@@ -4100,6 +4112,14 @@
     <message>
         <source>Motors: %1 % of what they can take for good; forces stay below %2 N.</source>
         <translation>मोटर: जितना वे लगातार सह सकती हैं उसका %1 %; बल %2 N से कम रहते हैं।</translation>
+    </message>
+    <message>
+        <source>Gamepads rumble at contact and edge. It is a cue, no force.</source>
+        <translation>गेमपैड छूने पर और किनारे पर कँपते हैं। यह संकेत है, बल नहीं।</translation>
+    </message>
+    <message>
+        <source>Gamepads do not rumble.</source>
+        <translation>गेमपैड नहीं कँपते।</translation>
     </message>
 </context>
 <context>
@@ -7862,6 +7882,10 @@
         <translation>Haply उपकरण %1 के भीतर तैयार नहीं हुआ, और कुछ भी रिकॉर्ड नहीं हुआ। %2</translation>
     </message>
     <message>
+        <source>Gamepads that are no HID devices cannot be used: this program was built without the system&apos;s header linux/input.h.</source>
+        <translation>जो गेमपैड HID उपकरण नहीं हैं, उनका उपयोग नहीं हो सकता: यह प्रोग्राम सिस्टम की हेडर फ़ाइल linux/input.h के बिना बनाया गया था।</translation>
+    </message>
+    <message>
         <source>%1&apos;s library was not found, or cannot be used (%2)</source>
         <translation>%1 की लाइब्रेरी नहीं मिली, या उपयोग नहीं हो सकती (%2)</translation>
     </message>
@@ -10703,6 +10727,18 @@
     <message>
         <source>Also the distances from the object&apos;s edges, and how fine the shown samples are.</source>
         <translation>वस्तु के किनारों से दूरियाँ भी, और दिखाए गए नमूने कितने सूक्ष्म हैं।</translation>
+    </message>
+    <message>
+        <source>&amp;Gamepads rumble</source>
+        <translation>गेमपैड कँपें (&amp;G)</translation>
+    </message>
+    <message>
+        <source>Let gamepads rumble at contact and edge: a cue, no force</source>
+        <translation>छूने पर और किनारे पर गेमपैड को कँपने दें: संकेत, बल नहीं</translation>
+    </message>
+    <message>
+        <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. The panel Buttons has the same switch.</source>
+        <translation>हाथ के सतह से मिलने पर एक ठोकर, और विंडो के किनारे पर हल्की गूँज। पैनल बटन में यही स्विच है।</translation>
     </message>
 </context>
 <context>

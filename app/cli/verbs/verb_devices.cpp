@@ -22,6 +22,7 @@
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/device/hid/hid_devices.h"
+#include "haptics/device/pad/pad_devices.h"
 #include "haptics/device_catalog.h"
 
 namespace relievo::batch {
@@ -69,6 +70,25 @@ void listHid(Json& json, std::vector<std::string>& lines) {
     }
   } catch (const DeviceError& error) {
     tell(error.what());
+  }
+}
+
+/// Those that press by event devices, and all that rumble.
+void listPads(Json& json, std::vector<std::string>& lines) {
+  json["pads"] = Json::array();
+  if (!pad::hasPadDevices()) return tell(englishText(said<MessageId::pads_not_built>()));
+  pad::PadDevices devices;
+  pad::PadNews ignored;
+  devices.rescan(ignored);
+  for (const pad::SeenPad& seen : devices.seen()) {
+    json["pads"].push_back({{"name", seen.name},
+                            {"access", seen.access},
+                            {"buttons", seen.presses},
+                            {"rumble", seen.can_rumble}});
+    std::string line = "Gamepad: " + seen.name;
+    if (seen.presses) line += ", buttons";
+    if (seen.can_rumble) line += ", rumble as a cue, no force";
+    lines.push_back(line + (seen.access ? "" : " (no access)"));
   }
 }
 
@@ -162,6 +182,7 @@ Outcome list(const Task& task) {
   }
   listPlugins(json, outcome, task);
   listHid(json, outcome.lines);
+  listPads(json, outcome.lines);
   listHaplys(json, outcome);
   listFalcons(json, outcome);
   listFirmware(json, outcome);
