@@ -47,7 +47,8 @@ class DevicePlugins : public test::CommandTest {
   /// Of those that do not come with the program.
   nlohmann::json othersListed(const std::string& folders = {}) const {
     nlohmann::json others = nlohmann::json::array();
-    for (const nlohmann::json& plugin : listed(folders)["plugins"]) {
+    const nlohmann::json report = listed(folders);
+    for (const nlohmann::json& plugin : report["plugins"]) {
       if (plugin["name"] != kForceDimension) others.push_back(plugin);
     }
     return others;

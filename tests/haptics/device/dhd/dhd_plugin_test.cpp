@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "haptics/device/foreign/ask_host.h"
+#include "haptics/device_catalog.h"
 #include "tests/haptics/device/dhd/dhd_fixture.h"
 
 namespace relievo::foreign {
@@ -180,6 +181,15 @@ TEST_F(DhdPlugin, ConformsAndPushesNoMoreThanItSays) {
   for (const DhdCall& call : logOf(What::force)) most_n = std::max(most_n, size(call));
   EXPECT_GT(most_n, 0.5);
   EXPECT_LE(most_n, 1 + 1e-9);
+}
+
+TEST(DeviceCatalog, SaysWhetherADeviceWasTriedOnHardware) {
+  EXPECT_EQ(triedOnHardware("plugin:force_dimension/device.0"), "never");
+  EXPECT_EQ(triedOnHardware("plugin:force_dimension.2/device.0"), std::nullopt)
+      << "who made that plug-in may know";
+  EXPECT_EQ(triedOnHardware("plugin"), std::nullopt);
+  EXPECT_EQ(triedOnHardware("falcon:A1"), "never");
+  EXPECT_EQ(triedOnHardware("mouse"), "") << "nobody can feel it";
 }
 
 /// By SIGKILL, so that it can send nothing itself.
