@@ -190,7 +190,7 @@ relievo_status DhdDevice::step(const Three& force_n, std::int64_t now_ns,
   if (steps_ % kSteps == kStateStep) state_ = lookAtState(now_ns, id);
   ++steps_;
   Three place_m{};
-  const int got = library_.position(&place_m[0], &place_m[1], &place_m[2], id);
+  const int got = library_.position(place_m.data(), place_m.data() + 1, place_m.data() + 2, id);
   relievo_status status = got < 0 ? statusOf(library_.last_error()) : state_;
   if (!send(status < 0 ? Three{} : force_n, cuts, id) && status >= 0) {
     status = statusOf(library_.last_error());

@@ -113,7 +113,9 @@ DhdLibrary loadLibrary(const std::string& setting, const std::string& home) {
     const std::string missing = fill(handle, library);
     if (missing.empty()) return library;
     ::dlclose(handle);
-    if (none.problem.empty()) none.problem = "no function " + missing + " in " + place;
+    if (!none.problem.empty()) continue;
+    none.problem = "no function ";
+    none.problem.append(missing).append(" in ").append(place);
   }
   if (none.problem.empty()) none.problem = "libdhd.so.3, libdrd.so.3";
   return none;
