@@ -13,6 +13,7 @@ QByteArray withButtons(const QByteArray& json, const ButtonSettings& settings) {
   object["scan_s"] = settings.scan_s;
   object["space_mouse"] =
       QLatin1String(settings.space_mouse == SpaceMouseMoves::view ? "view" : "hand");
+  object["rumble"] = settings.rumble;
   return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }
 
@@ -24,6 +25,7 @@ ButtonSettings buttonSettingsFromJson(const QByteArray& json) {
   if (object["space_mouse"].toString() == QLatin1String("view")) {
     settings.space_mouse = SpaceMouseMoves::view;
   }
+  settings.rumble = object["rumble"].toBool(false);
   return settings;
 }
 

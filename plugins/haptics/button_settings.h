@@ -12,6 +12,7 @@ struct ButtonSettings {
   bool one_button = false;  ///< Any button scans through a few commands.
   double scan_s = 1.5;      ///< How long each is offered.
   SpaceMouseMoves space_mouse = SpaceMouseMoves::hand;
+  bool rumble = false;  ///< Gamepads rumble at contact and edge: a cue, no force.
   friend bool operator==(const ButtonSettings&, const ButtonSettings&) = default;
 };
 inline constexpr double kLeastScanS = 0.5, kMostScanS = 5;

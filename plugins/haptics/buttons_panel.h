@@ -11,7 +11,7 @@ class QDoubleSpinBox;
 
 namespace relievo {
 
-/// How buttons and the SpaceMouse are used. Shows and asks; computes nothing.
+/// How buttons, the SpaceMouse and gamepads are used. Shows and asks; computes nothing.
 class ButtonsPanel : public QWidget {
   Q_OBJECT
  public:
@@ -28,6 +28,7 @@ class ButtonsPanel : public QWidget {
   QCheckBox* one_button_ = nullptr;
   QDoubleSpinBox* scan_ = nullptr;
   QComboBox* space_mouse_ = nullptr;
+  QCheckBox* rumble_ = nullptr;
 };
 
 }  // namespace relievo

@@ -19,8 +19,9 @@ constexpr double kRescanSeconds = 1;
 constexpr double kFullPushMmPerS = 60, kFullTurnDegPerS = 60;
 }  // namespace
 
-DeviceButtons::DeviceButtons(Host& host, std::unique_ptr<hid::HidDevices> hid)
-    : host_(host), hid_(std::move(hid)) {}
+DeviceButtons::DeviceButtons(Host& host, std::unique_ptr<hid::HidDevices> hid,
+                             std::shared_ptr<pad::Rumbler> rumbler)
+    : host_(host), hid_(std::move(hid)), pads_(std::move(rumbler)) {}
 
 void DeviceButtons::press(std::uint8_t button, bool down, double time_s) {
   if (down) host_.messages.hush();
@@ -37,28 +38,42 @@ void DeviceButtons::press(std::uint8_t button, bool down, double time_s) {
   commands_.press(button, down, time_s);
 }
 
-void DeviceButtons::readHid(double now_s) {
-  if (!hid_) return;
-  hid::HidNews news;
-  if (now_s - scanned_s_ > kRescanSeconds) {
-    scanned_s_ = now_s;
-    hid_->look();
-  }
-  hid_->poll(news);
-  for (const std::string& name : news.arrived) {
+void DeviceButtons::tellPlugs(const std::vector<std::string>& arrived,
+                              const std::vector<std::string>& left) {
+  for (const std::string& name : arrived) {
     host_.messages.announce(tr("%1 connected.").arg(QString::fromStdString(name)),
                             SaidBecause::noticed);
   }
+  for (const std::string& name : left) {
+    host_.messages.announce(tr("%1 disconnected.").arg(QString::fromStdString(name)),
+                            SaidBecause::noticed);
+  }
+}
+
+void DeviceButtons::readPads(double now_s) {
+  pad::PadNews news;
+  pads_.poll(news);
+  tellPlugs(news.arrived, news.left);
+  for (const pad::PadEdge& edge : news.edges) press(edge.button, edge.down, now_s);
+}
+
+void DeviceButtons::readHid(double now_s) {
+  if (now_s - scanned_s_ > kRescanSeconds) {
+    scanned_s_ = now_s;
+    if (hid_) hid_->look();
+    pads_.look();
+  }
+  readPads(now_s);
+  if (!hid_) return;
+  hid::HidNews news;
+  hid_->poll(news);
+  tellPlugs(news.arrived, news.left);
   for (const std::string& name : news.forbidden) {
     host_.messages.announce(
         tr("%1 is plugged in but this account may not use it. Install the rule that "
            "'relievo devices rule' prints, once, then replug.")
             .arg(QString::fromStdString(name)),
         SaidBecause::noticed);
-  }
-  for (const std::string& name : news.left) {
-    host_.messages.announce(tr("%1 disconnected.").arg(QString::fromStdString(name)),
-                            SaidBecause::noticed);
   }
   for (const hid::ButtonEdge& edge : news.edges) press(edge.button, edge.down, now_s);
   const double dt_s = std::clamp(now_s - polled_s_, 0.0, 0.1);
@@ -232,14 +247,15 @@ HandPlace DeviceButtons::handPlace() const {
   return place;
 }
 
-std::unique_ptr<DeviceButtons> makeDeviceButtons(Host& host) {
+std::unique_ptr<DeviceButtons> makeDeviceButtons(Host& host,
+                                                 std::shared_ptr<pad::Rumbler> rumbler) {
   std::unique_ptr<hid::HidDevices> hid;
   try {
     hid = std::make_unique<hid::HidDevices>();
   } catch (const DeviceError& error) {
     host.messages.announce(messageText(messageOf(error)));
   }
-  return std::make_unique<DeviceButtons>(host, std::move(hid));
+  return std::make_unique<DeviceButtons>(host, std::move(hid), std::move(rumbler));
 }
 
 }  // namespace relievo

@@ -4,10 +4,13 @@
 #include <memory>
 #include <QObject>
 #include <QTimer>
+#include <string>
+#include <vector>
 
 #include "core/describe/hand_place.h"
 #include "haptics/commands/button_commands.h"
 #include "haptics/device/hid/hid_devices.h"
+#include "haptics/device/pad/pad_devices.h"
 #include "haptics/loop/haptic_core.h"
 #include "plugins/api/plugin.h"
 #include "plugins/haptics/button_settings.h"
@@ -20,7 +23,9 @@ class DeviceButtons : public QObject {
   Q_OBJECT
  public:
   /// @param hid  null: there are no such devices on this system
-  DeviceButtons(Host& host, std::unique_ptr<hid::HidDevices> hid);
+  /// @param rumbler  gets the motors of gamepads
+  DeviceButtons(Host& host, std::unique_ptr<hid::HidDevices> hid,
+                std::shared_ptr<pad::Rumbler> rumbler);
 
   /// An edge of the haptic device's own button.
   void press(std::uint8_t button, bool down, double time_s);
@@ -55,6 +60,8 @@ class DeviceButtons : public QObject {
 
  private:
   void readHid(double now_s);
+  void readPads(double now_s);
+  void tellPlugs(const std::vector<std::string>& arrived, const std::vector<std::string>& left);
   void pushCap(const hid::CapMotion& motion, double dt_s);
   void takeOutcomes(double now_s);
   void carryOut(ButtonCommand command);
@@ -73,10 +80,11 @@ class DeviceButtons : public QObject {
   std::uint32_t let_go_ = 0;  // Buttons whose press did something of these two; bits.
   Region moved_from_;         // Where Move mode began.
   std::unique_ptr<hid::HidDevices> hid_;
+  pad::PadDevices pads_;
   double scanned_s_ = -10, polled_s_ = 0;
 };
 
-/// With the HID devices of this computer, if it has any such thing.
-std::unique_ptr<DeviceButtons> makeDeviceButtons(Host& host);
+/// With the HID devices and gamepads of this computer, if it has any such thing.
+std::unique_ptr<DeviceButtons> makeDeviceButtons(Host& host, std::shared_ptr<pad::Rumbler> rumbler);
 
 }  // namespace relievo

@@ -15,6 +15,7 @@
 #include "haptics/device/falcon/presence.h"
 #include "haptics/record/events.h"
 #include "plugins/haptics/recording_file.h"
+#include "plugins/haptics/rumble_sink.h"
 #include "ui/message/message_text.h"
 
 namespace relievo {
@@ -42,7 +43,7 @@ void HapticsPlugin::attach(Host& host) {
   host.controls.addPanel(tr("Touch"), panel_);
   host.controls.addPanel(tr("Touch: advanced"), panel_->advanced());
   actions_ = addTouchActions(host);
-  buttons_ = makeDeviceButtons(host);
+  buttons_ = makeDeviceButtons(host, rumbler_);
   buttons_panel_ = new ButtonsPanel;  // The host owns it from addPanel on.
   buttons_panel_->setSettings(button_settings_);
   host.controls.addPanel(tr("Buttons"), buttons_panel_);
@@ -51,6 +52,7 @@ void HapticsPlugin::attach(Host& host) {
   connectGuide();
   training_ = std::make_unique<TouchTraining>(host);
   connectTraining();
+  takeButtonSettings(button_settings_);
   connectControls();
   connectHost();
   applySettings();
@@ -75,19 +77,19 @@ void HapticsPlugin::openDevice() {
   opened_ = settings_.device;
   try {
     if (isPluginDevice(opened_)) return beginOpening();
-    session_ = std::make_unique<LoopSession>(settings_.device);
+    session_ = std::make_unique<LoopSession>(settings_.device, rumbleSink(rumbler_));
   } catch (const DeviceError& error) {
     if (settings_.device == kMouse) throw;
     showStandIn(messageOf(error), onlyThePlugHelps(error));
     settings_.device = opened_ = kMouse;
-    session_ = std::make_unique<LoopSession>(kMouse);
+    session_ = std::make_unique<LoopSession>(kMouse, rumbleSink(rumbler_));
     if (panel_) panel_->setSettings(settings_);
     return;
   } catch (const Error& error) {  // A setting of the environment that names no place, say.
     if (settings_.device == kMouse) throw;
     showStandIn(messageOf(error), true);
     settings_.device = opened_ = kMouse;
-    session_ = std::make_unique<LoopSession>(kMouse);
+    session_ = std::make_unique<LoopSession>(kMouse, rumbleSink(rumbler_));
     if (panel_) panel_->setSettings(settings_);
     return;
   }
@@ -102,7 +104,7 @@ void HapticsPlugin::openDevice() {
 
 void HapticsPlugin::beginOpening() {
   opening_ = std::make_unique<DeviceOpening>(opened_);
-  session_ = std::make_unique<LoopSession>(kMouse);
+  session_ = std::make_unique<LoopSession>(kMouse, rumbleSink(rumbler_));
   stand_in_ =
       tr("The device %1 is being opened. The mouse is the hand meanwhile.").arg(opening_->name());
   host_->messages.announce(stand_in_);
@@ -117,7 +119,7 @@ void HapticsPlugin::watchOpening() {
   try {
     auto device = done->take();
     session_.reset();
-    session_ = std::make_unique<LoopSession>(std::move(device), opened_);
+    session_ = std::make_unique<LoopSession>(std::move(device), opened_, rumbleSink(rumbler_));
     stand_in_.clear();
     host_->messages.announce(tr("Device: %1.").arg(done->name()), SaidBecause::noticed);
   } catch (const DeviceError& error) {
@@ -127,7 +129,7 @@ void HapticsPlugin::watchOpening() {
   }
   if (!session_ || !stand_in_.isEmpty()) {
     settings_.device = opened_ = kMouse;
-    if (!session_) session_ = std::make_unique<LoopSession>(kMouse);
+    if (!session_) session_ = std::make_unique<LoopSession>(kMouse, rumbleSink(rumbler_));
     if (panel_) panel_->setSettings(settings_);
   }
   shown_ = {};
@@ -192,6 +194,8 @@ void HapticsPlugin::detach() noexcept {
   guide_.reset();
   training_.reset();
   session_.reset();  // Zero force, joins, closes an open recording.
+  rumbler_ = std::make_shared<pad::Rumbler>();
+  actions_ = {};
   forces_asked_ = false;
   firmness_.reset();
   firmness_awaited_.clear();
@@ -258,7 +262,6 @@ void HapticsPlugin::connectControls() {
 }
 
 void HapticsPlugin::connectButtons() {
-  buttons_->setSettings(button_settings_);
   connect(buttons_.get(), &DeviceButtons::handPushed, this, [this](const DeviceMm& by) {
     if (session_ && host_->view.shownWindow()) session_->pushHand(by);
   });
@@ -271,9 +274,16 @@ void HapticsPlugin::connectButtons() {
     applySettings();
   });
   connect(buttons_panel_, &ButtonsPanel::settingsChanged, this, [this] {
-    button_settings_ = buttons_panel_->settings();
-    buttons_->setSettings(button_settings_);
+    const bool rumbled = button_settings_.rumble;
+    takeButtonSettings(buttons_panel_->settings());
+    if (rumbled != button_settings_.rumble) sayRumble();
     applySettings();
+  });
+  connect(actions_.rumble, &QAction::toggled, this, [this](bool on) {
+    ButtonSettings settings = button_settings_;
+    settings.rumble = on;
+    takeButtonSettings(settings);
+    sayRumble();
   });
   connect(actions_.use_mouse, &QAction::triggered, this, [this] { chooseDevice(kMouse); });
   connect(actions_.move_mode, &QAction::triggered, this, [this] {
@@ -287,6 +297,22 @@ void HapticsPlugin::connectButtons() {
           [this] { training_->isOn() ? training_->repeat() : buttons_->whereAmI(true); });
   connect(actions_.say_detail, &QAction::triggered, this, [this] { buttons_->sayDetail(); });
   connect(actions_.button_help, &QAction::triggered, this, [this] { buttons_->sayHelp(); });
+}
+
+void HapticsPlugin::takeButtonSettings(const ButtonSettings& settings) {
+  button_settings_ = settings;
+  rumbler_->setOn(settings.rumble);
+  if (buttons_) buttons_->setSettings(settings);
+  if (buttons_panel_) buttons_panel_->setSettings(settings);
+  if (actions_.rumble == nullptr) return;
+  const QSignalBlocker blocker(actions_.rumble);
+  actions_.rumble->setChecked(settings.rumble);
+}
+
+void HapticsPlugin::sayRumble() {
+  host_->messages.announce(button_settings_.rumble
+                               ? tr("Gamepads rumble at contact and edge. It is a cue, no force.")
+                               : tr("Gamepads do not rumble."));
 }
 
 void HapticsPlugin::setForces(bool on) {
@@ -597,9 +623,7 @@ QByteArray HapticsPlugin::saveState() const {
 void HapticsPlugin::restoreState(const QByteArray& state) {
   settings_ = touchSettingsFromJson(state);
   wish_ = settings_.device;
-  button_settings_ = buttonSettingsFromJson(state);
-  if (buttons_panel_) buttons_panel_->setSettings(button_settings_);
-  if (buttons_) buttons_->setSettings(button_settings_);
+  takeButtonSettings(buttonSettingsFromJson(state));
   if (panel_) panel_->setSettings(settings_);
   if (session_ && settings_.device != opened_) changeDevice();
   applySettings();

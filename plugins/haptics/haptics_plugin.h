@@ -7,6 +7,7 @@
 #include <QTimer>
 
 #include "haptics/device/falcon/usb_bus.h"
+#include "haptics/device/pad/rumbler.h"
 #include "haptics/rt/sleep_watch.h"
 #include "plugins/api/plugin.h"
 #include "plugins/haptics/buttons_panel.h"
@@ -51,6 +52,8 @@ class HapticsPlugin : public QObject, public Plugin {
   void connectHost();
   void connectControls();
   void connectButtons();
+  void takeButtonSettings(const ButtonSettings& settings);  // Wherever they were chosen.
+  void sayRumble();
   void showWindow(const RegionWindow& window);
   void setForces(bool on);
   void dropForces();  ///< Nobody asked for it.
@@ -95,6 +98,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void setUpDevice();
 
   Host* host_ = nullptr;
+  std::shared_ptr<pad::Rumbler> rumbler_ = std::make_shared<pad::Rumbler>();
   std::unique_ptr<LoopSession> session_;
   PluginDevices plugin_devices_;
   std::unique_ptr<DeviceOpening> opening_;  // Null: none is being opened.

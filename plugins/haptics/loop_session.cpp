@@ -32,10 +32,11 @@ std::string foundFrom(const std::filesystem::path& folder, const std::filesystem
 }
 }  // namespace
 
-LoopSession::LoopSession(const std::string& device_id)
-    : LoopSession(makeDevice(device_id), device_id) {}
+LoopSession::LoopSession(const std::string& device_id, const SampleSink& also)
+    : LoopSession(makeDevice(device_id), device_id, also) {}
 
-LoopSession::LoopSession(std::unique_ptr<Device> device, const std::string& device_id)
+LoopSession::LoopSession(std::unique_ptr<Device> device, const std::string& device_id,
+                         const SampleSink& also)
     : flight_(QFile::encodeName(flightFolder()).toStdString(),
               "relievo flight record, schema 1\ndevice " + device_id),
       plot_start_ns_(monotonicNs()) {
@@ -46,11 +47,12 @@ LoopSession::LoopSession(std::unique_ptr<Device> device, const std::string& devi
   loop_ = std::make_unique<HapticLoop>(std::move(device));
   loop_->start();
   recorder_.beginAt(loop_->snapshots(), buildId());
-  drain_ = std::make_unique<SampleDrain>(
-      loop_->samples(), std::vector<SampleSink>{
-                            [this](std::span<const HapticSample> batch) { recorder_.take(batch); },
-                            [this](std::span<const HapticSample> batch) { flight_.take(batch); },
-                            [this](std::span<const HapticSample> batch) { plotSink(batch); }});
+  std::vector<SampleSink> sinks{
+      [this](std::span<const HapticSample> batch) { recorder_.take(batch); },
+      [this](std::span<const HapticSample> batch) { flight_.take(batch); },
+      [this](std::span<const HapticSample> batch) { plotSink(batch); }};
+  if (also) sinks.push_back(also);
+  drain_ = std::make_unique<SampleDrain>(loop_->samples(), std::move(sinks));
 }
 
 LoopSession::~LoopSession() {

@@ -38,9 +38,11 @@ struct SceneMaps {
 class LoopSession {
  public:
   /// Opens the device of that id (device_catalog.h) and starts the loop. @throw DeviceError, Error
-  explicit LoopSession(const std::string& device_id);
+  /// @param also  gets every sample, too
+  explicit LoopSession(const std::string& device_id, const SampleSink& also = {});
   /// The same of one that may be open already.
-  LoopSession(std::unique_ptr<Device> device, const std::string& device_id);
+  LoopSession(std::unique_ptr<Device> device, const std::string& device_id,
+              const SampleSink& also = {});
   ~LoopSession();  ///< Zero force; all threads are joined on return.
   LoopSession(const LoopSession&) = delete;
   LoopSession& operator=(const LoopSession&) = delete;

@@ -107,6 +107,14 @@ void makeButtonActions(TouchActions& actions) {
                               "The device's button Forward does the same in the introduction.")},
            {QKeySequence(QStringLiteral("Ctrl+Alt+N"))}, false);
   actions.next_shape->setEnabled(false);
+  actions.rumble =
+      made({"rumble", QT_TRANSLATE_NOOP("relievo::TouchActions", "G&amepads rumble"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Let gamepads rumble at contact and edge: a cue, no force"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "A knock when the hand meets the surface, and a soft hum at the edge "
+                              "of the window. The panel Buttons has the same switch.")},
+           {}, true);
   actions.button_help =
       made({"buttonHelp", QT_TRANSLATE_NOOP("relievo::TouchActions", "Button &help"),
             QT_TRANSLATE_NOOP("relievo::TouchActions", "Say what the device's buttons do now"),
@@ -171,7 +179,7 @@ TouchActions addTouchActions(Host& host) {
        {actions.forces, actions.forces_off, actions.stronger, actions.weaker, actions.setup,
         actions.use_mouse, actions.move_mode, actions.move_back, actions.where_am_i,
         actions.where_am_i_long, actions.say_detail, actions.guide, actions.guide_along,
-        actions.training, actions.next_shape, actions.button_help}) {
+        actions.training, actions.next_shape, actions.button_help, actions.rumble}) {
     host.controls.addAction(touch, action);
   }
   host.controls.addAction(record, actions.record);

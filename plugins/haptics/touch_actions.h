@@ -24,6 +24,7 @@ struct TouchActions {
   QAction* guide_along = nullptr;      ///< "guideAlong": along a recorded way.
   QAction* training = nullptr;         ///< "touchIntroduction": on and off; Ctrl+Alt+U.
   QAction* next_shape = nullptr;       ///< "nextShape": of the introduction; Ctrl+Alt+N.
+  QAction* rumble = nullptr;           ///< "rumble": of gamepads, on and off.
   QAction* button_help = nullptr;      ///< "buttonHelp": what the device's buttons do now.
   QAction* record = nullptr;           ///< "record": start and stop; Ctrl+R.
   QAction* note = nullptr;             ///< "addNote": into the running recording; Ctrl+Shift+N.

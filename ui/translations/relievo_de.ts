@@ -785,6 +785,18 @@
         <source>SpaceMouse moves</source>
         <translation>SpaceMouse bewegt</translation>
     </message>
+    <message>
+        <source>Gamepads r&amp;umble (a cue)</source>
+        <translation>Gamepads &amp;vibrieren (ein Hinweis)</translation>
+    </message>
+    <message>
+        <source>Gamepads rumble at contact and edge</source>
+        <translation>Gamepads vibrieren bei Berührung und am Rand</translation>
+    </message>
+    <message>
+        <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. It is a cue: it has no direction and is no force.</source>
+        <translation>Ein Klopfen, wenn die Hand die Oberfläche trifft, und ein leises Brummen am Rand des Ausschnitts. Es ist ein Hinweis: Er hat keine Richtung und ist keine Kraft.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CellLegend</name>
@@ -4131,6 +4143,14 @@
     <message>
         <source>A recording is running. The introduction lays shapes under the hand that are not of this relief. End the recording first.</source>
         <translation>Es läuft eine Aufnahme. Die Einführung legt Formen unter die Hand, die nicht zu diesem Relief gehören. Beenden Sie zuerst die Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Gamepads rumble at contact and edge. It is a cue, no force.</source>
+        <translation>Gamepads vibrieren bei Berührung und am Rand. Das ist ein Hinweis und keine Kraft.</translation>
+    </message>
+    <message>
+        <source>Gamepads do not rumble.</source>
+        <translation>Gamepads vibrieren nicht.</translation>
     </message>
 </context>
 <context>
@@ -8096,6 +8116,14 @@
         <source>One button. Press: I offer where am I, finer, coarser, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
         <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, verschieben, führen, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
     </message>
+    <message>
+        <source>Gamepads that are no HID devices cannot be used: this program was built without the system&apos;s header linux/input.h.</source>
+        <translation>Gamepads, die keine HID-Geräte sind, können nicht benutzt werden: Dieses Programm wurde ohne die Kopfdatei linux/input.h des Systems gebaut.</translation>
+    </message>
+    <message>
+        <source>%1&apos;s library was not found, or cannot be used (%2)</source>
+        <translation>die Bibliothek von %1 wurde nicht gefunden oder kann nicht benutzt werden (%2)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -10982,6 +11010,18 @@
     <message>
         <source>I&amp;ntroduction to touch</source>
         <translation>E&amp;inführung ins Fühlen</translation>
+    </message>
+    <message>
+        <source>G&amp;amepads rumble</source>
+        <translation>Gamepads vi&amp;brieren</translation>
+    </message>
+    <message>
+        <source>Let gamepads rumble at contact and edge: a cue, no force</source>
+        <translation>Gamepads bei Berührung und am Rand vibrieren lassen: ein Hinweis, keine Kraft</translation>
+    </message>
+    <message>
+        <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. The panel Buttons has the same switch.</source>
+        <translation>Ein Klopfen, wenn die Hand die Oberfläche trifft, und ein leises Brummen am Rand des Ausschnitts. Das Feld Knöpfe am Gerät hat denselben Schalter.</translation>
     </message>
 </context>
 <context>

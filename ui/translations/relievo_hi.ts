@@ -785,6 +785,18 @@
         <source>SpaceMouse moves</source>
         <translation>SpaceMouse चलाए</translation>
     </message>
+    <message>
+        <source>Gamepads r&amp;umble (a cue)</source>
+        <translation>गेमपैड कँपें (एक संकेत) (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Gamepads rumble at contact and edge</source>
+        <translation>छूने पर और किनारे पर गेमपैड कँपें</translation>
+    </message>
+    <message>
+        <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. It is a cue: it has no direction and is no force.</source>
+        <translation>हाथ के सतह से मिलने पर एक ठोकर, और विंडो के किनारे पर हल्की गूँज। यह एक संकेत है: इसकी कोई दिशा नहीं और यह बल नहीं है।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CellLegend</name>
@@ -4131,6 +4143,14 @@
     <message>
         <source>A recording is running. The introduction lays shapes under the hand that are not of this relief. End the recording first.</source>
         <translation>रिकॉर्डिंग चल रही है। परिचय हाथ के नीचे ऐसे आकार रखता है जो इस उभार के नहीं हैं। पहले रिकॉर्डिंग समाप्त करें।</translation>
+    </message>
+    <message>
+        <source>Gamepads rumble at contact and edge. It is a cue, no force.</source>
+        <translation>गेमपैड छूने पर और किनारे पर कँपते हैं। यह संकेत है, बल नहीं।</translation>
+    </message>
+    <message>
+        <source>Gamepads do not rumble.</source>
+        <translation>गेमपैड नहीं कँपते।</translation>
     </message>
 </context>
 <context>
@@ -8096,6 +8116,14 @@
         <source>One button. Press: I offer where am I, finer, coarser, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
         <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, खिसकाना, ले चलना, बल, फिर से कहें, और तेज़, और धीमा, सहायता। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
     </message>
+    <message>
+        <source>Gamepads that are no HID devices cannot be used: this program was built without the system&apos;s header linux/input.h.</source>
+        <translation>जो गेमपैड HID उपकरण नहीं हैं, उनका उपयोग नहीं हो सकता: यह प्रोग्राम सिस्टम की हेडर फ़ाइल linux/input.h के बिना बनाया गया था।</translation>
+    </message>
+    <message>
+        <source>%1&apos;s library was not found, or cannot be used (%2)</source>
+        <translation>%1 की लाइब्रेरी नहीं मिली, या उपयोग नहीं हो सकती (%2)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -10982,6 +11010,18 @@
     <message>
         <source>I&amp;ntroduction to touch</source>
         <translation>स्पर्श का परिचय (&amp;N)</translation>
+    </message>
+    <message>
+        <source>G&amp;amepads rumble</source>
+        <translation>गेमपैड कँपें (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Let gamepads rumble at contact and edge: a cue, no force</source>
+        <translation>छूने पर और किनारे पर गेमपैड को कँपने दें: संकेत, बल नहीं</translation>
+    </message>
+    <message>
+        <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. The panel Buttons has the same switch.</source>
+        <translation>हाथ के सतह से मिलने पर एक ठोकर, और विंडो के किनारे पर हल्की गूँज। पैनल बटन में यही स्विच है।</translation>
     </message>
 </context>
 <context>

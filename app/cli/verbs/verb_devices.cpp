@@ -22,6 +22,7 @@
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/device/hid/hid_devices.h"
+#include "haptics/device/pad/pad_devices.h"
 #include "haptics/device_catalog.h"
 
 namespace relievo::batch {
@@ -69,6 +70,25 @@ void listHid(Json& json, std::vector<std::string>& lines) {
     }
   } catch (const DeviceError& error) {
     tell(error.what());
+  }
+}
+
+/// Those that press by event devices, and all that rumble.
+void listPads(Json& json, std::vector<std::string>& lines) {
+  json["pads"] = Json::array();
+  if (!pad::hasPadDevices()) return tell(englishText(said<MessageId::pads_not_built>()));
+  pad::PadDevices devices;
+  pad::PadNews ignored;
+  devices.rescan(ignored);
+  for (const pad::SeenPad& seen : devices.seen()) {
+    json["pads"].push_back({{"name", seen.name},
+                            {"access", seen.access},
+                            {"buttons", seen.presses},
+                            {"rumble", seen.can_rumble}});
+    std::string line = "Gamepad: " + seen.name;
+    if (seen.presses) line += ", buttons";
+    if (seen.can_rumble) line += ", rumble as a cue, no force";
+    lines.push_back(line + (seen.access ? "" : " (no access)"));
   }
 }
 
@@ -134,10 +154,11 @@ void listFalcons(Json& json, Outcome& outcome) {
 }
 
 /// Also of a kind that is not plugged in: before somebody buys one.
-void tellTried(const DeviceDriver& driver, Json& json, std::vector<std::string>& lines) {
-  if (driver.tried_on_hardware.empty()) return;
-  json["tried_on_hardware"][driver.kind] = driver.tried_on_hardware;
-  lines.push_back(driver.kind + ": tried on hardware: " + driver.tried_on_hardware);
+void tellTried(const std::string& kind, const std::string& tried, Json& json,
+               std::vector<std::string>& lines) {
+  if (tried.empty()) return;
+  json["tried_on_hardware"][kind] = tried;
+  lines.push_back(kind + ": tried on hardware: " + tried);
 }
 
 Outcome list(const Task& task) {
@@ -146,7 +167,7 @@ Outcome list(const Task& task) {
   json["tried_on_hardware"] = Json::object();
   Outcome outcome;
   for (const DeviceDriver& driver : deviceCatalog()) {
-    tellTried(driver, json, outcome.lines);
+    tellTried(driver.kind, driver.tried_on_hardware, json, outcome.lines);
     for (const std::string& id : driver.scan()) {
       const std::unique_ptr<Device> device = driver.make(id);
       const DeviceInfo& info = device->info();
@@ -156,8 +177,12 @@ Outcome list(const Task& task) {
                               (info.max_force_n > 0 ? "" : " (cannot push back)"));
     }
   }
+  for (const OwnPlugin& plugin : kOwnPlugins) {
+    tellTried(std::string(plugin.file), std::string(plugin.tried_on_hardware), json, outcome.lines);
+  }
   listPlugins(json, outcome, task);
   listHid(json, outcome.lines);
+  listPads(json, outcome.lines);
   listHaplys(json, outcome);
   listFalcons(json, outcome);
   listFirmware(json, outcome);

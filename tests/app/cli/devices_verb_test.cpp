@@ -20,6 +20,7 @@
 #include "tests/app/command_test.h"
 #include "tests/emulator/made_image.h"
 #include "tests/emulator/mock_hid.h"
+#include "tests/emulator/mock_pad.h"
 #include "tests/emulator/mock_usb.h"
 #include "tests/realtime/fake_logind.h"
 
@@ -221,6 +222,33 @@ TEST_F(DevicesVerbTest, HidDevicesAreListedAndAClosedOneIsSaid) {
   EXPECT_THAT(result.err, HasSubstr("Foot switch is plugged in but this account may not use it. "
                                     "Install the rule that 'relievo devices rule' prints"));
 }
+
+#ifdef RELIEVO_PADS
+TEST_F(DevicesVerbTest, GamepadsAreListedWithWhatTheyAreGoodFor) {
+  emulator::MockPad pads;
+  const std::vector<int> keys{0x130, 0x131, 0x133, 0x134};
+  pads.plugIn({.name = "Xbox pad", .keys = keys});
+  pads.plugIn({.name = "Stick", .keys = {0x120, 0x121}, .rumbles = false});
+  pads.plugIn({.name = "DualShock", .keys = keys, .has_hidraw = true});
+  pads.plugIn({.name = "Old pad", .keys = keys, .rumbles = false, .has_hidraw = true});
+  const json listed_pads = json::parse(listed().out)["pads"];
+  ASSERT_EQ(listed_pads.size(), 3U) << "hidraw has all that the old pad is good for";
+  const auto one = [](const char* name, bool buttons, bool rumble) {
+    return json{{"name", name}, {"access", true}, {"buttons", buttons}, {"rumble", rumble}};
+  };
+  EXPECT_THAT(listed_pads, testing::Contains(one("Xbox pad", true, true)));
+  EXPECT_THAT(listed_pads, testing::Contains(one("Stick", true, false)));
+  EXPECT_THAT(listed_pads, testing::Contains(one("DualShock", false, true)));
+  EXPECT_THAT(run({}).out, HasSubstr("Gamepad: Xbox pad, buttons, rumble as a cue, no force\n"));
+}
+#else
+TEST_F(DevicesVerbTest, ABuildWithoutGamepadsSaysSo) {
+  const CommandResult result = listed();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(json::parse(result.out)["pads"].empty());
+  EXPECT_THAT(result.err, HasSubstr("built without the system's header linux/input.h"));
+}
+#endif
 
 TEST_F(DevicesVerbTest, FirmwareIsCheckedAndInstalledForThisUser) {
   EXPECT_EQ(run({"firmware", (home_ / "none.bin").string()}).exit_code, kUnreadable);
