@@ -407,7 +407,7 @@ class DeviceButtonsTest : public ::testing::Test {
 
   static constexpr std::uint8_t kPlus = 0, kForward = 1, kCentre = 2, kMinus = 3;
   test::TestHost host_;
-  DeviceButtons buttons_{host_, nullptr};
+  DeviceButtons buttons_{host_, nullptr, std::make_shared<pad::Rumbler>()};
   double now_s_ = 1, x_ = 0, y_ = 0;
 };
 

@@ -190,7 +190,7 @@ class LedButtonsTest : public ::testing::Test {
   }
 
   test::TestHost host_;
-  DeviceButtons buttons_{host_, nullptr};
+  DeviceButtons buttons_{host_, nullptr, std::make_shared<pad::Rumbler>()};
   int let_go_ = 0;
   std::vector<quint8> taught_;
   double now_ = 1;
