@@ -14,7 +14,7 @@
 #include "core/region/hand.h"
 #include "haptics/device/falcon/presence.h"
 #include "haptics/record/events.h"
-#include "plugins/haptics/recording_file.h"
+#include "plugins/haptics/recording/recording_file.h"
 #include "ui/message/message_text.h"
 
 namespace relievo {

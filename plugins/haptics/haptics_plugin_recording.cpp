@@ -14,7 +14,7 @@
 #include "haptics/loop/device_limits.h"
 #include "haptics/record/events.h"
 #include "plugins/haptics/haptics_plugin.h"
-#include "plugins/haptics/recording_file.h"
+#include "plugins/haptics/recording/recording_file.h"
 #include "plugins/haptics/shown_file.h"
 #include "ui/message/message_text.h"
 

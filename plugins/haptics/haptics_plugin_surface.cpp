@@ -6,7 +6,7 @@
 
 #include "core/base/failure.h"
 #include "plugins/haptics/haptics_plugin.h"
-#include "plugins/haptics/recording_file.h"
+#include "plugins/haptics/recording/recording_file.h"
 #include "plugins/haptics/shown_file.h"
 #include "ui/message/message_text.h"
 

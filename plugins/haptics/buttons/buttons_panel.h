@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "plugins/haptics/button_settings.h"
+#include "plugins/haptics/buttons/button_settings.h"
 
 class QCheckBox;
 class QComboBox;

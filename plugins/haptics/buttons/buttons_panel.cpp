@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/haptics/buttons_panel.h"
+#include "plugins/haptics/buttons/buttons_panel.h"
 
 #include <QCheckBox>
 #include <QComboBox>

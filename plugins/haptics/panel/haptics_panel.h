@@ -5,9 +5,9 @@
 #include <QWidget>
 #include <vector>
 
-#include "plugins/haptics/loop_health.h"
-#include "plugins/haptics/plugin_devices.h"
-#include "plugins/haptics/scope.h"
+#include "plugins/haptics/device/plugin_devices.h"
+#include "plugins/haptics/panel/loop_health.h"
+#include "plugins/haptics/panel/scope.h"
 #include "plugins/haptics/touch_settings.h"
 
 class QCheckBox;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/haptics/loop_health.h"
+#include "plugins/haptics/panel/loop_health.h"
 
 #include <array>
 #include <numeric>

@@ -11,7 +11,7 @@
 #include "haptics/device/falcon/calibration.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/falcon/self_test.h"
-#include "plugins/haptics/falcon_news.h"
+#include "plugins/haptics/device/falcon_news.h"
 
 class QCheckBox;
 class QDoubleSpinBox;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/haptics/haptics_panel.h"
+#include "plugins/haptics/panel/haptics_panel.h"
 
 #include <algorithm>
 #include <QCheckBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/haptics/note_dialog.h"
+#include "plugins/haptics/recording/note_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/haptics/device_setup_buttons.h"
+#include "plugins/haptics/buttons/device_buttons.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/haptics/plugin_devices.h"
+#include "plugins/haptics/device/plugin_devices.h"
 
 #include <chrono>
 #include <utility>

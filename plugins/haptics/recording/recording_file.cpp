@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/haptics/recording_file.h"
+#include "plugins/haptics/recording/recording_file.h"
 
 #include <array>
 #include <QDir>

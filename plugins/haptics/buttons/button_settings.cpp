@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/haptics/button_settings.h"
+#include "plugins/haptics/buttons/button_settings.h"
 
 #include <algorithm>
 #include <QJsonDocument>

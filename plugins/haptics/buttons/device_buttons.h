@@ -10,7 +10,7 @@
 #include "haptics/device/hid/hid_devices.h"
 #include "haptics/loop/haptic_core.h"
 #include "plugins/api/plugin.h"
-#include "plugins/haptics/button_settings.h"
+#include "plugins/haptics/buttons/button_settings.h"
 
 namespace relievo {
 

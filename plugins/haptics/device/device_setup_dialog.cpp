@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/haptics/device_setup_dialog.h"
+#include "plugins/haptics/device/device_setup_dialog.h"
 
 #include <cmath>
 #include <QApplication>

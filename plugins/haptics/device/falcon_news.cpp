@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/haptics/falcon_news.h"
+#include "plugins/haptics/device/falcon_news.h"
 #include "ui/message/message_text.h"
 
 #include <array>
