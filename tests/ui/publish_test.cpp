@@ -25,7 +25,7 @@
 #include "core/provenance/sha256.h"
 #include "core/session/map_facts.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/figure/figure_dialog.h"
 #include "ui/figure/figure.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/views/overlays/colour_bar.h"

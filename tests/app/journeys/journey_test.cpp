@@ -25,7 +25,7 @@
 #include "tests/app/journeys/journey.h"
 #include "tests/emulator/mock_hid.h"
 #include "tests/emulator/mock_usb.h"
-#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/figure/figure_dialog.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/panels/places_panel.h"
 #include "ui/panels/replay_panel.h"

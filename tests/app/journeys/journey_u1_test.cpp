@@ -28,7 +28,7 @@
 #include "tests/emulator/made_image.h"
 #include "tests/emulator/mock_usb.h"
 #include "ui/dialogs/depth_map_dialog.h"
-#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/figure/figure_dialog.h"
 #include "ui/figure/figure.h"
 #include "ui/panels/measure_panel.h"
 

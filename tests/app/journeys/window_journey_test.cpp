@@ -23,7 +23,7 @@
 #include "core/io/raster/raster.h"
 #include "tests/app/command.h"
 #include "tests/ui/prepare/prepare_fixture.h"
-#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/figure/figure_dialog.h"
 
 namespace relievo {
 namespace {

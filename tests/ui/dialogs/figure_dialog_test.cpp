@@ -18,8 +18,8 @@
 
 #include "core/base/error.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/dialogs/figure_dialog.h"
-#include "ui/dialogs/figure_preview.h"
+#include "ui/dialogs/figure/figure_dialog.h"
+#include "ui/dialogs/figure/figure_preview.h"
 #include "ui/figure/figure.h"
 
 namespace relievo {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/figure/figure_dialog.h"
 
 #include <algorithm>
 #include <QApplication>
@@ -19,8 +19,8 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "ui/dialogs/figure_error.h"
-#include "ui/dialogs/figure_preview.h"
+#include "ui/dialogs/figure/figure_error.h"
+#include "ui/dialogs/figure/figure_preview.h"
 #include "ui/language/core_words.h"
 #include "ui/style/dialog_size.h"
 #include "ui/style/text.h"

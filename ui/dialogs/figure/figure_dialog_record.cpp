@@ -11,8 +11,8 @@
 #include <QSignalBlocker>
 
 #include "core/relief/relief_image.h"
-#include "ui/dialogs/figure_dialog.h"
-#include "ui/dialogs/figure_number.h"
+#include "ui/dialogs/figure/figure_dialog.h"
+#include "ui/dialogs/figure/figure_number.h"
 #include "ui/work/file_names.h"
 
 namespace relievo {

@@ -5,7 +5,7 @@
 #include <QString>
 
 #include "core/base/error.h"
-#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/figure/figure_dialog.h"
 #include "ui/language/spoken_error.h"
 
 namespace relievo {

@@ -9,8 +9,8 @@
 #include <QPushButton>
 #include <QTimer>
 
-#include "ui/dialogs/figure_dialog.h"
-#include "ui/dialogs/figure_error.h"
+#include "ui/dialogs/figure/figure_dialog.h"
+#include "ui/dialogs/figure/figure_error.h"
 #include "ui/language/core_words.h"
 #include "ui/work/file_names.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/dialogs/figure_preview.h"
+#include "ui/dialogs/figure/figure_preview.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/dialogs/figure_number.h"
+#include "ui/dialogs/figure/figure_number.h"
 
 #include <algorithm>
 #include <cmath>

@@ -13,8 +13,8 @@
 #include <QStandardItemModel>
 
 #include "core/session/colours/surface_colours.h"
-#include "ui/dialogs/figure_dialog.h"
-#include "ui/dialogs/figure_number.h"
+#include "ui/dialogs/figure/figure_dialog.h"
+#include "ui/dialogs/figure/figure_number.h"
 #include "ui/language/core_words.h"
 #include "ui/style/mnemonic.h"
 #include "ui/work/file_names.h"
