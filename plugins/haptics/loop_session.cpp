@@ -15,7 +15,7 @@
 #include "haptics/loop/device_limits.h"
 #include "haptics/proxy/texture.h"
 #include "haptics/rt/build_id.h"
-#include "plugins/haptics/recording_file.h"
+#include "plugins/haptics/recording/recording_file.h"
 
 namespace relievo {
 

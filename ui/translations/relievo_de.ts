@@ -736,6 +736,13 @@
     </message>
 </context>
 <context>
+    <name>relievo::ButtonControl</name>
+    <message>
+        <source>Buttons</source>
+        <translation>Knöpfe am Gerät</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ButtonsPanel</name>
     <message>
         <source>Sca&amp;nning with one button</source>
@@ -2387,6 +2394,57 @@
     </message>
 </context>
 <context>
+    <name>relievo::DeviceRows</name>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>What the hand holds. A virtual hand is moved by the mouse and pushed by the force, as a real one is.</source>
+        <translation>Was die Hand hält. Eine virtuelle Hand wird von der Maus bewegt und von der Kraft gedrückt, wie eine wirkliche.</translation>
+    </message>
+    <message>
+        <source>Whether somebody has tried such a device</source>
+        <translation>Ob jemand ein solches Gerät erprobt hat</translation>
+    </message>
+    <message>
+        <source>How warm the motors are</source>
+        <translation>Wie warm die Motoren sind</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weig&amp;ht</source>
+        <translation>Das Gewic&amp;ht des Griffs halten</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weight</source>
+        <translation>Das Gewicht des Griffs halten</translation>
+    </message>
+    <message>
+        <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
+        <translation>Solange die Kräfte an sind, hält das Gerät seinen Griff selbst, so schwer, wie die Kalibrierung ihn fand. Nichts geschieht, wo nicht kalibriert wurde oder das Gerät es von sich aus tut.</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>G&amp;erät</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: ask who made the plug-in.</source>
+        <translation>An einem echten Gerät erprobt: Fragen Sie, wer das Plug-in gemacht hat.</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: never.</source>
+        <translation>An einem echten Gerät erprobt: nie.</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: %1.</source>
+        <translation>An einem echten Gerät erprobt: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (not here now)</source>
+        <translation>%1 (gerade nicht da)</translation>
+    </message>
+</context>
+<context>
     <name>relievo::DeviceSetupDialog</name>
     <message>
         <source>passed</source>
@@ -2888,714 +2946,18 @@
     </message>
 </context>
 <context>
-    <name>relievo::FigureDialog</name>
+    <name>relievo::FeelForm</name>
     <message>
-        <source>Detail alone</source>
-        <translation>Detail allein</translation>
-    </message>
-    <message>
-        <source>Whole object and detail</source>
-        <translation>Ganzes Objekt und Detail</translation>
-    </message>
-    <message>
-        <source>As measured and filled</source>
-        <translation>Wie gemessen und gefüllt</translation>
-    </message>
-    <message>
-        <source>Several levels</source>
-        <translation>Mehrere Ebenen</translation>
-    </message>
-    <message>
-        <source>With force plots of a recording</source>
-        <translation>Mit Kraftkurven einer Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Height in colour</source>
-        <translation>Höhe in Farbe</translation>
-    </message>
-    <message>
-        <source>Hillshade</source>
-        <translation>Schummerung</translation>
-    </message>
-    <message>
-        <source>Hillshade, four lights</source>
-        <translation>Schummerung, vier Lichter</translation>
-    </message>
-    <message>
-        <source>Slope</source>
-        <translation>Neigung</translation>
-    </message>
-    <message>
-        <source>Local relief</source>
-        <translation>Lokales Relief</translation>
-    </message>
-    <message>
-        <source>Sky-view factor</source>
-        <translation>Himmelssichtfaktor</translation>
-    </message>
-    <message>
-        <source>Openness</source>
-        <translation>Offenheit</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keines</translation>
-    </message>
-    <message>
-        <source>Anaglyph, grey</source>
-        <translation>Anaglyphe, grau</translation>
-    </message>
-    <message>
-        <source>Anaglyph, half colour</source>
-        <translation>Anaglyphe, halbfarbig</translation>
-    </message>
-    <message>
-        <source>Anaglyph, Dubois</source>
-        <translation>Anaglyphe, Dubois</translation>
-    </message>
-    <message>
-        <source>Side by side</source>
-        <translation>Nebeneinander</translation>
-    </message>
-    <message>
-        <source>One over the other</source>
-        <translation>Übereinander</translation>
-    </message>
-    <message>
-        <source>Scale &amp;bar</source>
-        <translation>Maßsta&amp;b</translation>
-    </message>
-    <message>
-        <source>&amp;Height bar</source>
-        <translation>Höhens&amp;kala</translation>
-    </message>
-    <message>
-        <source>&amp;Up mark</source>
-        <translation>&amp;Zeiger nach oben</translation>
-    </message>
-    <message>
-        <source>Window&apos;s &amp;outline</source>
-        <translation>Umriss &amp;des Ausschnitts</translation>
-    </message>
-    <message>
-        <source>Hat&amp;ch</source>
-        <translation>&amp;Schraffur</translation>
-    </message>
-    <message>
-        <source>Le&amp;gend</source>
-        <translation>Le&amp;gende</translation>
-    </message>
-    <message>
-        <source>Letters a, b</source>
-        <translation>Buchstaben a, b</translation>
-    </message>
-    <message>
-        <source>&amp;Measurements</source>
-        <translation>Messu&amp;ngen</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this figure. Nothing was written.</source>
-        <translation>Der Speicher reicht für diese Abbildung nicht. Nichts wurde geschrieben.</translation>
-    </message>
-    <message>
-        <source>Sto&amp;p</source>
-        <translation>Anha&amp;lten</translation>
-    </message>
-    <message>
-        <source>Figure</source>
-        <translation>Abbildung</translation>
-    </message>
-    <message>
-        <source>Preview of the figure</source>
-        <translation>Vorschau der Abbildung</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Problem</source>
-        <translation>Problem</translation>
-    </message>
-    <message>
-        <source>Caption</source>
-        <translation>Bildunterschrift</translation>
-    </message>
-    <message>
-        <source>The text that belongs under this figure</source>
-        <translation>Der Text, der unter diese Abbildung gehört</translation>
-    </message>
-    <message>
-        <source>Cop&amp;y caption</source>
-        <translation>Te&amp;xt kopieren</translation>
-    </message>
-    <message>
-        <source>Copy caption</source>
-        <translation>Bildunterschrift kopieren</translation>
-    </message>
-    <message>
-        <source>Put the caption into the clipboard</source>
-        <translation>Die Bildunterschrift in die Zwischenablage legen</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>Date&amp;i</translation>
-    </message>
-    <message>
-        <source>Ends in .png, .tif, .pdf or .svg</source>
-        <translation>Endet mit .png, .tif, .pdf oder .svg</translation>
-    </message>
-    <message>
-        <source>Choose another place</source>
-        <translation>Einen anderen Ort wählen</translation>
-    </message>
-    <message>
-        <source>Save figure</source>
-        <translation>Abbildung speichern</translation>
-    </message>
-    <message>
-        <source>Figures (*.png *.tif *.pdf *.svg)</source>
-        <translation>Abbildungen (*.png *.tif *.pdf *.svg)</translation>
-    </message>
-    <message>
-        <source>&amp;Layout</source>
-        <translation>An&amp;ordnung</translation>
-    </message>
-    <message>
-        <source>What stands beside what</source>
-        <translation>Was neben was steht</translation>
-    </message>
-    <message>
-        <source>&amp;Recording</source>
-        <translation>Au&amp;fzeichnung</translation>
-    </message>
-    <message>
-        <source>File of a recording, CSV or HDF5, for the plots</source>
-        <translation>Datei einer Aufzeichnung, CSV oder HDF5, für die Kurven</translation>
-    </message>
-    <message>
-        <source>Wi&amp;dth on paper</source>
-        <translation>Breite auf &amp;Papier</translation>
-    </message>
-    <message>
-        <source>Journals have columns of 85 and pages of 180 mm</source>
-        <translation>Zeitschriften haben Spalten von 85 und Seiten von 180 mm</translation>
-    </message>
-    <message>
-        <source>To &amp;scale</source>
-        <translation>Maßst&amp;äblich</translation>
-    </message>
-    <message>
-        <source>Choose the scale of the detail; the width follows from it</source>
-        <translation>Den Maßstab des Details wählen; die Breite folgt daraus</translation>
-    </message>
-    <message>
-        <source>Scale &amp;1 :</source>
-        <translation>&amp;Maßstab 1 :</translation>
-    </message>
-    <message>
-        <source>Millimetres of object on one millimetre of paper</source>
-        <translation>Millimeter des Objekts auf einem Millimeter Papier</translation>
-    </message>
-    <message>
-        <source>D&amp;ensity</source>
-        <translation>A&amp;uflösung</translation>
-    </message>
-    <message>
-        <source>Dots per inch of paper</source>
-        <translation>Punkte je Zoll Papier</translation>
-    </message>
-    <message>
-        <source> dpi</source>
-        <translation> dpi</translation>
-    </message>
-    <message>
-        <source>&amp;Text size</source>
-        <translation>S&amp;chriftgröße</translation>
-    </message>
-    <message>
-        <source>Text and bars on paper, in points</source>
-        <translation>Schrift und Skalen auf Papier, in Punkt</translation>
-    </message>
-    <message>
-        <source> pt</source>
-        <translation> pt</translation>
-    </message>
-    <message>
-        <source>Rel&amp;ief</source>
-        <translation>R&amp;elief</translation>
-    </message>
-    <message>
-        <source>How heights are painted</source>
-        <translation>Wie Höhen dargestellt werden</translation>
-    </message>
-    <message>
-        <source>Even steps of lightness, also for colour-blind readers</source>
-        <translation>Gleichmäßige Helligkeitsstufen, auch für Farbenblinde</translation>
-    </message>
-    <message>
-        <source>0 is above, clockwise; 315 is the upper left</source>
-        <translation>0 ist oben, im Uhrzeigersinn; 315 ist links oben</translation>
-    </message>
-    <message>
-        <source>Low light brings out worn detail</source>
-        <translation>Streiflicht zeigt abgenutzte Einzelheiten</translation>
-    </message>
-    <message>
-        <source>10 samples</source>
-        <translation>10 Stützstellen</translation>
-    </message>
-    <message>
-        <source>For red and cyan glasses, or two pictures</source>
-        <translation>Für rot-cyane Brillen, oder zwei Bilder</translation>
-    </message>
-    <message>
-        <source>Angle between the two eyes&apos; directions</source>
-        <translation>Winkel zwischen den Blickrichtungen beider Augen</translation>
-    </message>
-    <message>
-        <source>Less angle where many readers would see double</source>
-        <translation>Weniger Winkel, wo viele Leser doppelt sähen</translation>
-    </message>
-    <message>
-        <source>Swap eyes</source>
-        <translation>Augen tauschen</translation>
-    </message>
-    <message>
-        <source>For glasses the other way round, or for crossed eyes</source>
-        <translation>Für umgekehrte Brillen oder gekreuzte Augen</translation>
-    </message>
-    <message>
-        <source>Drawn in points, whatever the density</source>
-        <translation>In Punkt gezeichnet, unabhängig von der Auflösung</translation>
-    </message>
-    <message>
-        <source>Tra&amp;nsparent paper</source>
-        <translation>Ohne &amp;weißen Grund</translation>
-    </message>
-    <message>
-        <source>No white behind the relief</source>
-        <translation>Kein Weiß hinter dem Relief</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm on paper, %3 × %4 pixels, scale 1 : %5</source>
-        <translation>%1 × %2 mm auf Papier, %3 × %4 Pixel, Maßstab 1 : %5</translation>
-    </message>
-    <message>
-        <source>. Parallax %1° of %2° with %3° between the eyes</source>
-        <translation>. Parallaxe %1° von %2° bei %3° zwischen den Augen</translation>
-    </message>
-    <message>
-        <source>Stopped. Nothing was written.</source>
-        <translation>Abgebrochen. Nichts wurde geschrieben.</translation>
-    </message>
-    <message>
-        <source>Colours</source>
-        <translation>Farben</translation>
-    </message>
-    <message>
-        <source>Light from</source>
-        <translation>Licht von</translation>
-    </message>
-    <message>
-        <source>Light&apos;s height</source>
-        <translation>Lichthöhe</translation>
-    </message>
-    <message>
-        <source>Stereo</source>
-        <translation>Stereo</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
-    </message>
-    <message>
-        <source>There is no folder %1. Nothing was written. Choose another, or make it.</source>
-        <translation>Den Ordner %1 gibt es nicht. Nichts wurde geschrieben. Wählen Sie einen anderen, oder legen Sie ihn an.</translation>
-    </message>
-    <message>
-        <source>Replace figure</source>
-        <translation>Abbildung ersetzen</translation>
-    </message>
-    <message>
-        <source>%1 exists already in %2. Replace it?</source>
-        <translation>%1 gibt es schon in %2. Ersetzen?</translation>
-    </message>
-    <message>
-        <source>&amp;Replace</source>
-        <translation>&amp;Ersetzen</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Ersetzen</translation>
-    </message>
-    <message>
-        <source>Browse: %1</source>
-        <translation>Durchsuchen: %1</translation>
-    </message>
-    <message>
-        <source>Recording</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Recordings (*.csv *.h5 *.hdf5)</source>
-        <translation>Aufzeichnungen (*.csv *.h5 *.hdf5)</translation>
-    </message>
-    <message>
-        <source>O&amp;wn ends of the colours</source>
-        <translation>Fa&amp;rbgrenzen vorgeben</translation>
-    </message>
-    <message>
-        <source>The same colours for the same values in several figures; otherwise they follow from what is shown</source>
-        <translation>Gleiche Farben für gleiche Werte in mehreren Abbildungen; sonst ergeben sie sich aus dem Gezeigten</translation>
-    </message>
-    <message>
-        <source>Colours from</source>
-        <translation>Farben von</translation>
-    </message>
-    <message>
-        <source>Value at the colours&apos; lower end</source>
-        <translation>Wert am unteren Ende der Farben</translation>
-    </message>
-    <message>
-        <source>Colours to</source>
-        <translation>Farben bis</translation>
-    </message>
-    <message>
-        <source>Value at the colours&apos; upper end</source>
-        <translation>Wert am oberen Ende der Farben</translation>
-    </message>
-    <message>
-        <source>Eyes apart</source>
-        <translation>Augenabstand</translation>
-    </message>
-    <message>
-        <source>&amp;Keep to 1° of parallax</source>
-        <translation>&amp;Höchstens 1° Parallaxe</translation>
-    </message>
-    <message>
-        <source>Own &amp;zero plane</source>
-        <translation>Nullebene &amp;vorgeben</translation>
-    </message>
-    <message>
-        <source>Choose the height that lies in the plane of the paper; otherwise it is mid height</source>
-        <translation>Die Höhe wählen, die in der Ebene des Papiers liegt; sonst ist es die mittlere Höhe</translation>
-    </message>
-    <message>
-        <source>Zero plane</source>
-        <translation>Nullebene</translation>
-    </message>
-    <message>
-        <source>Height of zero parallax: what is higher stands out of the paper, what is lower lies behind it</source>
-        <translation>Höhe ohne Parallaxe: was höher ist, steht aus dem Papier heraus, was tiefer ist, liegt dahinter</translation>
-    </message>
-    <message>
-        <source>Both eyes &amp;as files</source>
-        <translation>Beide &amp;Augen als Dateien</translation>
-    </message>
-    <message>
-        <source>Also write the detail as each eye sees it, as NAME.left.png and NAME.right.png beside the figure</source>
-        <translation>Auch das Detail schreiben, wie jedes Auge es sieht, als NAME.left.png und NAME.right.png neben der Abbildung</translation>
-    </message>
-    <message>
-        <source>Sa&amp;ve heights too</source>
-        <translation>H&amp;öhen auch speichern</translation>
-    </message>
-    <message>
-        <source>Also write the detail&apos;s heights as a picture of 16 bits; its description says millimetres per step</source>
-        <translation>Auch die Höhen des Details als Bild mit 16 Bit schreiben; seine Beschreibung nennt Millimeter je Stufe</translation>
-    </message>
-    <message>
-        <source>Heights</source>
-        <translation>Höhen</translation>
-    </message>
-    <message>
-        <source>Ends in .tif</source>
-        <translation>Endet mit .tif</translation>
-    </message>
-    <message>
-        <source>Save heights</source>
-        <translation>Höhen speichern</translation>
-    </message>
-    <message>
-        <source>Heights of 16 bits (*.tif *.tiff)</source>
-        <translation>Höhen mit 16 Bit (*.tif *.tiff)</translation>
-    </message>
-    <message>
-        <source>Save caption as te&amp;xt</source>
-        <translation>Unterschrift als &amp;Text speichern</translation>
-    </message>
-    <message>
-        <source>Also write the caption as a text file</source>
-        <translation>Auch die Bildunterschrift als Textdatei schreiben</translation>
-    </message>
-    <message>
-        <source>Caption&apos;s file</source>
-        <translation>Textdatei</translation>
-    </message>
-    <message>
-        <source>Where the caption is written</source>
-        <translation>Wohin die Bildunterschrift geschrieben wird</translation>
-    </message>
-    <message>
-        <source>Save caption</source>
-        <translation>Bildunterschrift speichern</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Text (*.txt)</translation>
-    </message>
-    <message>
-        <source>These files exist already. Replace them?</source>
-        <translation>Diese Dateien gibt es schon. Ersetzen?</translation>
-    </message>
-    <message>
-        <source>Stopped. Only this was written: %1.</source>
-        <translation>Abgebrochen. Nur dies wurde geschrieben: %1.</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;To scale&quot; first</source>
-        <translation>Zuerst „Maßstäblich“ einschalten</translation>
-    </message>
-    <message>
-        <source>It follows from the scale</source>
-        <translation>Sie folgt aus dem Maßstab</translation>
-    </message>
-    <message>
-        <source>Only the layout with force plots shows one</source>
-        <translation>Nur die Anordnung mit Kraftkurven zeigt eine</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Save heights too&quot; first</source>
-        <translation>Zuerst „Höhen auch speichern“ einschalten</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Save caption as text&quot; first</source>
-        <translation>Zuerst „Unterschrift als Text speichern“ einschalten</translation>
-    </message>
-    <message>
-        <source>It is drawn on the whole object, which this layout lacks</source>
-        <translation>Er wird auf das ganze Objekt gezeichnet, das dieser Anordnung fehlt</translation>
-    </message>
-    <message>
-        <source>Stone and hillshades have no colours</source>
-        <translation>Stein und Schummerungen haben keine Farben</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Own ends of the colours&quot; first</source>
-        <translation>Zuerst „Farbgrenzen vorgeben“ einschalten</translation>
-    </message>
-    <message>
-        <source>No lamp shines on this relief</source>
-        <translation>Auf dieses Relief scheint kein Licht</translation>
-    </message>
-    <message>
-        <source>The four lights come from all sides</source>
-        <translation>Die vier Lichter kommen von allen Seiten</translation>
-    </message>
-    <message>
-        <source>This relief does not depend on one</source>
-        <translation>Dieses Relief hängt von keinem ab</translation>
-    </message>
-    <message>
-        <source>Choose a kind of stereo, or both eyes as files</source>
-        <translation>Eine Art von Stereo wählen, oder beide Augen als Dateien</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Own zero plane&quot; first</source>
-        <translation>Zuerst „Nullebene vorgeben“ einschalten</translation>
-    </message>
-    <message>
-        <source>An anaglyph needs its background</source>
-        <translation>Eine Anaglyphe braucht ihren Hintergrund</translation>
-    </message>
-    <message>
-        <source>Stop the work; no further file is written</source>
-        <translation>Die Arbeit anhalten; keine weitere Datei wird geschrieben</translation>
-    </message>
-    <message>
-        <source>Natural colours</source>
-        <translation>Natürliche Farben</translation>
-    </message>
-    <message>
-        <source>Intensity</source>
-        <translation>Intensität</translation>
-    </message>
-    <message>
-        <source>This scan has none</source>
-        <translation>Dieser Scan hat keine</translation>
-    </message>
-    <message>
-        <source>Shading</source>
-        <translation>Schattierung</translation>
-    </message>
-    <message>
-        <source>How much relief shading natural colours and intensity get</source>
-        <translation>Wie stark natürliche Farben und Intensität schattiert werden</translation>
-    </message>
-    <message>
-        <source>Its colours are the scan&apos;s own</source>
-        <translation>Seine Farben sind die des Scans</translation>
-    </message>
-    <message>
-        <source>Only natural colours and intensity are mixed with it</source>
-        <translation>Nur natürliche Farben und Intensität werden damit gemischt</translation>
-    </message>
-    <message>
-        <source>Deviation, several scales</source>
-        <translation>Abweichung, mehrere Maßstäbe</translation>
-    </message>
-    <message>
-        <source>Curvature, several scales</source>
-        <translation>Krümmung, mehrere Maßstäbe</translation>
-    </message>
-    <message>
-        <source>Stone with ambient occlusion</source>
-        <translation>Stein mit Umgebungsverdeckung</translation>
-    </message>
-    <message>
-        <source>Of the neighbourhood that this relief image looks at</source>
-        <translation>Der Nachbarschaft, die dieses Reliefbild betrachtet</translation>
-    </message>
-    <message>
-        <source>Shaded relief</source>
-        <translation>Beleuchtetes Relief</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::FirstViewCard</name>
-    <message>
-        <source>First view of the file that is being read</source>
-        <translation>Erste Ansicht der Datei, die gelesen wird</translation>
-    </message>
-    <message>
-        <source>%1: first view from %2 of %3 points. The whole is being read.</source>
-        <translation>%1: erste Ansicht aus %2 von %3 Punkten. Das Ganze wird gelesen.</translation>
-    </message>
-    <message>
-        <source>Until then the views and the hand stay with the object before.</source>
-        <translation>Bis dahin bleiben Ansichten und Hand beim bisherigen Objekt.</translation>
-    </message>
-    <message>
-        <source>It can be touched then.</source>
-        <translation>Dann kann es ertastet werden.</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::ForeignFiles</name>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation>
-            <numerusform>und %n weitere</numerusform>
-            <numerusform>und %n weitere</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Cancelled. Nothing was changed.</source>
-        <translation>Abgebrochen. Nichts wurde geändert.</translation>
-    </message>
-    <message>
-        <source>Files elsewhere</source>
-        <translation>Dateien anderswo</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
-        <translation>
-            <numerusform>%1 nennt %n Datei außerhalb seines Ordners, die nach ihrer Prüfsumme nicht die ist, aus der es gemacht wurde:</numerusform>
-            <numerusform>%1 nennt %n Dateien außerhalb seines Ordners, die nach ihren Prüfsummen nicht die sind, aus denen es gemacht wurde:</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The work that was kept</source>
-        <translation>Die aufbewahrte Arbeit</translation>
-    </message>
-    <message>
-        <source>Whoever made it chose these names. Shall they be read? What is not read stays named in it, and all else opens.</source>
-        <translation>Wer es gemacht hat, hat diese Namen gewählt. Sollen sie gelesen werden? Was nicht gelesen wird, bleibt darin genannt, und alles andere wird geöffnet.</translation>
-    </message>
-    <message>
-        <source>&amp;Read them</source>
-        <translation>&amp;Lesen</translation>
-    </message>
-    <message>
-        <source>&amp;Do not read them</source>
-        <translation>&amp;Nicht lesen</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::GlassesDialog</name>
-    <message>
-        <source>Test picture</source>
-        <translation>Testbild</translation>
-    </message>
-    <message>
-        <source>Left an L for the left eye alone, right an R for the right eye alone</source>
-        <translation>Links ein L nur für das linke Auge, rechts ein R nur für das rechte Auge</translation>
-    </message>
-    <message>
-        <source>L</source>
-        <comment>left eye</comment>
-        <translation>L</translation>
-    </message>
-    <message>
-        <source>R</source>
-        <comment>right eye</comment>
-        <translation>R</translation>
-    </message>
-    <message>
-        <source>Test glasses</source>
-        <translation>Brille prüfen</translation>
-    </message>
-    <message>
-        <source>Put the glasses on and close your right eye: you should see only the L, bright on black. With the left eye closed only the R. If it is the other way round, turn on &quot;Swap eyes&quot;. What shines through faintly is a ghost; Dubois has the least.</source>
-        <translation>Setzen Sie die Brille auf und schließen Sie das rechte Auge: Sie sollten nur das L sehen, hell auf schwarz. Mit geschlossenem linkem Auge nur das R. Ist es umgekehrt, schalten Sie „Augen tauschen“ ein. Was schwach durchscheint, ist ein Geisterbild; Dubois hat davon am wenigsten.</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::HapticsPanel</name>
-    <message>
-        <source>Off: %1. Switch off and on to try again.</source>
-        <translation>Aus: %1. Zum neuen Versuch aus- und einschalten.</translation>
-    </message>
-    <message>
-        <source>Off. Press F5 to switch forces on.</source>
-        <translation>Aus. F5 schaltet die Kräfte ein.</translation>
-    </message>
-    <message>
-        <source>Waiting until the hand is clear of the surface.</source>
-        <translation>Warten, bis die Hand von der Oberfläche frei ist.</translation>
-    </message>
-    <message>
-        <source>Coming on.</source>
-        <translation>Wird eingeschaltet.</translation>
-    </message>
-    <message>
-        <source>On, softened to %1 N/mm against swinging until switched off.</source>
-        <translation>An, gegen Schwingen auf %1 N/mm verringert, bis zum Ausschalten.</translation>
-    </message>
-    <message>
-        <source>On.</source>
-        <translation>An.</translation>
-    </message>
-    <message>
-        <source>On: computed and shown; a mouse cannot push back.</source>
-        <translation>An: berechnet und gezeigt; eine Maus kann nicht zurückdrücken.</translation>
-    </message>
-    <message>
-        <source>St&amp;rength</source>
-        <translation>&amp;Stärke</translation>
+        <source>S&amp;urface</source>
+        <translation>Oberflä&amp;che</translation>
     </message>
     <message>
         <source>Sh&amp;ape</source>
         <translation>Fo&amp;rm</translation>
+    </message>
+    <message>
+        <source>Prox&amp;y</source>
+        <translation>Prox&amp;y</translation>
     </message>
     <message>
         <source>Stiff&amp;ness</source>
@@ -3610,68 +2972,24 @@
         <translation>Däm&amp;pfung</translation>
     </message>
     <message>
-        <source>Pressed in</source>
-        <translation>Eingedrückt</translation>
+        <source>Not measure&amp;d</source>
+        <translation>Nicht &amp;gemessen</translation>
     </message>
     <message>
-        <source>&amp;Device</source>
-        <translation>G&amp;erät</translation>
+        <source>Edge &amp;cue</source>
+        <translation>&amp;Tastmarke am Rand</translation>
     </message>
     <message>
-        <source>Force loop</source>
-        <translation>Kraftschleife</translation>
+        <source>Te&amp;xture</source>
+        <translation>Te&amp;xtur</translation>
     </message>
     <message>
-        <source>Forces &amp;on</source>
-        <translation>&amp;Kräfte an</translation>
+        <source>Co&amp;ntact impulse</source>
+        <translation>Ko&amp;ntaktimpuls</translation>
     </message>
     <message>
-        <source>Forces on</source>
-        <translation>Kräfte an</translation>
-    </message>
-    <message>
-        <source>Switch forces on or off (F5). Esc switches them off.</source>
-        <translation>Kräfte ein- oder ausschalten (F5). Esc schaltet sie aus.</translation>
-    </message>
-    <message>
-        <source>Strength in percent</source>
-        <translation>Stärke in Prozent</translation>
-    </message>
-    <message>
-        <source>Multiplies every force. The limit stays.</source>
-        <translation>Vervielfacht jede Kraft. Die Grenze bleibt.</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>Stärke</translation>
-    </message>
-    <message>
-        <source>as the &amp;level suggests</source>
-        <translation>wie die Ebene empfieh&amp;lt</translation>
-    </message>
-    <message>
-        <source>Stiffness as the level suggests</source>
-        <translation>Steifigkeit, wie die Ebene empfiehlt</translation>
-    </message>
-    <message>
-        <source>Stiffness in newtons per millimetre</source>
-        <translation>Steifigkeit in Newton je Millimeter</translation>
-    </message>
-    <message>
-        <source> N/mm</source>
-        <translation> N/mm</translation>
-    </message>
-    <message>
-        <source>Force per millimetre that the hand is pressed in.</source>
-        <translation>Kraft je Millimeter, den die Hand eingedrückt ist.</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>What the hand holds. A virtual hand is moved by the mouse and pushed by the force, as a real one is.</source>
-        <translation>Was die Hand hält. Eine virtuelle Hand wird von der Maus bewegt und von der Kraft gedrückt, wie eine wirkliche.</translation>
+        <source>Ma&amp;gnet</source>
+        <translation>Ma&amp;gnet</translation>
     </message>
     <message>
         <source>How the surface feels</source>
@@ -3766,56 +3084,28 @@
         <translation>Gegen die Geschwindigkeit des Eindrückens.</translation>
     </message>
     <message>
-        <source>State of the forces</source>
-        <translation>Zustand der Kräfte</translation>
+        <source>as the &amp;level suggests</source>
+        <translation>wie die Ebene empfieh&amp;lt</translation>
     </message>
     <message>
-        <source>How far the hand is pressed in</source>
-        <translation>Wie weit die Hand eingedrückt ist</translation>
-    </message>
-    <message>
-        <source>How the force loop runs</source>
-        <translation>Wie die Kraftschleife läuft</translation>
-    </message>
-    <message>
-        <source>More a&amp;bout the loop…</source>
-        <translation>Mehr über d&amp;ie Schleife…</translation>
-    </message>
-    <message>
-        <source>More about the force loop</source>
-        <translation>Mehr über die Kraftschleife</translation>
-    </message>
-    <message>
-        <source>Wake-ups and computing times as tables, and what the system granted.</source>
-        <translation>Weck- und Rechenzeiten als Tabellen, und was das System gewährte.</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>%1 mm of hand</source>
-        <translation>%1 mm der Hand</translation>
-    </message>
-    <message>
-        <source>not touching</source>
-        <translation>keine Berührung</translation>
-    </message>
-    <message>
-        <source>%1 (not here now)</source>
-        <translation>%1 (gerade nicht da)</translation>
-    </message>
-    <message>
-        <source>Not measure&amp;d</source>
-        <translation>Nicht &amp;gemessen</translation>
-    </message>
-    <message>
-        <source>Ma&amp;gnet</source>
-        <translation>Ma&amp;gnet</translation>
+        <source>Stiffness as the level suggests</source>
+        <translation>Steifigkeit, wie die Ebene empfiehlt</translation>
     </message>
     <message>
         <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level&apos;s own.</source>
         <translation>0,8 N/mm bei Detail 1 und 2, 0,6 bei 3, 0,5 bei feineren. Was hier gesetzt wird, gilt dann für die gezeigte Ebene.</translation>
+    </message>
+    <message>
+        <source>Stiffness in newtons per millimetre</source>
+        <translation>Steifigkeit in Newton je Millimeter</translation>
+    </message>
+    <message>
+        <source> N/mm</source>
+        <translation> N/mm</translation>
+    </message>
+    <message>
+        <source>Force per millimetre that the hand is pressed in.</source>
+        <translation>Kraft je Millimeter, den die Hand eingedrückt ist.</translation>
     </message>
     <message>
         <source>Stiffness of ground that was not measured, in percent</source>
@@ -3828,6 +3118,10 @@
     <message>
         <source>How stiff filled gaps and the base plane are, as a part of the stiffness of measured ground. 100 %: no difference.</source>
         <translation>Wie steif gefüllte Lücken und die Grundebene sind, als Teil der Steifigkeit gemessener Stellen. 100 %: kein Unterschied.</translation>
+    </message>
+    <message>
+        <source>Edge cue at the border of measured ground, in newtons</source>
+        <translation>Tastmarke am Rand des Gemessenen, in Newton</translation>
     </message>
     <message>
         <source> N</source>
@@ -3850,6 +3144,10 @@
         <translation>Wieviel von der nächstfeineren Ebene höchstens zusätzlich zur getasteten zu fühlen ist. 0: nichts.</translation>
     </message>
     <message>
+        <source>Contact impulse, in newtons at most</source>
+        <translation>Kontaktimpuls, höchstens in Newton</translation>
+    </message>
+    <message>
         <source>A short knock as hard as the hand comes. 0: none.</source>
         <translation>Ein kurzer Schlag, so stark wie die Hand kommt. 0: keiner.</translation>
     </message>
@@ -3861,18 +3159,595 @@
         <source>A gentle pull that begins 3 mm above the surface and ends on it. 0: none.</source>
         <translation>Ein sanfter Zug, der 3 mm über der Oberfläche beginnt und auf ihr endet. 0: keiner.</translation>
     </message>
+</context>
+<context>
+    <name>relievo::FigureDialog</name>
     <message>
-        <source>Plots &amp;with a cursor…</source>
-        <translation>Kurven mit &amp;Zeiger…</translation>
+        <source>There is not enough memory for this figure. Nothing was written.</source>
+        <translation>Der Speicher reicht für diese Abbildung nicht. Nichts wurde geschrieben.</translation>
     </message>
     <message>
-        <source>Plots of height and force with a cursor</source>
-        <translation>Kurven von Höhe und Kraft mit Zeiger</translation>
+        <source>Sto&amp;p</source>
+        <translation>Anha&amp;lten</translation>
     </message>
     <message>
-        <source>Pause, zoom, read values, and save as SVG or CSV.</source>
-        <translation>Anhalten, vergrößern, Werte ablesen und als SVG oder CSV speichern.</translation>
+        <source>Figure</source>
+        <translation>Abbildung</translation>
     </message>
+    <message>
+        <source>Preview of the figure</source>
+        <translation>Vorschau der Abbildung</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>Caption</source>
+        <translation>Bildunterschrift</translation>
+    </message>
+    <message>
+        <source>The text that belongs under this figure</source>
+        <translation>Der Text, der unter diese Abbildung gehört</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y caption</source>
+        <translation>Te&amp;xt kopieren</translation>
+    </message>
+    <message>
+        <source>Copy caption</source>
+        <translation>Bildunterschrift kopieren</translation>
+    </message>
+    <message>
+        <source>Put the caption into the clipboard</source>
+        <translation>Die Bildunterschrift in die Zwischenablage legen</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm on paper, %3 × %4 pixels, scale 1 : %5</source>
+        <translation>%1 × %2 mm auf Papier, %3 × %4 Pixel, Maßstab 1 : %5</translation>
+    </message>
+    <message>
+        <source>. Parallax %1° of %2° with %3° between the eyes</source>
+        <translation>. Parallaxe %1° von %2° bei %3° zwischen den Augen</translation>
+    </message>
+    <message>
+        <source>Stopped. Nothing was written.</source>
+        <translation>Abgebrochen. Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1. Nothing was written. Choose another, or make it.</source>
+        <translation>Den Ordner %1 gibt es nicht. Nichts wurde geschrieben. Wählen Sie einen anderen, oder legen Sie ihn an.</translation>
+    </message>
+    <message>
+        <source>Replace figure</source>
+        <translation>Abbildung ersetzen</translation>
+    </message>
+    <message>
+        <source>%1 exists already in %2. Replace it?</source>
+        <translation>%1 gibt es schon in %2. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>These files exist already. Replace them?</source>
+        <translation>Diese Dateien gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Stopped. Only this was written: %1.</source>
+        <translation>Abgebrochen. Nur dies wurde geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>Stop the work; no further file is written</source>
+        <translation>Die Arbeit anhalten; keine weitere Datei wird geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::FigureForm</name>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Durchsuchen: %1</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>Einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>Shaded relief</source>
+        <translation>Beleuchtetes Relief</translation>
+    </message>
+    <message>
+        <source>Height in colour</source>
+        <translation>Höhe in Farbe</translation>
+    </message>
+    <message>
+        <source>Hillshade</source>
+        <translation>Schummerung</translation>
+    </message>
+    <message>
+        <source>Hillshade, four lights</source>
+        <translation>Schummerung, vier Lichter</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Local relief</source>
+        <translation>Lokales Relief</translation>
+    </message>
+    <message>
+        <source>Sky-view factor</source>
+        <translation>Himmelssichtfaktor</translation>
+    </message>
+    <message>
+        <source>Openness</source>
+        <translation>Offenheit</translation>
+    </message>
+    <message>
+        <source>Deviation, several scales</source>
+        <translation>Abweichung, mehrere Maßstäbe</translation>
+    </message>
+    <message>
+        <source>Curvature, several scales</source>
+        <translation>Krümmung, mehrere Maßstäbe</translation>
+    </message>
+    <message>
+        <source>Stone with ambient occlusion</source>
+        <translation>Stein mit Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>Natural colours</source>
+        <translation>Natürliche Farben</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Intensität</translation>
+    </message>
+    <message>
+        <source>Rel&amp;ief</source>
+        <translation>R&amp;elief</translation>
+    </message>
+    <message>
+        <source>How heights are painted</source>
+        <translation>Wie Höhen dargestellt werden</translation>
+    </message>
+    <message>
+        <source>This scan has none</source>
+        <translation>Dieser Scan hat keine</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Even steps of lightness, also for colour-blind readers</source>
+        <translation>Gleichmäßige Helligkeitsstufen, auch für Farbenblinde</translation>
+    </message>
+    <message>
+        <source>Light from</source>
+        <translation>Licht von</translation>
+    </message>
+    <message>
+        <source>0 is above, clockwise; 315 is the upper left</source>
+        <translation>0 ist oben, im Uhrzeigersinn; 315 ist links oben</translation>
+    </message>
+    <message>
+        <source>Light&apos;s height</source>
+        <translation>Lichthöhe</translation>
+    </message>
+    <message>
+        <source>Low light brings out worn detail</source>
+        <translation>Streiflicht zeigt abgenutzte Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Of the neighbourhood that this relief image looks at</source>
+        <translation>Der Nachbarschaft, die dieses Reliefbild betrachtet</translation>
+    </message>
+    <message>
+        <source>10 samples</source>
+        <translation>10 Stützstellen</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Schattierung</translation>
+    </message>
+    <message>
+        <source>How much relief shading natural colours and intensity get</source>
+        <translation>Wie stark natürliche Farben und Intensität schattiert werden</translation>
+    </message>
+    <message>
+        <source>O&amp;wn ends of the colours</source>
+        <translation>Fa&amp;rbgrenzen vorgeben</translation>
+    </message>
+    <message>
+        <source>The same colours for the same values in several figures; otherwise they follow from what is shown</source>
+        <translation>Gleiche Farben für gleiche Werte in mehreren Abbildungen; sonst ergeben sie sich aus dem Gezeigten</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>Farben von</translation>
+    </message>
+    <message>
+        <source>Value at the colours&apos; lower end</source>
+        <translation>Wert am unteren Ende der Farben</translation>
+    </message>
+    <message>
+        <source>Colours to</source>
+        <translation>Farben bis</translation>
+    </message>
+    <message>
+        <source>Value at the colours&apos; upper end</source>
+        <translation>Wert am oberen Ende der Farben</translation>
+    </message>
+    <message>
+        <source>Its colours are the scan&apos;s own</source>
+        <translation>Seine Farben sind die des Scans</translation>
+    </message>
+    <message>
+        <source>Stone and hillshades have no colours</source>
+        <translation>Stein und Schummerungen haben keine Farben</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Own ends of the colours&quot; first</source>
+        <translation>Zuerst „Farbgrenzen vorgeben“ einschalten</translation>
+    </message>
+    <message>
+        <source>No lamp shines on this relief</source>
+        <translation>Auf dieses Relief scheint kein Licht</translation>
+    </message>
+    <message>
+        <source>The four lights come from all sides</source>
+        <translation>Die vier Lichter kommen von allen Seiten</translation>
+    </message>
+    <message>
+        <source>This relief does not depend on one</source>
+        <translation>Dieses Relief hängt von keinem ab</translation>
+    </message>
+    <message>
+        <source>Only natural colours and intensity are mixed with it</source>
+        <translation>Nur natürliche Farben und Intensität werden damit gemischt</translation>
+    </message>
+    <message>
+        <source>Detail alone</source>
+        <translation>Detail allein</translation>
+    </message>
+    <message>
+        <source>Whole object and detail</source>
+        <translation>Ganzes Objekt und Detail</translation>
+    </message>
+    <message>
+        <source>As measured and filled</source>
+        <translation>Wie gemessen und gefüllt</translation>
+    </message>
+    <message>
+        <source>Several levels</source>
+        <translation>Mehrere Ebenen</translation>
+    </message>
+    <message>
+        <source>With force plots of a recording</source>
+        <translation>Mit Kraftkurven einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>Date&amp;i</translation>
+    </message>
+    <message>
+        <source>Ends in .png, .tif, .pdf or .svg</source>
+        <translation>Endet mit .png, .tif, .pdf oder .svg</translation>
+    </message>
+    <message>
+        <source>Save figure</source>
+        <translation>Abbildung speichern</translation>
+    </message>
+    <message>
+        <source>Figures (*.png *.tif *.pdf *.svg)</source>
+        <translation>Abbildungen (*.png *.tif *.pdf *.svg)</translation>
+    </message>
+    <message>
+        <source>&amp;Layout</source>
+        <translation>An&amp;ordnung</translation>
+    </message>
+    <message>
+        <source>What stands beside what</source>
+        <translation>Was neben was steht</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>Au&amp;fzeichnung</translation>
+    </message>
+    <message>
+        <source>File of a recording, CSV or HDF5, for the plots</source>
+        <translation>Datei einer Aufzeichnung, CSV oder HDF5, für die Kurven</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>Aufzeichnungen (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>Wi&amp;dth on paper</source>
+        <translation>Breite auf &amp;Papier</translation>
+    </message>
+    <message>
+        <source>Journals have columns of 85 and pages of 180 mm</source>
+        <translation>Zeitschriften haben Spalten von 85 und Seiten von 180 mm</translation>
+    </message>
+    <message>
+        <source>To &amp;scale</source>
+        <translation>Maßst&amp;äblich</translation>
+    </message>
+    <message>
+        <source>Choose the scale of the detail; the width follows from it</source>
+        <translation>Den Maßstab des Details wählen; die Breite folgt daraus</translation>
+    </message>
+    <message>
+        <source>Scale &amp;1 :</source>
+        <translation>&amp;Maßstab 1 :</translation>
+    </message>
+    <message>
+        <source>Millimetres of object on one millimetre of paper</source>
+        <translation>Millimeter des Objekts auf einem Millimeter Papier</translation>
+    </message>
+    <message>
+        <source>D&amp;ensity</source>
+        <translation>A&amp;uflösung</translation>
+    </message>
+    <message>
+        <source>Dots per inch of paper</source>
+        <translation>Punkte je Zoll Papier</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>&amp;Text size</source>
+        <translation>S&amp;chriftgröße</translation>
+    </message>
+    <message>
+        <source>Text and bars on paper, in points</source>
+        <translation>Schrift und Skalen auf Papier, in Punkt</translation>
+    </message>
+    <message>
+        <source> pt</source>
+        <translation> pt</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;To scale&quot; first</source>
+        <translation>Zuerst „Maßstäblich“ einschalten</translation>
+    </message>
+    <message>
+        <source>It follows from the scale</source>
+        <translation>Sie folgt aus dem Maßstab</translation>
+    </message>
+    <message>
+        <source>Only the layout with force plots shows one</source>
+        <translation>Nur die Anordnung mit Kraftkurven zeigt eine</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>Maßsta&amp;b</translation>
+    </message>
+    <message>
+        <source>&amp;Height bar</source>
+        <translation>Höhens&amp;kala</translation>
+    </message>
+    <message>
+        <source>&amp;Up mark</source>
+        <translation>&amp;Zeiger nach oben</translation>
+    </message>
+    <message>
+        <source>Window&apos;s &amp;outline</source>
+        <translation>Umriss &amp;des Ausschnitts</translation>
+    </message>
+    <message>
+        <source>Hat&amp;ch</source>
+        <translation>&amp;Schraffur</translation>
+    </message>
+    <message>
+        <source>Le&amp;gend</source>
+        <translation>Le&amp;gende</translation>
+    </message>
+    <message>
+        <source>Letters a, b</source>
+        <translation>Buchstaben a, b</translation>
+    </message>
+    <message>
+        <source>&amp;Measurements</source>
+        <translation>Messu&amp;ngen</translation>
+    </message>
+    <message>
+        <source>Drawn in points, whatever the density</source>
+        <translation>In Punkt gezeichnet, unabhängig von der Auflösung</translation>
+    </message>
+    <message>
+        <source>Tra&amp;nsparent paper</source>
+        <translation>Ohne &amp;weißen Grund</translation>
+    </message>
+    <message>
+        <source>No white behind the relief</source>
+        <translation>Kein Weiß hinter dem Relief</translation>
+    </message>
+    <message>
+        <source>It is drawn on the whole object, which this layout lacks</source>
+        <translation>Er wird auf das ganze Objekt gezeichnet, das dieser Anordnung fehlt</translation>
+    </message>
+    <message>
+        <source>An anaglyph needs its background</source>
+        <translation>Eine Anaglyphe braucht ihren Hintergrund</translation>
+    </message>
+    <message>
+        <source>Both eyes &amp;as files</source>
+        <translation>Beide &amp;Augen als Dateien</translation>
+    </message>
+    <message>
+        <source>Also write the detail as each eye sees it, as NAME.left.png and NAME.right.png beside the figure</source>
+        <translation>Auch das Detail schreiben, wie jedes Auge es sieht, als NAME.left.png und NAME.right.png neben der Abbildung</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve heights too</source>
+        <translation>H&amp;öhen auch speichern</translation>
+    </message>
+    <message>
+        <source>Also write the detail&apos;s heights as a picture of 16 bits; its description says millimetres per step</source>
+        <translation>Auch die Höhen des Details als Bild mit 16 Bit schreiben; seine Beschreibung nennt Millimeter je Stufe</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Ends in .tif</source>
+        <translation>Endet mit .tif</translation>
+    </message>
+    <message>
+        <source>Save heights</source>
+        <translation>Höhen speichern</translation>
+    </message>
+    <message>
+        <source>Heights of 16 bits (*.tif *.tiff)</source>
+        <translation>Höhen mit 16 Bit (*.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>Save caption as te&amp;xt</source>
+        <translation>Unterschrift als &amp;Text speichern</translation>
+    </message>
+    <message>
+        <source>Also write the caption as a text file</source>
+        <translation>Auch die Bildunterschrift als Textdatei schreiben</translation>
+    </message>
+    <message>
+        <source>Caption&apos;s file</source>
+        <translation>Textdatei</translation>
+    </message>
+    <message>
+        <source>Where the caption is written</source>
+        <translation>Wohin die Bildunterschrift geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Save caption</source>
+        <translation>Bildunterschrift speichern</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Save heights too&quot; first</source>
+        <translation>Zuerst „Höhen auch speichern“ einschalten</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Save caption as text&quot; first</source>
+        <translation>Zuerst „Unterschrift als Text speichern“ einschalten</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>Anaglyph, grey</source>
+        <translation>Anaglyphe, grau</translation>
+    </message>
+    <message>
+        <source>Anaglyph, half colour</source>
+        <translation>Anaglyphe, halbfarbig</translation>
+    </message>
+    <message>
+        <source>Anaglyph, Dubois</source>
+        <translation>Anaglyphe, Dubois</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>One over the other</source>
+        <translation>Übereinander</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>For red and cyan glasses, or two pictures</source>
+        <translation>Für rot-cyane Brillen, oder zwei Bilder</translation>
+    </message>
+    <message>
+        <source>Eyes apart</source>
+        <translation>Augenabstand</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes&apos; directions</source>
+        <translation>Winkel zwischen den Blickrichtungen beider Augen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep to 1° of parallax</source>
+        <translation>&amp;Höchstens 1° Parallaxe</translation>
+    </message>
+    <message>
+        <source>Less angle where many readers would see double</source>
+        <translation>Weniger Winkel, wo viele Leser doppelt sähen</translation>
+    </message>
+    <message>
+        <source>Own &amp;zero plane</source>
+        <translation>Nullebene &amp;vorgeben</translation>
+    </message>
+    <message>
+        <source>Choose the height that lies in the plane of the paper; otherwise it is mid height</source>
+        <translation>Die Höhe wählen, die in der Ebene des Papiers liegt; sonst ist es die mittlere Höhe</translation>
+    </message>
+    <message>
+        <source>Zero plane</source>
+        <translation>Nullebene</translation>
+    </message>
+    <message>
+        <source>Height of zero parallax: what is higher stands out of the paper, what is lower lies behind it</source>
+        <translation>Höhe ohne Parallaxe: was höher ist, steht aus dem Papier heraus, was tiefer ist, liegt dahinter</translation>
+    </message>
+    <message>
+        <source>Swap eyes</source>
+        <translation>Augen tauschen</translation>
+    </message>
+    <message>
+        <source>For glasses the other way round, or for crossed eyes</source>
+        <translation>Für umgekehrte Brillen oder gekreuzte Augen</translation>
+    </message>
+    <message>
+        <source>Choose a kind of stereo, or both eyes as files</source>
+        <translation>Eine Art von Stereo wählen, oder beide Augen als Dateien</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Own zero plane&quot; first</source>
+        <translation>Zuerst „Nullebene vorgeben“ einschalten</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::FirmnessRow</name>
     <message>
         <source>What says where the ground is firm</source>
         <translation>Was sagt, wo der Grund fest ist</translation>
@@ -3902,6 +3777,14 @@
         <translation>Der Grund ist fest, wo gemessen wurde.</translation>
     </message>
     <message>
+        <source>Stiffness &amp;map</source>
+        <translation>St&amp;eifigkeitskarte</translation>
+    </message>
+    <message>
+        <source>Stiffness map</source>
+        <translation>Steifigkeitskarte</translation>
+    </message>
+    <message>
         <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
         <translation>Raster (*.tif *.tiff *.asc *.png);;Alle Dateien (*)</translation>
     </message>
@@ -3913,17 +3796,184 @@
         <source>%1 (not of this map)</source>
         <translation>%1 (nicht von dieser Karte)</translation>
     </message>
+</context>
+<context>
+    <name>relievo::FirstViewCard</name>
     <message>
-        <source>S&amp;urface</source>
-        <translation>Oberflä&amp;che</translation>
+        <source>First view of the file that is being read</source>
+        <translation>Erste Ansicht der Datei, die gelesen wird</translation>
     </message>
     <message>
-        <source>Prox&amp;y</source>
-        <translation>Prox&amp;y</translation>
+        <source>%1: first view from %2 of %3 points. The whole is being read.</source>
+        <translation>%1: erste Ansicht aus %2 von %3 Punkten. Das Ganze wird gelesen.</translation>
     </message>
     <message>
-        <source>Te&amp;xture</source>
-        <translation>Te&amp;xtur</translation>
+        <source>Until then the views and the hand stay with the object before.</source>
+        <translation>Bis dahin bleiben Ansichten und Hand beim bisherigen Objekt.</translation>
+    </message>
+    <message>
+        <source>It can be touched then.</source>
+        <translation>Dann kann es ertastet werden.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ForeignFiles</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>Abgebrochen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Files elsewhere</source>
+        <translation>Dateien anderswo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
+        <translation>
+            <numerusform>%1 nennt %n Datei außerhalb seines Ordners, die nach ihrer Prüfsumme nicht die ist, aus der es gemacht wurde:</numerusform>
+            <numerusform>%1 nennt %n Dateien außerhalb seines Ordners, die nach ihren Prüfsummen nicht die sind, aus denen es gemacht wurde:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The work that was kept</source>
+        <translation>Die aufbewahrte Arbeit</translation>
+    </message>
+    <message>
+        <source>Whoever made it chose these names. Shall they be read? What is not read stays named in it, and all else opens.</source>
+        <translation>Wer es gemacht hat, hat diese Namen gewählt. Sollen sie gelesen werden? Was nicht gelesen wird, bleibt darin genannt, und alles andere wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>&amp;Read them</source>
+        <translation>&amp;Lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Do not read them</source>
+        <translation>&amp;Nicht lesen</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::GlassesDialog</name>
+    <message>
+        <source>Test picture</source>
+        <translation>Testbild</translation>
+    </message>
+    <message>
+        <source>Left an L for the left eye alone, right an R for the right eye alone</source>
+        <translation>Links ein L nur für das linke Auge, rechts ein R nur für das rechte Auge</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>left eye</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>right eye</comment>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Test glasses</source>
+        <translation>Brille prüfen</translation>
+    </message>
+    <message>
+        <source>Put the glasses on and close your right eye: you should see only the L, bright on black. With the left eye closed only the R. If it is the other way round, turn on &quot;Swap eyes&quot;. What shines through faintly is a ghost; Dubois has the least.</source>
+        <translation>Setzen Sie die Brille auf und schließen Sie das rechte Auge: Sie sollten nur das L sehen, hell auf schwarz. Mit geschlossenem linkem Auge nur das R. Ist es umgekehrt, schalten Sie „Augen tauschen“ ein. Was schwach durchscheint, ist ein Geisterbild; Dubois hat davon am wenigsten.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HandDevice</name>
+    <message>
+        <source>The device %1 is being opened. The mouse is the hand meanwhile.</source>
+        <translation>Das Gerät %1 wird geöffnet. Solange ist die Maus die Hand.</translation>
+    </message>
+    <message>
+        <source>Device: %1.</source>
+        <translation>Gerät: %1.</translation>
+    </message>
+    <message>
+        <source>%1 The mouse is the hand now.</source>
+        <translation>%1 Jetzt ist die Maus die Hand.</translation>
+    </message>
+    <message>
+        <source>Motors: %1 % of what they can take for good; forces stay below %2 N.</source>
+        <translation>Motoren: %1 % dessen, was sie auf Dauer vertragen; Kräfte bleiben unter %2 N.</translation>
+    </message>
+    <message>
+        <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
+        <translation>Ein Falcon wurde eingesteckt. Wählen Sie ihn im Feld Fühlen, um ihn zu benutzen.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HapticsPanel</name>
+    <message>
+        <source>Off: %1. Switch off and on to try again.</source>
+        <translation>Aus: %1. Zum neuen Versuch aus- und einschalten.</translation>
+    </message>
+    <message>
+        <source>Off. Press F5 to switch forces on.</source>
+        <translation>Aus. F5 schaltet die Kräfte ein.</translation>
+    </message>
+    <message>
+        <source>Waiting until the hand is clear of the surface.</source>
+        <translation>Warten, bis die Hand von der Oberfläche frei ist.</translation>
+    </message>
+    <message>
+        <source>Coming on.</source>
+        <translation>Wird eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>On, softened to %1 N/mm against swinging until switched off.</source>
+        <translation>An, gegen Schwingen auf %1 N/mm verringert, bis zum Ausschalten.</translation>
+    </message>
+    <message>
+        <source>On.</source>
+        <translation>An.</translation>
+    </message>
+    <message>
+        <source>On: computed and shown; a mouse cannot push back.</source>
+        <translation>An: berechnet und gezeigt; eine Maus kann nicht zurückdrücken.</translation>
+    </message>
+    <message>
+        <source>St&amp;rength</source>
+        <translation>&amp;Stärke</translation>
+    </message>
+    <message>
+        <source>Forces &amp;on</source>
+        <translation>&amp;Kräfte an</translation>
+    </message>
+    <message>
+        <source>Forces on</source>
+        <translation>Kräfte an</translation>
+    </message>
+    <message>
+        <source>Switch forces on or off (F5). Esc switches them off.</source>
+        <translation>Kräfte ein- oder ausschalten (F5). Esc schaltet sie aus.</translation>
+    </message>
+    <message>
+        <source>Strength in percent</source>
+        <translation>Stärke in Prozent</translation>
+    </message>
+    <message>
+        <source>Multiplies every force. The limit stays.</source>
+        <translation>Vervielfacht jede Kraft. Die Grenze bleibt.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>State of the forces</source>
+        <translation>Zustand der Kräfte</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>On. E306: Update rate fell to %1 per second (need %2). Stiffness reduced from %3 to %4 N/m.</source>
@@ -3937,76 +3987,12 @@
         <source>The new surface comes under the hand: %1 %.</source>
         <translation>Die neue Oberfläche kommt unter die Hand: %1 %.</translation>
     </message>
-    <message>
-        <source>Hold the grip&apos;s weig&amp;ht</source>
-        <translation>Das Gewic&amp;ht des Griffs halten</translation>
-    </message>
-    <message>
-        <source>Hold the grip&apos;s weight</source>
-        <translation>Das Gewicht des Griffs halten</translation>
-    </message>
-    <message>
-        <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
-        <translation>Solange die Kräfte an sind, hält das Gerät seinen Griff selbst, so schwer, wie die Kalibrierung ihn fand. Nichts geschieht, wo nicht kalibriert wurde oder das Gerät es von sich aus tut.</translation>
-    </message>
-    <message>
-        <source>Stiffness &amp;map</source>
-        <translation>St&amp;eifigkeitskarte</translation>
-    </message>
-    <message>
-        <source>Edge &amp;cue</source>
-        <translation>&amp;Tastmarke am Rand</translation>
-    </message>
-    <message>
-        <source>Co&amp;ntact impulse</source>
-        <translation>Ko&amp;ntaktimpuls</translation>
-    </message>
-    <message>
-        <source>Edge cue at the border of measured ground, in newtons</source>
-        <translation>Tastmarke am Rand des Gemessenen, in Newton</translation>
-    </message>
-    <message>
-        <source>Contact impulse, in newtons at most</source>
-        <translation>Kontaktimpuls, höchstens in Newton</translation>
-    </message>
-    <message>
-        <source>Stiffness map</source>
-        <translation>Steifigkeitskarte</translation>
-    </message>
-    <message>
-        <source>Whether somebody has tried such a device</source>
-        <translation>Ob jemand ein solches Gerät erprobt hat</translation>
-    </message>
-    <message>
-        <source>How warm the motors are</source>
-        <translation>Wie warm die Motoren sind</translation>
-    </message>
-    <message>
-        <source>Tried on hardware: ask who made the plug-in.</source>
-        <translation>An einem echten Gerät erprobt: Fragen Sie, wer das Plug-in gemacht hat.</translation>
-    </message>
-    <message>
-        <source>Tried on hardware: never.</source>
-        <translation>An einem echten Gerät erprobt: nie.</translation>
-    </message>
-    <message>
-        <source>Tried on hardware: %1.</source>
-        <translation>An einem echten Gerät erprobt: %1.</translation>
-    </message>
 </context>
 <context>
     <name>relievo::HapticsPlugin</name>
     <message>
         <source>Touch</source>
         <translation>Fühlen</translation>
-    </message>
-    <message>
-        <source>%1 The mouse is the hand now.</source>
-        <translation>%1 Jetzt ist die Maus die Hand.</translation>
-    </message>
-    <message>
-        <source>Device: %1.</source>
-        <translation>Gerät: %1.</translation>
     </message>
     <message>
         <source>Nothing to touch yet. Open a scan first.</source>
@@ -4025,96 +4011,12 @@
         <translation>Stärke %1 Prozent.</translation>
     </message>
     <message>
-        <source>Recording to %1</source>
-        <translation>Aufzeichnung in %1</translation>
-    </message>
-    <message>
-        <source>Forces off: %1.</source>
-        <translation>Kräfte aus: %1.</translation>
-    </message>
-    <message>
-        <source>Softened to %1 N/mm: hand and surface had begun to swing.</source>
-        <translation>Auf %1 N/mm verringert: Hand und Oberfläche begannen zu schwingen.</translation>
-    </message>
-    <message>
-        <source>The last %1 before the fault are kept: %2</source>
-        <translation>Die letzten %1 vor dem Fehler sind aufgehoben: %2</translation>
-    </message>
-    <message>
-        <source>Recording saved: %1, %2 samples in %3</source>
-        <translation>Aufzeichnung gespeichert: %1, %2 Werte in %3</translation>
-    </message>
-    <message>
         <source>Forces are off after the sleep. Press F5 to switch them on.</source>
         <translation>Die Kräfte sind nach dem Ruhezustand aus. F5 schaltet sie ein.</translation>
     </message>
     <message>
-        <source>Forces went off, because the window did not answer for %1 s. Press F5 to switch them on.</source>
-        <translation>Die Kräfte sind aus, weil das Fenster %1 s lang nicht geantwortet hat. F5 schaltet sie ein.</translation>
-    </message>
-    <message>
-        <source>The hand pushes over the edge of the window.</source>
-        <translation>Die Hand drückt über den Rand des Fensters.</translation>
-    </message>
-    <message>
-        <source>The hand is clear: forces come on.</source>
-        <translation>Die Hand ist frei: Die Kräfte kommen.</translation>
-    </message>
-    <message>
-        <source>Forces wait: the hand is inside. Let go or press Page Up.</source>
-        <translation>Kräfte warten: Die Hand ist im Inneren. Loslassen oder Bild auf.</translation>
-    </message>
-    <message>
-        <source>Forces wait: the hand is inside. Raise the grip.</source>
-        <translation>Kräfte warten: Die Hand ist im Inneren. Heben Sie den Griff.</translation>
-    </message>
-    <message>
-        <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
-        <translation>Ein Falcon wurde eingesteckt. Wählen Sie ihn im Feld Fühlen, um ihn zu benutzen.</translation>
-    </message>
-    <message>
-        <source>Buttons</source>
-        <translation>Knöpfe am Gerät</translation>
-    </message>
-    <message>
-        <source>The ground is firm where it was measured.</source>
-        <translation>Der Grund ist fest, wo gemessen wurde.</translation>
-    </message>
-    <message>
-        <source>The recording has ended early.</source>
-        <translation>Die Aufzeichnung endete vorzeitig.</translation>
-    </message>
-    <message>
-        <source>Note at %1 s: %2</source>
-        <translation>Notiz bei %1 s: %2</translation>
-    </message>
-    <message>
-        <source>The recording had ended before the note &quot;%1&quot; was added. The note is in no file.</source>
-        <translation>Die Aufzeichnung war zu Ende, bevor die Notiz „%1“ hinzugefügt wurde. Die Notiz steht in keiner Datei.</translation>
-    </message>
-    <message>
-        <source>Surface made softer to stay steady.</source>
-        <translation>Oberfläche weicher gemacht, damit sie ruhig bleibt.</translation>
-    </message>
-    <message>
         <source>Touch: advanced</source>
         <translation>Fühlen: erweitert</translation>
-    </message>
-    <message>
-        <source>Stiffness map: %1.</source>
-        <translation>Steifigkeitskarte: %1.</translation>
-    </message>
-    <message>
-        <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
-        <translation>Steifigkeitskarte: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um sie zu fühlen.</translation>
-    </message>
-    <message>
-        <source>The device %1 is being opened. The mouse is the hand meanwhile.</source>
-        <translation>Das Gerät %1 wird geöffnet. Solange ist die Maus die Hand.</translation>
-    </message>
-    <message>
-        <source>Motors: %1 % of what they can take for good; forces stay below %2 N.</source>
-        <translation>Motoren: %1 % dessen, was sie auf Dauer vertragen; Kräfte bleiben unter %2 N.</translation>
     </message>
 </context>
 <context>
@@ -4393,6 +4295,41 @@
     </message>
 </context>
 <context>
+    <name>relievo::LoopAnnouncer</name>
+    <message>
+        <source>Forces off: %1.</source>
+        <translation>Kräfte aus: %1.</translation>
+    </message>
+    <message>
+        <source>Forces went off, because the window did not answer for %1 s. Press F5 to switch them on.</source>
+        <translation>Die Kräfte sind aus, weil das Fenster %1 s lang nicht geantwortet hat. F5 schaltet sie ein.</translation>
+    </message>
+    <message>
+        <source>The hand pushes over the edge of the window.</source>
+        <translation>Die Hand drückt über den Rand des Fensters.</translation>
+    </message>
+    <message>
+        <source>The hand is clear: forces come on.</source>
+        <translation>Die Hand ist frei: Die Kräfte kommen.</translation>
+    </message>
+    <message>
+        <source>Forces wait: the hand is inside. Let go or press Page Up.</source>
+        <translation>Kräfte warten: Die Hand ist im Inneren. Loslassen oder Bild auf.</translation>
+    </message>
+    <message>
+        <source>Forces wait: the hand is inside. Raise the grip.</source>
+        <translation>Kräfte warten: Die Hand ist im Inneren. Heben Sie den Griff.</translation>
+    </message>
+    <message>
+        <source>Softened to %1 N/mm: hand and surface had begun to swing.</source>
+        <translation>Auf %1 N/mm verringert: Hand und Oberfläche begannen zu schwingen.</translation>
+    </message>
+    <message>
+        <source>Surface made softer to stay steady.</source>
+        <translation>Oberfläche weicher gemacht, damit sie ruhig bleibt.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::LoopDetailsDialog</name>
     <message>
         <source>How the force loop runs</source>
@@ -4401,6 +4338,57 @@
     <message>
         <source>Counts of the force loop since it began</source>
         <translation>Zählungen der Kraftschleife seit ihrem Beginn</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::LoopRows</name>
+    <message>
+        <source>How far the hand is pressed in</source>
+        <translation>Wie weit die Hand eingedrückt ist</translation>
+    </message>
+    <message>
+        <source>How the force loop runs</source>
+        <translation>Wie die Kraftschleife läuft</translation>
+    </message>
+    <message>
+        <source>More a&amp;bout the loop…</source>
+        <translation>Mehr über d&amp;ie Schleife…</translation>
+    </message>
+    <message>
+        <source>More about the force loop</source>
+        <translation>Mehr über die Kraftschleife</translation>
+    </message>
+    <message>
+        <source>Plots &amp;with a cursor…</source>
+        <translation>Kurven mit &amp;Zeiger…</translation>
+    </message>
+    <message>
+        <source>Plots of height and force with a cursor</source>
+        <translation>Kurven von Höhe und Kraft mit Zeiger</translation>
+    </message>
+    <message>
+        <source>Pause, zoom, read values, and save as SVG or CSV.</source>
+        <translation>Anhalten, vergrößern, Werte ablesen und als SVG oder CSV speichern.</translation>
+    </message>
+    <message>
+        <source>Wake-ups and computing times as tables, and what the system granted.</source>
+        <translation>Weck- und Rechenzeiten als Tabellen, und was das System gewährte.</translation>
+    </message>
+    <message>
+        <source>Pressed in</source>
+        <translation>Eingedrückt</translation>
+    </message>
+    <message>
+        <source>Force loop</source>
+        <translation>Kraftschleife</translation>
+    </message>
+    <message>
+        <source>%1 mm of hand</source>
+        <translation>%1 mm der Hand</translation>
+    </message>
+    <message>
+        <source>not touching</source>
+        <translation>keine Berührung</translation>
     </message>
 </context>
 <context>
@@ -9308,6 +9296,33 @@
     </message>
 </context>
 <context>
+    <name>relievo::RecordingControl</name>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Aufzeichnung in %1</translation>
+    </message>
+    <message>
+        <source>The last %1 before the fault are kept: %2</source>
+        <translation>Die letzten %1 vor dem Fehler sind aufgehoben: %2</translation>
+    </message>
+    <message>
+        <source>The recording has ended early.</source>
+        <translation>Die Aufzeichnung endete vorzeitig.</translation>
+    </message>
+    <message>
+        <source>Recording saved: %1, %2 samples in %3</source>
+        <translation>Aufzeichnung gespeichert: %1, %2 Werte in %3</translation>
+    </message>
+    <message>
+        <source>Note at %1 s: %2</source>
+        <translation>Notiz bei %1 s: %2</translation>
+    </message>
+    <message>
+        <source>The recording had ended before the note &quot;%1&quot; was added. The note is in no file.</source>
+        <translation>Die Aufzeichnung war zu Ende, bevor die Notiz „%1“ hinzugefügt wurde. Die Notiz steht in keiner Datei.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::RecordingsEnd</name>
     <message>
         <source>Recording saved: %1</source>
@@ -10817,6 +10832,21 @@
     <message>
         <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
         <translation>%1, %2 mal %3 mm, in %4 Details. Zum Fühlen die Hand eindrücken; F5 schaltet die Kräfte ein. Plus: feiner; Minus: gröber; beide zwei Sekunden lang: Hilfe.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::TouchedSurface</name>
+    <message>
+        <source>The ground is firm where it was measured.</source>
+        <translation>Der Grund ist fest, wo gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1.</source>
+        <translation>Steifigkeitskarte: %1.</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
+        <translation>Steifigkeitskarte: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um sie zu fühlen.</translation>
     </message>
 </context>
 <context>
