@@ -2,6 +2,7 @@
 #include "core/tiles/scatter.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <functional>
 #include <limits>
@@ -12,6 +13,7 @@
 #include "core/depth/rules/grid_points.h"
 #include "core/depth/rules/rule_choice.h"
 #include "core/tiles/threads.h"
+#include "core/tiles/tile_rows.h"
 
 namespace relievo {
 namespace {
@@ -108,13 +110,14 @@ void placeTile(const Points& points, GridSize tile, Cell corner, const GridFrame
   }
 }
 
-/// The points of three rows of tiles, so that each tile is sorted once.
-class SortedTiles {
+/// The points at the edges of three rows of tiles, which is what a tile has to know of its
+/// neighbours.
+class TileEdges {
  public:
-  explicit SortedTiles(const TileStore& store) : store_(store) {}
+  explicit TileEdges(const TileStore& store) : store_(store) {}
 
   /// Loads a row of tiles and its neighbours, drops the others.
-  void centre(int tile_row) {
+  void centre(int tile_row, int workers) {
     const TileLayout& layout = store_.layout();
     std::erase_if(rows_, [&](const auto& row) { return std::abs(row.first - tile_row) > 1; });
     const int last = std::min(tile_row + 1, layout.down() - 1);
@@ -122,9 +125,9 @@ class SortedTiles {
       if (rows_.contains(row)) continue;
       std::vector<Points>& tiles = rows_[row];
       tiles.resize(static_cast<std::size_t>(layout.across()));
-      inParts(0, tiles.size(), store_.threads(), [&](int, std::uint64_t first, std::uint64_t end) {
+      inParts(0, tiles.size(), workers, [&](int, std::uint64_t first, std::uint64_t end) {
         for (std::uint64_t x = first; x < end; ++x) {
-          tiles[x] = store_.points(row * layout.across() + static_cast<int>(x));
+          tiles[x] = store_.edgePoints(row * layout.across() + static_cast<int>(x));
         }
       });
     }
@@ -138,10 +141,12 @@ class SortedTiles {
 
 /// What all tiles have in common.
 struct Gridding {
+  const TileStore& store;
   const TileLayout& layout;
   PointRule rule;
   double spacing_mm;
   double noise_mm;
+  std::size_t points_at_once;
 };
 
 /// What is summed over the tiles of a row.
@@ -150,54 +155,106 @@ struct TileLosses {
   std::size_t flyers = 0;
 };
 
-/// One tile with kRuleReach cells around it as a request to core/depth.
-TileLosses depthsByRule(const Gridding& gridding, const SortedTiles& sorted, int tile,
-                        DepthRows& out) {
-  const TileLayout& layout = gridding.layout;
-  const Cell first = layout.firstCell(tile);
-  const GridSize size = layout.sizeOf(tile);
-  const Cell low{.col = std::max(first.col - kRuleReach, 0),
-                 .row = std::max(first.row - kRuleReach, 0)};
-  const Cell end{.col = std::min(first.col + size.cols + kRuleReach, layout.map.cols),
-                 .row = std::min(first.row + size.rows + kRuleReach, layout.map.rows)};
-  const GridFrame frame{.size = {.cols = end.col - low.col, .rows = end.row - low.row},
-                        .spacing_mm = gridding.spacing_mm,
-                        .first_x_mm = 0,
-                        .first_y_mm = 0};
-  Scan scan;
-  for (int y = low.row / kTileSide; y <= (end.row - 1) / kTileSide; ++y) {
-    for (int x = low.col / kTileSide; x <= (end.col - 1) / kTileSide; ++x) {
-      const int other = y * layout.across() + x;
-      const Cell corner = layout.firstCell(other);
-      placeTile(sorted.at(x, y), layout.sizeOf(other),
-                {.col = corner.col - low.col, .row = corner.row - low.row}, frame, scan,
-                [](int) { return true; });
-    }
+/// One tile with kRuleReach cells around it.
+struct TileAround {
+  TileAround(const TileLayout& layout, int tile_number, double spacing_mm)
+      : tile(tile_number), first(layout.firstCell(tile)), size(layout.sizeOf(tile)) {
+    const CellRange around = withAround(layout, tile);
+    low = around.first;
+    end = around.end;
+    frame = {.size = {.cols = end.col - low.col, .rows = end.row - low.row},
+             .spacing_mm = spacing_mm,
+             .first_x_mm = 0,
+             .first_y_mm = 0};
+    own = {.col = first.col - low.col, .row = first.row - low.row};
   }
-  const Cell own{.col = first.col - low.col, .row = first.row - low.row};
-  const Cell own_end{.col = own.col + size.cols, .row = own.row + size.rows};
+
+  int tile;
+  Cell first;  ///< Of the tile, in the map.
+  GridSize size;
+  Cell low, end;  ///< With what is around it.
+  GridFrame frame;
+  Cell own;  ///< The tile's first cell in the frame.
+};
+
+/// Rows of a tile that are worked on at once: all, if its points have room; else as many as have.
+std::vector<RowRange> partsOf(const TileAround& at, const Gridding& gridding) {
+  if (gridding.store.pointsIn(at.tile) <= gridding.points_at_once) {
+    return {{.first = 0, .end = at.size.rows}};
+  }
+  return rowsWithin(pointsOfRows(gridding.store, at.tile),
+                    cutsOf(gridding.layout, at.tile, gridding.rule), gridding.points_at_once);
+}
+
+/// The points that some rows of a tile are made from, on the tile's own grid.
+Scan pointsFor(const TileAround& at, RowRange rows, const Gridding& gridding,
+               const TileEdges& edges) {
+  const TileLayout& layout = gridding.layout;
+  const RowRange near =
+      widened({.first = at.own.row + rows.first, .end = at.own.row + rows.end}, kRuleReach);
+  const auto is_near = [&](int row) { return row >= near.first && row < near.end; };
+  const Points points = gridding.store.points(at.tile, widened(rows, kRuleReach));
+  const auto for_tiles = [&](const auto& take) {
+    for (int y = at.low.row / kTileSide; y <= (at.end.row - 1) / kTileSide; ++y) {
+      for (int x = at.low.col / kTileSide; x <= (at.end.col - 1) / kTileSide; ++x) {
+        const int other = y * layout.across() + x;
+        take(other, other == at.tile ? points : edges.at(x, y));
+      }
+    }
+  };
+  std::size_t most = 0;
+  for_tiles([&](int, const Points& found) { most += found.size(); });
+  Scan scan;
+  scan.points.reserve(most);
+  for_tiles([&](int other, const Points& found) {
+    const Cell corner = layout.firstCell(other);
+    placeTile(found, layout.sizeOf(other),
+              {.col = corner.col - at.low.col, .row = corner.row - at.low.row}, at.frame, scan,
+              is_near);
+  });
+  return scan;
+}
+
+/// Some rows of a tile as a request to core/depth.
+TileLosses depthsOfRows(const TileAround& at, RowRange rows, const Gridding& gridding,
+                        const TileEdges& edges, DepthRows& out) {
+  const Scan scan = pointsFor(at, rows, gridding, edges);
+  const Cell first{.col = at.own.col, .row = at.own.row + rows.first};
+  const Cell end{.col = at.own.col + at.size.cols, .row = at.own.row + rows.end};
   const CapturedDepths around = scatterPoints({.scan = scan,
                                                .view_from_file = {},
-                                               .frame = frame,
+                                               .frame = at.frame,
                                                .rule = gridding.rule,
                                                .threads = 1,
                                                .noise_mm = gridding.noise_mm,
-                                               .counted = CellRange{own, own_end}});
-  const GridSize band{.cols = layout.map.cols, .rows = out.rows};
+                                               .counted = CellRange{first, end}});
+  const GridSize band{.cols = gridding.layout.map.cols, .rows = out.rows};
   const auto copy_row = [&](const auto& from, auto& to, int row) {
     if (from.empty() || to.empty()) return;
-    const std::size_t at = frame.size.index({.col = own.col, .row = own.row + row});
+    const std::size_t start = at.frame.size.index({.col = at.own.col, .row = at.own.row + row});
     std::copy_n(
-        from.begin() + static_cast<std::ptrdiff_t>(at), size.cols,
-        to.begin() + static_cast<std::ptrdiff_t>(band.index({.col = first.col, .row = row})));
+        from.begin() + static_cast<std::ptrdiff_t>(start), at.size.cols,
+        to.begin() + static_cast<std::ptrdiff_t>(band.index({.col = at.first.col, .row = row})));
   };
-  for (int row = 0; row < size.rows; ++row) {
+  for (int row = rows.first; row < rows.end; ++row) {
     copy_row(around.front, out.front, row);
     copy_row(around.between, out.between, row);
     copy_row(around.steep, out.steep, row);
     copy_row(around.quality.counts, out.points, row);
   }
   return {.hidden = around.hidden.value_or(HiddenSurface{}), .flyers = around.flyers};
+}
+
+TileLosses depthsByRule(const Gridding& gridding, const TileEdges& edges, int tile,
+                        DepthRows& out) {
+  const TileAround at(gridding.layout, tile, gridding.spacing_mm);
+  TileLosses losses;
+  for (const RowRange rows : partsOf(at, gridding)) {
+    const TileLosses some = depthsOfRows(at, rows, gridding, edges, out);
+    losses.hidden = losses.hidden + some.hidden;
+    losses.flyers += some.flyers;
+  }
+  return losses;
 }
 
 void depthsFromStates(const Gridding& gridding, const TileStore& store, int tile, DepthRows& out) {
@@ -221,36 +278,30 @@ void depthsFromStates(const Gridding& gridding, const TileStore& store, int tile
   }
 }
 
-/// The points of the rows that core/depth looks at before it knows the rule, on the map's own grid.
-struct MapSample {
-  Scan scan;
-  GridFrame frame;
-
-  DepthRequest request() const { return {.scan = scan, .view_from_file = {}, .frame = frame}; }
-};
-
-MapSample sampledRows(const TileStore& store, double spacing_mm, const Task& task) {
+/// Gives the samples by which core/depth chooses, one after the other.
+template <class Take>
+void forSamples(const TileStore& store, double spacing_mm, const Task& task, const Take& take) {
   const TileLayout& layout = store.layout();
-  MapSample sample;
-  sample.frame = {.size = layout.map, .spacing_mm = spacing_mm, .first_x_mm = 0, .first_y_mm = 0};
-  std::vector<char> wanted(static_cast<std::size_t>(layout.map.rows), 0);
+  const GridFrame frame{
+      .size = layout.map, .spacing_mm = spacing_mm, .first_x_mm = 0, .first_y_mm = 0};
   for (const RowRange& range : rowsOfSamples(layout.map)) {
-    const auto first = wanted.begin() + std::max(range.first, 0);
-    const auto end = wanted.begin() + std::min(range.end, layout.map.rows);
-    std::fill(first, end, char{1});
-  }
-  for (int tile = 0; tile < layout.count(); ++tile) {
-    task.check();
-    const Cell corner = layout.firstCell(tile);
-    const auto first = wanted.begin() + corner.row;
-    if (std::find(first, first + layout.sizeOf(tile).rows, char{1}) ==
-        first + layout.sizeOf(tile).rows) {
-      continue;
+    const RowRange rows{.first = std::max(range.first, 0),
+                        .end = std::min(range.end, layout.map.rows)};
+    Scan scan;
+    scan.points.reserve(pointsInRows(store, rows));
+    for (int tile = rows.first / kTileSide * layout.across();
+         tile < ((rows.end - 1) / kTileSide + 1) * layout.across(); ++tile) {
+      task.check();
+      const Cell corner = layout.firstCell(tile);
+      const GridSize size = layout.sizeOf(tile);
+      const auto is_wanted = [&](int row) { return row >= rows.first && row < rows.end; };
+      placeTile(
+          store.points(tile, {.first = rows.first - corner.row, .end = rows.end - corner.row}),
+          size, corner, frame, scan, is_wanted);
     }
-    placeTile(store.points(tile), layout.sizeOf(tile), corner, sample.frame, sample.scan,
-              [&](int row) { return wanted[static_cast<std::size_t>(row)] != 0; });
+    const DepthRequest request{.scan = scan, .view_from_file = {}, .frame = frame};
+    take(sampleOf(CellPoints(request, std::array{range}, task), range, frame));
   }
-  return sample;
 }
 
 void sum(const std::vector<TileLosses>& tiles, DepthRows& out) {
@@ -358,38 +409,47 @@ IntensityCounts scatterValues(const ValueSource& source, const ViewFromFile& vie
 }
 
 RuleProposal proposeRule(const TileStore& store, double spacing_mm, const Task& task) {
-  return proposeRule(sampledRows(store, spacing_mm, task).request(), task);
+  SampleCounts found;
+  forSamples(store, spacing_mm, task,
+             [&](const RowSample& sample) { found.add(sample, spacing_mm); });
+  return proposeRule(found);
 }
 
 double pointNoise(const TileStore& store, double spacing_mm, const Task& task) {
-  return pointNoise(sampledRows(store, spacing_mm, task).request(), task);
+  std::vector<double> noises;
+  forSamples(store, spacing_mm, task,
+             [&](const RowSample& sample) { noises.push_back(noiseOf(sample, spacing_mm)); });
+  return middleNoise(std::move(noises));
 }
 
 void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const TakeDepths& take,
-                const Task& task) {
+                const Task& task, const GriddingRoom& room) {
   const TileLayout& layout = store.layout();
-  const bool quadratic = rule == PointRule::quadratic;
-  const Gridding gridding{.layout = layout,
-                          .rule = rule,
-                          .spacing_mm = spacing_mm,
-                          .noise_mm = quadratic ? pointNoise(store, spacing_mm, task) : 0};
-  SortedTiles sorted(store);
+  const int workers = room.workers > 0 ? room.workers : store.threads();
+  const Gridding gridding{
+      .store = store,
+      .layout = layout,
+      .rule = rule,
+      .spacing_mm = spacing_mm,
+      .noise_mm = rule == PointRule::quadratic ? pointNoise(store, spacing_mm, task) : 0,
+      .points_at_once = room.points_at_once};
+  TileEdges edges(store);
   DepthRows band;
   std::vector<TileLosses> losses(static_cast<std::size_t>(layout.across()));
   for (int y = 0; y < layout.down(); ++y) {
     task.check();
     task.report("Heights of cells", static_cast<double>(y) / layout.down());
-    if (!store.merges()) sorted.centre(y);
+    if (!store.merges()) edges.centre(y, workers);
     band.first_row = y * kTileSide;
     band.rows = layout.sizeOf(y * layout.across()).rows;
     const GridSize size{.cols = layout.map.cols, .rows = band.rows};
     band.front.resize(size.count());
-    if (quadratic || rule == PointRule::splat) band.between.resize(size.count());
+    if (looksAround(rule)) band.between.resize(size.count());
     if (!store.merges()) {
       band.steep.resize(size.count());
       band.points.resize(size.count());
     }
-    inParts(0, static_cast<std::uint64_t>(layout.across()), store.threads(),
+    inParts(0, static_cast<std::uint64_t>(layout.across()), workers,
             [&](int, std::uint64_t first, std::uint64_t end) {
               for (int x = static_cast<int>(first); x < static_cast<int>(end); ++x) {
                 task.check();
@@ -397,7 +457,7 @@ void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const
                 if (store.merges()) {
                   depthsFromStates(gridding, store, tile, band);
                 } else {
-                  losses[static_cast<std::size_t>(x)] = depthsByRule(gridding, sorted, tile, band);
+                  losses[static_cast<std::size_t>(x)] = depthsByRule(gridding, edges, tile, band);
                 }
               }
             });

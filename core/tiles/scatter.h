@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -74,10 +75,13 @@ inline HiddenSurface operator+(const HiddenSurface& a, const HiddenSurface& b) {
 /// states. [worker]
 /// @throw Cancelled, WriteError
 using TakeDepths = std::function<void(const DepthRows& rows)>;
+/// How much is worked on at once; the depths are the same for any.
+struct GriddingRoom {
+  int workers = 0;  ///< 0: as many as the store's threads.
+  /// Each looks at no more points of a tile than that, if rows can be cut so (RowCuts).
+  std::size_t points_at_once = std::numeric_limits<std::size_t>::max();
+};
 void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const TakeDepths& take,
-                const Task& task);
-
-/// Cells; no rule looks farther.
-inline constexpr int kRuleReach = 8;
+                const Task& task, const GriddingRoom& room = {});
 
 }  // namespace relievo

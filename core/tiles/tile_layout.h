@@ -29,6 +29,12 @@ struct TileLayout {
     return {.cols = std::min(kTileSide, map.cols - first.col),
             .rows = std::min(kTileSide, map.rows - first.row)};
   }
+  /// Is a cell of a tile, counted row by row, within so many cells of the tile's edge?
+  bool isAtEdge(int tile, int cell, int cells) const noexcept {
+    const GridSize size = sizeOf(tile);
+    const int col = cell % size.cols, row = cell / size.cols;
+    return col < cells || row < cells || col >= size.cols - cells || row >= size.rows - cells;
+  }
 };
 
 /// A point in its tile: the cell (row by row in sizeOf(tile)), its place from the cell's sample in

@@ -16,7 +16,8 @@
 namespace relievo {
 namespace {
 
-constexpr double kSpillDownTo = 0.75;  // Of the budget: many tiles at once, in long runs.
+constexpr double kSpillDownTo = 0.75;            // Of the budget: many tiles at once, in long runs.
+constexpr std::size_t kPiecePoints = 1U << 16U;  // Of a tile, that are in memory once more.
 
 template <class T>
 std::span<const std::byte> bytesOf(const std::vector<T>& values) {
@@ -142,23 +143,21 @@ void TileStoreOf<Point>::makeRoom(std::size_t needed) {
 }
 
 template <class Point>
-std::size_t TileStoreOf<Point>::bytesOfRows(int rows) const {
-  std::vector<std::size_t> points(static_cast<std::size_t>(layout_.down()), 0);
-  for (std::size_t i = 0; i < tiles_.size(); ++i) {
-    std::size_t& row = points[i / static_cast<std::size_t>(layout_.across())];
-    row += tiles_[i].points;
-    for (const Run& run : tiles_[i].runs) row += run.states ? 0 : run.count;
-  }
-  std::size_t most = 0;
-  for (std::size_t first = 0; first < points.size(); ++first) {
-    std::size_t sum = 0;
-    for (std::size_t row = first;
-         row < points.size() && row < first + static_cast<std::size_t>(rows); ++row) {
-      sum += points[row];
-    }
-    most = std::max(most, sum);
-  }
-  return most * sizeof(CellPoint);
+std::size_t TileStoreOf<Point>::pointsIn(int tile_number) const noexcept {
+  const Tile& tile = tiles_[static_cast<std::size_t>(tile_number)];
+  std::size_t points = tile.points;
+  for (const Run& run : tile.runs) points += run.states ? 0 : run.count;
+  return points;
+}
+
+template <class Point>
+std::size_t TileStoreOf<Point>::edgePointsIn(int tile) const noexcept {
+  return tiles_[static_cast<std::size_t>(tile)].at_edge;
+}
+
+template <class Point>
+bool TileStoreOf<Point>::isAtEdge(int tile, std::uint16_t cell) const noexcept {
+  return layout_.isAtEdge(tile, cell, options_.edge_cells);
 }
 
 template <class Point>
@@ -230,6 +229,10 @@ void TileStoreOf<Point>::take(const Share& share) {
     (*tile.blocks[tile.points / kBlockPoints])[tile.points % kBlockPoints] = point.point;
     ++tile.points;
   }
+  if constexpr (!std::is_same_v<Point, CellPoint>) return;  // Nobody asks for their edges.
+  for (const Placed& point : share.points) {
+    tile.at_edge += isAtEdge(static_cast<int>(share.tile), point.point.cell) ? 1 : 0;
+  }
 }
 
 template <class Point>
@@ -241,13 +244,16 @@ void TileStoreOf<Point>::spill(Tile& tile) {
 
 template <class Point>
 void TileStoreOf<Point>::spillPoints(Tile& tile) {
-  std::vector<Point> points(tile.points);
+  Run run{.at = spill_.size(), .count = static_cast<std::uint32_t>(tile.points), .states = false};
+  std::vector<Point> points;  // A piece: the whole tile may be much of the budget.
+  points.reserve(std::min(tile.points, kPiecePoints));
   for (std::size_t i = 0; i < tile.points; ++i) {
-    points[i] = (*tile.blocks[i / kBlockPoints])[i % kBlockPoints];
+    points.push_back((*tile.blocks[i / kBlockPoints])[i % kBlockPoints]);
+    if (points.size() < kPiecePoints && i + 1 < tile.points) continue;
+    spill_.append(bytesOf(points));
+    points.clear();
   }
-  tile.runs.push_back({.at = spill_.append(bytesOf(points)),
-                       .count = static_cast<std::uint32_t>(points.size()),
-                       .states = false});
+  tile.runs.push_back(run);
 }
 
 template <class Point>
@@ -271,9 +277,12 @@ void TileStoreOf<Point>::mergeRun(const Run& run, std::vector<CellState>& states
     spill_.read(run.at, std::as_writable_bytes(std::span(stored)));
     for (const StoredState& s : stored) states[s.cell].merge(s.state);
   } else {
-    std::vector<Point> stored(run.count);
-    spill_.read(run.at, std::as_writable_bytes(std::span(stored)));
-    for (const Point& p : stored) mergeInto(states, p);
+    std::vector<Point> stored;
+    for (std::size_t done = 0; done < run.count; done += stored.size()) {
+      stored.resize(std::min(run.count - done, kPiecePoints));
+      spill_.read(run.at + done * sizeof(Point), std::as_writable_bytes(std::span(stored)));
+      for (const Point& p : stored) mergeInto(states, p);
+    }
   }
 }
 
@@ -288,26 +297,65 @@ std::vector<CellState> TileStoreOf<Point>::states(int tile_number) const {
 }
 
 template <class Point>
-std::vector<Point> TileStoreOf<Point>::points(int tile_number) const {
+void TileStoreOf<Point>::forEachPiece(
+    int tile_number, const std::function<void(std::span<const Point>)>& take) const {
   assert(!options_.merges);
   const Tile& tile = tiles_[static_cast<std::size_t>(tile_number)];
-  std::vector<Point> points;
-  std::size_t count = tile.points;
-  for (const Run& run : tile.runs) count += run.count;
-  points.reserve(count);  // Grown step by step it would take up to twice the room.
+  std::vector<Point> piece;
   for (const Run& run : tile.runs) {
-    const std::size_t start = points.size();
-    points.resize(start + run.count);
-    spill_.read(run.at, std::as_writable_bytes(std::span(points).subspan(start)));
+    for (std::size_t done = 0; done < run.count; done += piece.size()) {
+      piece.resize(std::min(run.count - done, kPiecePoints));
+      spill_.read(run.at + done * sizeof(Point), std::as_writable_bytes(std::span(piece)));
+      take(piece);
+    }
   }
-  for (std::size_t i = 0; i < tile.points; ++i) {
-    points.push_back((*tile.blocks[i / kBlockPoints])[i % kBlockPoints]);
+  for (std::size_t i = 0; i < tile.points; i += kBlockPoints) {
+    take(std::span(*tile.blocks[i / kBlockPoints]).first(std::min(tile.points - i, kBlockPoints)));
   }
+}
+
+template <class Point>
+template <class Wanted>
+std::vector<Point> TileStoreOf<Point>::pointsOf(int tile, std::size_t count,
+                                                const Wanted& wanted) const {
+  std::vector<Point> points;
+  points.reserve(count);  // Grown step by step it would take up to twice the room.
+  forEachPiece(tile, [&](std::span<const Point> piece) {
+    for (const Point& p : piece) {
+      if (wanted(p.cell)) points.push_back(p);
+    }
+  });
   if constexpr (std::is_same_v<Point, CellPoint>) {
     std::sort(points.begin(), points.end(),
               [](const Point& a, const Point& b) { return comesBefore(a, b); });
   }
   return points;
+}
+
+template <class Point>
+std::vector<Point> TileStoreOf<Point>::points(int tile) const {
+  return pointsOf(tile, pointsIn(tile), [](std::uint16_t) { return true; });
+}
+
+template <class Point>
+std::vector<Point> TileStoreOf<Point>::points(int tile, RowRange rows) const {
+  const GridSize size = layout_.sizeOf(tile);
+  const int first = std::max(rows.first, 0), end = std::min(rows.end, size.rows);
+  if (first == 0 && end == size.rows) return points(tile);
+  const auto low = static_cast<unsigned>(first * size.cols);
+  const auto cells = static_cast<unsigned>(std::max(end - first, 0) * size.cols);
+  const auto is_wanted = [low, cells](std::uint16_t cell) { return cell - low < cells; };
+  std::size_t count = 0;
+  forEachPiece(tile, [&](std::span<const Point> piece) {
+    for (const Point& p : piece) count += is_wanted(p.cell) ? 1 : 0;
+  });
+  return pointsOf(tile, count, is_wanted);
+}
+
+template <class Point>
+std::vector<Point> TileStoreOf<Point>::edgePoints(int tile) const {
+  return pointsOf(tile, edgePointsIn(tile),
+                  [this, tile](std::uint16_t cell) { return isAtEdge(tile, cell); });
 }
 
 template class TileStoreOf<CellPoint>;

@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "core/base/grid.h"
+#include "core/depth/rules/cell_points.h"
 #include "core/tiles/cell_state.h"
 #include "core/tiles/spill_file.h"
 #include "core/tiles/tile_layout.h"
@@ -22,6 +24,7 @@ struct TileStoreOptions {
   std::size_t memory_bytes = std::size_t{512} << 20U;  ///< For points and states.
   std::filesystem::path spill_folder = ".";
   double sum_unit_mm = 1.0 / (1 << 20);  ///< A power of two; see sumUnit.
+  int edge_cells = 8;                    ///< So near to a tile's edge points are edgePoints.
   int threads = 0;                       ///< 0: as many as there are usable cores.
 };
 
@@ -57,12 +60,20 @@ class TileStoreOf {
   /// The state of every cell of a tile. [any thread, after the last add] @throw WriteError
   std::vector<CellState> states(int tile) const;
 
-  /// All points of a tile, CellPoints in the order of comesBefore, others in any. Only if the store
-  /// does not merge. [any thread, after the last add] @throw WriteError
+  /// Points of some rows of a tile, counted in the tile, CellPoints in the order of comesBefore,
+  /// others in any; room is made for these alone. Only if the store does not merge. [any thread,
+  /// after the last add] @throw WriteError
+  std::vector<Point> points(int tile, RowRange rows) const;
   std::vector<Point> points(int tile) const;
+  /// Likewise those within `edge_cells` of the tile's edge.
+  std::vector<Point> edgePoints(int tile) const;
 
-  /// Bytes of the points of the fullest `rows` rows of tiles that follow each other. [owner]
-  std::size_t bytesOfRows(int rows) const;
+  /// Gives them piece by piece, in any order, and needs memory for one piece. Likewise.
+  void forEachPiece(int tile, const std::function<void(std::span<const Point>)>& take) const;
+
+  std::size_t pointsIn(int tile) const noexcept;
+  /// Of these, the ones within `edge_cells` of the tile's edge.
+  std::size_t edgePointsIn(int tile) const noexcept;
 
   /// Gives memory back: from now on at most `bytes` are kept, the rest goes to the spill file. To
   /// be asked after the last add. [owner] @throw WriteError
@@ -90,12 +101,16 @@ class TileStoreOf {
     std::vector<CellState> states;  ///< Empty until the tile merges.
     std::vector<Run> runs;
     std::uint64_t touched = 0;  ///< Number of the last add.
+    std::size_t at_edge = 0;    ///< Of all points, runs and blocks.
   };
   struct Share {  ///< Of an add: points of one tile, contiguous after sorting.
     std::uint32_t tile = 0;
     std::span<const Placed> points;
   };
 
+  bool isAtEdge(int tile, std::uint16_t cell) const noexcept;
+  template <class Wanted>
+  std::vector<Point> pointsOf(int tile, std::size_t count, const Wanted& wanted) const;
   std::vector<Share> sortByTile(std::span<const Placed> points);
   std::size_t bytesNeeded(const std::vector<Share>& shares) const;
   void makeRoom(std::size_t needed);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "core/base/bands.h"
 #include "core/depth/layers/flyers.h"
@@ -30,33 +31,6 @@ bool hasPointAround(const RowPoints& rows, int col, int row) {
   return false;
 }
 
-struct Statistics {
-  std::size_t points = 0;
-  std::size_t inside = 0;  ///< Cells with a point in the 3 x 3 around: the object, gaps included.
-  std::size_t occupied = 0, layered = 0, off_samples = 0;
-
-  void add(const RowPoints& rows, int first_row, int end_row, double spacing_mm) {
-    const auto apart = static_cast<float>(kOtherLayerCells * spacing_mm);
-    for (int row = first_row; row < end_row; ++row) {
-      for (int col = 0; col < rows.cols; ++col) {
-        const CellSpan cell = rows.of(col, col + 1, row);
-        inside += hasPointAround(rows, col, row) ? 1 : 0;
-        if (cell.empty()) continue;
-        const auto [low, high] = std::minmax_element(
-            cell.begin(), cell.end(),
-            [](const PlacedPoint& a, const PlacedPoint& b) { return a.z < b.z; });
-        points += cell.size();
-        ++occupied;
-        layered += high->z - low->z > apart ? 1 : 0;
-        off_samples += std::max(std::abs(cell[0].du), std::abs(cell[0].dv)) > kOnSample ? 1 : 0;
-      }
-    }
-  }
-  double pointsPerCell() const {
-    return inside == 0 ? 0 : static_cast<double>(points) / static_cast<double>(inside);
-  }
-};
-
 /// Rows that are looked at before the rule is known: all of a small grid, else every n-th unit.
 std::vector<RowRange> sampledRows(GridSize size) {
   const int rows_at_once = rowsAtOnce(size);
@@ -72,13 +46,36 @@ std::vector<RowRange> sampledRows(GridSize size) {
   return ranges;
 }
 
-std::string pointsPerCell(const Statistics& found) {
+std::string densityWords(const SampleCounts& found) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.1f points per cell", found.pointsPerCell());
   return text.data();
 }
 
 }  // namespace
+
+void SampleCounts::add(const RowSample& sample, double spacing_mm) {
+  const auto& [range, rows] = sample;
+  const auto apart = static_cast<float>(kOtherLayerCells * spacing_mm);
+  for (int row = range.first; row < range.end; ++row) {
+    for (int col = 0; col < rows.cols; ++col) {
+      const CellSpan cell = rows.of(col, col + 1, row);
+      inside += hasPointAround(rows, col, row) ? 1 : 0;
+      if (cell.empty()) continue;
+      const auto [low, high] =
+          std::minmax_element(cell.begin(), cell.end(),
+                              [](const PlacedPoint& a, const PlacedPoint& b) { return a.z < b.z; });
+      points += cell.size();
+      ++occupied;
+      layered += high->z - low->z > apart ? 1 : 0;
+      off_samples += std::max(std::abs(cell[0].du), std::abs(cell[0].dv)) > kOnSample ? 1 : 0;
+    }
+  }
+}
+
+double SampleCounts::pointsPerCell() const noexcept {
+  return inside == 0 ? 0 : static_cast<double>(points) / static_cast<double>(inside);
+}
 
 int rowsAtOnce(GridSize size) {
   return std::clamp(131'072 / std::max(size.cols, 1), 16, 64);
@@ -97,22 +94,32 @@ std::vector<RowSample> samplesOf(const CellPoints& points, const GridFrame& fram
   inBands(static_cast<int>(samples.size()), threads, [&](int first, int end) {
     for (int k = first; k < end; ++k) {
       task.check();
-      auto& [range, rows] = samples[static_cast<std::size_t>(k)];
-      points.rows(range.first - kSampleHalo, range.end + kSampleHalo, rows);
-      dropFlyers(rows, frame.spacing_mm, {});
+      RowSample& sample = samples[static_cast<std::size_t>(k)];
+      sample = sampleOf(points, widened(sample.range, kSampleHalo), frame);
     }
   });
   return samples;
 }
 
+RowSample sampleOf(const CellPoints& points, RowRange range, const GridFrame& frame) {
+  RowSample sample{.range = widened(range, -kSampleHalo), .rows = {}};
+  points.rows(range.first, range.end, sample.rows);
+  dropFlyers(sample.rows, frame.spacing_mm, {});
+  return sample;
+}
+
 RuleProposal proposeRule(const std::vector<RowSample>& samples, const GridFrame& frame,
                          const Task& task) {
-  Statistics found;
-  for (const auto& [range, rows] : samples) {
+  SampleCounts found;
+  for (const RowSample& sample : samples) {
     task.check();
-    found.add(rows, range.first, range.end, frame.spacing_mm);
+    found.add(sample, frame.spacing_mm);
   }
-  RuleProposal proposal{.rule = PointRule::front, .reason = pointsPerCell(found)};
+  return proposeRule(found);
+}
+
+RuleProposal proposeRule(const SampleCounts& found) {
+  RuleProposal proposal{.rule = PointRule::front, .reason = densityWords(found)};
   if (found.occupied == 0) return proposal;
   const auto cells = static_cast<double>(found.occupied);
   const double density = found.pointsPerCell();
@@ -134,10 +141,18 @@ double pointNoise(const std::vector<RowSample>& samples, const GridFrame& frame,
   inBands(static_cast<int>(samples.size()), threads, [&](int first, int end) {
     for (int k = first; k < end; ++k) {
       task.check();
-      const auto& [range, rows] = samples[static_cast<std::size_t>(k)];
-      noises[static_cast<std::size_t>(k)] = noiseOf(rows, range.first, range.end, frame.spacing_mm);
+      const auto i = static_cast<std::size_t>(k);
+      noises[i] = noiseOf(samples[i], frame.spacing_mm);
     }
   });
+  return middleNoise(std::move(noises));
+}
+
+double noiseOf(const RowSample& sample, double spacing_mm) {
+  return noiseOf(sample.rows, sample.range.first, sample.range.end, spacing_mm);
+}
+
+double middleNoise(std::vector<double> noises) {
   std::sort(noises.begin(), noises.end());
   return noises.empty() ? 0 : noises[noises.size() / 2];
 }

@@ -401,18 +401,24 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
                                       .memory_bytes = plan.points_bytes,
                                       .spill_folder = spillFolder(large),
                                       .sum_unit_mm = sumUnit(stream.info().points, placed.range_mm),
+                                      .edge_cells = kRuleReach,
                                       .threads = large.threads});
   const FrontSurface* front = placed.front ? &*placed.front : nullptr;
   const LeftOut left_out = scatterIntoTiles(placed.points.source, placed.view_from_file,
                                             placed.frame, store, task, front);
+  if (!options.rule) {
+    store.keepWithin(samplingBytes(plan, placed.frame, large, samplePoints(store)));
+  }
   const RuleProposal rule = options.rule
                                 ? RuleProposal{.rule = *options.rule, .reason = "as chosen"}
                                 : proposeRule(store, placed.frame.spacing_mm, task);
   sayRule(map, rule, store.merges());
+  GriddingRoom room;
   if (!store.merges()) {
-    store.keepWithin(
-        storeBytes(plan, placed.frame, large, store.bytesOfRows(3),
-                   store.bytesOfRows(1) / static_cast<std::size_t>(store.layout().across())));
+    const GriddingMemory memory = griddingMemory(
+        plan, placed.frame, large, griddingNeeds(store, rule.rule, amplePoints(plan)));
+    store.keepWithin(memory.store_bytes);
+    room = memory.room;
   }
   map.spilled_bytes = store.spilledBytes();
   // The store has its memory; depths go to the disk.
@@ -440,7 +446,7 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
         depths->flyers += rows.flyers;
         depths->steep.setRows(rows.first_row, rows.steep);
       },
-      task);
+      task, room);
   depths->left_out = left_out;
   depths->flyers += left_out.strays;
   // Where points are merged as they come, what is behind was never put in.

@@ -97,15 +97,63 @@ void requireDisk(const GridFrame& frame, const std::filesystem::path& folder, st
                                         megabytes(*free_bytes));
 }
 
-std::size_t storeBytes(const MemoryPlan& plan, const GridFrame& frame, const LargeMapOptions& large,
-                       std::size_t rows_bytes, std::size_t tile_bytes) {
-  // Of a tile's 16 bytes a point the rules make places, order and neighbours: thrice as much
-  // (measured: 2.7).
-  const auto threads = static_cast<std::uint64_t>(plan.threads);
-  const std::uint64_t work = rows_bytes + 3 * threads * tile_bytes;
+namespace {
+
+// Of 16 bytes a point in a tile the rules make places, order and neighbours: thrice as much
+// (measured: 2.7).
+constexpr std::uint64_t kWorkBytes = 3 * sizeof(CellPoint);
+// What a tile's cells take beside their points: depths, counts, spreads, places of rows.
+constexpr std::uint64_t kTileBytes = 4 * kMegabyte;
+
+}  // namespace
+
+std::size_t amplePoints(const MemoryPlan& plan) noexcept {
+  return plan.gridding_bytes / 4 / static_cast<std::uint64_t>(plan.threads) / kWorkBytes;
+}
+
+std::size_t samplingBytes(const MemoryPlan& plan, const GridFrame& frame,
+                          const LargeMapOptions& large, std::size_t points) {
+  const std::uint64_t work = kWorkBytes * points;
   const std::uint64_t least = TileStore::leastMemoryBytes(frame.size);
   if (work + least > plan.gridding_bytes) refuse(frame, large, plan.held_bytes + work + least);
   return static_cast<std::size_t>(plan.gridding_bytes - work);
+}
+
+GriddingMemory griddingMemory(const MemoryPlan& plan, const GridFrame& frame,
+                              const LargeMapOptions& large, const GriddingNeeds& needs) {
+  const std::uint64_t least = TileStore::leastMemoryBytes(frame.size);
+  const std::uint64_t edges = sizeof(CellPoint) * needs.edge_points;
+  const auto needed = [&](int workers, std::size_t at_once) {
+    return edges + static_cast<std::uint64_t>(workers) *
+                       (kTileBytes + kWorkBytes * (at_once + needs.around));
+  };
+  const std::uint64_t sampling = kWorkBytes * needs.sample_points;
+  const auto fits = [&](int workers, std::size_t at_once) {
+    return std::max(needed(workers, at_once), sampling) + least <= plan.gridding_bytes;
+  };
+  // Every part of a tile reads through the whole of it, so that fewer threads are better than more
+  // than some parts.
+  constexpr std::size_t kFewParts = 6;
+  const std::size_t wanted = std::max(needs.least_at_once, needs.at_once / kFewParts);
+  int workers = plan.threads;
+  while (workers > 1 && !fits(workers, wanted)) --workers;
+  const std::size_t least_here = fits(workers, wanted) ? wanted : needs.least_at_once;
+  if (!fits(workers, least_here)) {
+    const std::uint64_t work = std::max(needed(workers, least_here), sampling);
+    refuse(frame, large, plan.held_bytes + work + least);
+  }
+  // As much more as there is room for, but for what the store has use for.
+  const std::uint64_t room =
+      plan.gridding_bytes - (least_here < wanted ? least : plan.gridding_bytes / 4);
+  std::size_t at_once = least_here;
+  if (needed(workers, at_once) < room) {
+    const std::uint64_t left = (room - needed(workers, at_once)) / kWorkBytes;
+    at_once += static_cast<std::size_t>(left / static_cast<unsigned>(workers));
+  }
+  at_once = std::max(std::min(at_once, needs.at_once), least_here);
+  const std::uint64_t work = std::max(needed(workers, at_once), sampling);
+  return {.store_bytes = static_cast<std::size_t>(plan.gridding_bytes - work),
+          .room = {.workers = workers, .points_at_once = at_once}};
 }
 
 }  // namespace relievo

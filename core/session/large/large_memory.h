@@ -10,6 +10,8 @@
 
 #include "core/base/grid.h"
 #include "core/session/large/large_map.h"
+#include "core/tiles/scatter.h"
+#include "core/tiles/tile_rows.h"
 
 namespace relievo {
 
@@ -25,13 +27,26 @@ struct MemoryPlan {
   std::uint64_t colours_need = 0;  ///< Memory that a map with colours needs in all.
 };
 
-/// What of `plan.gridding_bytes` is left for the store while heights are made, once it is known
-/// where the points lie: three rows of tiles are in memory, sorted, and each thread has the points
-/// of the tile it works on.
-/// @param rows_bytes  of the fullest three rows, @param tile_bytes  about, of one tile
+/// Where heights are made: what of `plan.gridding_bytes` is left for the store beside the points
+/// that are worked on, and how many of these there may be.
+struct GriddingMemory {
+  std::size_t store_bytes = 0;
+  GriddingRoom room;
+};
+/// To be asked when it is known where the points lie. Where they lie so dense that not every thread
+/// has room for a tile of them, tiles are cut, and fewer work at last.
 /// @throw ArgumentError  E102, with what would do
-std::size_t storeBytes(const MemoryPlan& plan, const GridFrame& frame, const LargeMapOptions& large,
-                       std::size_t rows_bytes, std::size_t tile_bytes);
+GriddingMemory griddingMemory(const MemoryPlan& plan, const GridFrame& frame,
+                              const LargeMapOptions& large, const GriddingNeeds& needs);
+
+/// What is left for the store while so many points are looked at to choose a rule.
+/// @throw ArgumentError  E102, with what would do
+std::size_t samplingBytes(const MemoryPlan& plan, const GridFrame& frame,
+                          const LargeMapOptions& large, std::size_t points);
+
+/// Points of a tile that each thread can be given beside much of the store: as `ample` of
+/// griddingNeeds.
+std::size_t amplePoints(const MemoryPlan& plan) noexcept;
 
 /// To be asked before the work. Where `large.threads` leaves it open, as many work as the budget
 /// has room for.

@@ -138,9 +138,9 @@ void BandColours::add(const float* heights_mm, const Origin* origins, const Task
 
 namespace {
 
-/// Adds a tile's points that lie in the layer of their cell.
+/// Adds some of a tile's points that lie in the layer of their cell.
 template <template <std::size_t> class CellSums>
-void sumTile(const std::vector<ValuePoint>& points, const TilePlace& place,
+void sumTile(std::span<const ValuePoint> points, const TilePlace& place,
              const std::vector<float>& heights_mm, const std::vector<Origin>& origins,
              double spacing_mm, const IntensityStretch& stretch, TileSums<CellSums>& sums) {
   const Transfer& transfer = sRgb();
@@ -174,7 +174,9 @@ void BandColours::makeBand(const Task& task) {
     TileSums<CellSums> sums;
     if (colours_) sums.colours.resize(place.tile.count());
     if (intensities_) sums.intensities.resize(place.tile.count());
-    sumTile(store_.points(tile), place, heights_mm_, origins_, frame_.spacing_mm, stretch_, sums);
+    store_.forEachPiece(tile, [&](std::span<const ValuePoint> points) {
+      sumTile(points, place, heights_mm_, origins_, frame_.spacing_mm, stretch_, sums);
+    });
     if (colours_) {
       placePixels<3>(sums.colours, place, origins_, colours_->transfer, colours_->made);
     }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/tiles/scatter.h"
+#include "core/tiles/tile_rows.h"
 #include "tests/core/scan_fixtures.h"
 #include "tests/core/tiles/tile_fixtures.h"
 
@@ -36,10 +37,15 @@ struct How {
   PointRule rule;
   std::size_t memory_bytes = std::size_t{256} << 20U;
   int threads = 2;
+  GriddingRoom room = {};
 };
 
 struct Gridded {
   FrontDepths depths, between;
+  std::vector<float> points;
+  std::vector<std::uint8_t> steep;
+  HiddenSurface hidden;
+  std::size_t flyers = 0;
   std::uint64_t spilled_bytes = 0;
 };
 
@@ -49,6 +55,7 @@ Gridded grid(const std::vector<FilePoint>& points, const How& how) {
                                 .memory_bytes = how.memory_bytes,
                                 .spill_folder = folder.path(),
                                 .sum_unit_mm = sumUnit(points.size(), 21),
+                                .edge_cells = kRuleReach,
                                 .threads = how.threads});
   scatterIntoTiles(test::sourceOf(points), {}, kFrame, store, {});
   Gridded result;
@@ -58,8 +65,12 @@ Gridded grid(const std::vector<FilePoint>& points, const How& how) {
         EXPECT_EQ(kFrame.size.index({.col = 0, .row = rows.first_row}), result.depths.size());
         result.depths.insert(result.depths.end(), rows.front.begin(), rows.front.end());
         result.between.insert(result.between.end(), rows.between.begin(), rows.between.end());
+        result.points.insert(result.points.end(), rows.points.begin(), rows.points.end());
+        result.steep.insert(result.steep.end(), rows.steep.begin(), rows.steep.end());
+        result.hidden = result.hidden + rows.hidden.value_or(HiddenSurface{});
+        result.flyers += rows.flyers;
       },
-      {});
+      {}, how.room);
   result.spilled_bytes = store.spilledBytes();
   EXPECT_LE(store.residentBytes(), how.memory_bytes);
   return result;
@@ -87,6 +98,67 @@ TEST(TileStore, GivesTheSameBytesForEveryOrderBudgetAndNumberOfThreads) {
     std::sort(points.begin(), points.end(),
               [](const FilePoint& a, const FilePoint& b) { return a.y < b.y; });
     expectSameBytes(all, grid(points, {.rule = rule, .memory_bytes = 2'000'000}));
+  }
+}
+
+TEST(TileStore, GivesTheSameBytesHoweverTilesAreCut) {
+  // Layers, walls and flyers, and rules that share sums between rows.
+  std::vector<FilePoint> points = randomPoints(350'000);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].z = std::floor(4096 * (5 + 3 * std::sin(points[i].x / 3))) / 4096;
+    if (i % 5 == 0) points[i].z -= 9;
+    if (i % 10'000 == 1) points[i].z += 60;
+  }
+  for (const PointRule rule : {PointRule::median, PointRule::top_mean, PointRule::lowest,
+                               PointRule::splat, PointRule::quadratic}) {
+    SCOPED_TRACE(describe(rule));
+    const Gridded whole = grid(points, {.rule = rule, .threads = 1});
+    EXPECT_GT(whole.flyers, 0U);
+    EXPECT_TRUE(rule == PointRule::lowest || whole.hidden.hidden > 0);
+    // A single row at once takes its time: for one rule that may be cut anywhere, and one that not.
+    const bool finest = rule == PointRule::median || rule == PointRule::splat;
+    for (const std::size_t at_once : {finest ? std::size_t{1} : 30'000, std::size_t{45'000}}) {
+      const Gridded cut = grid(points, {.rule = rule,
+                                        .memory_bytes = 4'000'000,
+                                        .room = {.workers = 2, .points_at_once = at_once}});
+      expectSameBytes(whole, cut);
+      ASSERT_EQ(cut.between.size(), whole.between.size());
+      const std::size_t between = 4 * whole.between.size();  // NaN is no number's equal.
+      EXPECT_EQ(std::memcmp(whole.between.data(), cut.between.data(), between), 0) << at_once;
+      EXPECT_EQ(cut.points, whole.points);
+      EXPECT_EQ(cut.steep, whole.steep);
+      EXPECT_EQ(cut.flyers, whole.flyers);
+      EXPECT_EQ(cut.hidden.hidden, whole.hidden.hidden);
+      EXPECT_EQ(cut.hidden.all, whole.hidden.all);
+      EXPECT_EQ(cut.hidden.cells_in_layers, whole.hidden.cells_in_layers);
+    }
+  }
+}
+
+TEST(TileStore, CutsRowsSoThatNoPartLooksAtMoreThanItMay) {
+  std::vector<std::size_t> rows(256, 10);
+  rows[100] = 5000;
+  EXPECT_EQ(rowsWithin(rows, {.reach = 8}, 10'000).size(), 1U);
+  const RowCuts alone{.reach = 8};
+  const std::size_t least = leastAtOnce(rows, alone);
+  EXPECT_EQ(least, 5000U + 16 * 10);
+  for (const std::size_t most : {least, least + 500, std::size_t{200}}) {
+    int next = 0;
+    for (const RowRange part : rowsWithin(rows, alone, most)) {
+      EXPECT_EQ(part.first, next);
+      EXPECT_GT(part.end, part.first);
+      std::size_t seen = 0;
+      for (int r = std::max(part.first - 8, 0); r < std::min(part.end + 8, 256); ++r) {
+        seen += rows[static_cast<std::size_t>(r)];
+      }
+      EXPECT_TRUE(seen <= most || part.end - part.first == 1) << part.first;
+      next = part.end;
+    }
+    EXPECT_EQ(next, 256);
+  }
+  for (const RowRange part : rowsWithin(rows, {.reach = 8, .step = 64, .first_step = 56}, 0)) {
+    EXPECT_TRUE(part.first == 0 || (part.first - 56) % 64 == 0);
+    EXPECT_TRUE(part.end == 256 || (part.end - 56) % 64 == 0);
   }
 }
 

@@ -62,6 +62,30 @@ TEST(LargeMemory, WhatTheInputHoldsIsOfThoseThatWork) {
   EXPECT_THROW(planMemory(kMap, large, [](int) { return std::uint64_t{1}; }), ArgumentError);
 }
 
+TEST(LargeMemory, TilesAreCutBeforeFewerWorkAndFewerWorkBeforeItIsRefused) {
+  LargeMapOptions large;
+  large.memory_bytes = 2'000'000'000;
+  const MemoryPlan plan{.threads = 4, .held_bytes = 0, .gridding_bytes = 2'000'000'000};
+  GridFrame frame = kMap;
+  frame.size = {.cols = 1024, .rows = 1024};
+  const auto worked = [&](std::size_t at_once, std::size_t least) {
+    return griddingMemory(plan, frame, large, {.at_once = at_once, .least_at_once = least});
+  };
+  const GriddingMemory ample = worked(1'000'000, 100'000);
+  EXPECT_EQ(ample.room.workers, 4);
+  EXPECT_EQ(ample.room.points_at_once, 1'000'000U);
+  const GriddingMemory cut = worked(20'000'000, 100'000);
+  EXPECT_EQ(cut.room.workers, 4);
+  EXPECT_LT(cut.room.points_at_once, 20'000'000U);
+  EXPECT_GE(cut.room.points_at_once, 100'000U);
+  EXPECT_LT(cut.store_bytes, ample.store_bytes);
+  const GriddingMemory fewer = worked(20'000'000, 15'000'000);
+  EXPECT_EQ(fewer.room.workers, 2);
+  EXPECT_THROW(worked(90'000'000, 90'000'000), ArgumentError);
+  EXPECT_THROW(samplingBytes(plan, frame, large, 90'000'000), ArgumentError);
+  EXPECT_LT(samplingBytes(plan, frame, large, 10'000'000), plan.gridding_bytes);
+}
+
 TEST(LargeMemory, TheDiskHoldsAllLevelsAndWhatWaitsForThem) {
   GridFrame half = kMap;
   half.size = {.cols = 10000, .rows = 10000};
@@ -81,9 +105,8 @@ TEST(LargeMemory, ADiskWithoutRoomIsSaidBeforeTheWork) {
     requireDisk(kMap, "maps", 5'000'001, 5'000'000);
     FAIL() << "nothing was refused";
   } catch (const WriteError& error) {
-    EXPECT_THAT(error.what(),
-                testing::HasSubstr("20000 x 20000 cells needs about 6 MB on the disk"
-                                   " of maps while it is made; 5 MB are free"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("20000 x 20000 cells needs about 6 MB on the disk"
+                                                 " of maps while it is made; 5 MB are free"));
   }
 }
 
