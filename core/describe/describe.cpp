@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/describe/height_grid.h"
+#include "core/outline/two_groups.h"
 #include "core/session/large/tiled_surface.h"
 #include "core/session/map_facts.h"
 #include "core/session/surface.h"
@@ -46,32 +47,6 @@ std::vector<float> sortedHeights(const HeightGrid& grid) {
 
 double quantile(const std::vector<float>& ascending, double share) {
   return ascending[static_cast<std::size_t>(share * static_cast<double>(ascending.size() - 1))];
-}
-
-/// Otsu's threshold (1979): of all ways to part the heights in two, the one with the largest
-/// variance between the parts. Exact, as the heights are in order.
-void findThreshold(const std::vector<float>& ascending, Description& d) {
-  const auto n = static_cast<double>(ascending.size());
-  double sum = 0, squares = 0;
-  const double zero = ascending.front();  // So that no digits are lost high above the base plane.
-  for (const float h : ascending) {
-    sum += h - zero;
-    squares += (h - zero) * (h - zero);
-  }
-  const double variance = squares / n - sum / n * (sum / n);
-  if (variance <= 0) return;
-  double below = 0, best = 0;
-  for (std::size_t i = 0; i + 1 < ascending.size(); ++i) {
-    below += ascending[i] - zero;
-    if (ascending[i] == ascending[i + 1]) continue;
-    const double n_below = static_cast<double>(i + 1), n_above = n - n_below;
-    const double apart = below / n_below - (sum - below) / n_above;
-    const double between = n_below * n_above / (n * n) * apart * apart;
-    if (between <= best) continue;
-    best = between;
-    d.threshold_mm = 0.5 * (static_cast<double>(ascending[i]) + ascending[i + 1]);
-  }
-  d.separability = best / variance;
 }
 
 std::vector<GridArea> areasAbove(const HeightGrid& grid, double height_mm, int surface) {
@@ -218,7 +193,9 @@ Description describe(const RegionWindow& whole, const RectMm& object, const Heig
   constexpr double kFlat = 1e-6;  // Of the side: what single precision leaves of a plane.
   if (span.mm() <= kFlat * whole.region.side_mm) return d;
   findHighest(grid, whole, span, d);
-  findThreshold(ascending, d);
+  const TwoGroups groups = partedInTwo(ascending);
+  d.threshold_mm = groups.threshold_mm;
+  d.separability = groups.separability;
   findAreas(grid, span, surface, d);
   const HeightGrid smooth = grid.smoothed();
   d.mirrored_sides = smooth.mirrored(true);

@@ -29,4 +29,17 @@ ForceAudit audited(ForceAudit audit, const ForceBounds& bounds, DeviceN before,
   return audit;
 }
 
+ForceAudit auditedGuide(ForceAudit audit, const GuideBounds& bounds, DeviceN sent,
+                        double fed_mw) RELIEVO_REALTIME {
+  constexpr double kRounding = 1e-9;
+  ++audit.guided_ticks;
+  const double size = norm(sent);
+  // Written so that what is no number counts.
+  const bool holds = size <= bounds.most_n + kRounding && fed_mw <= bounds.most_mw + kRounding;
+  if (!holds) ++audit.guide_violations;
+  audit.largest_guide_n = std::max(audit.largest_guide_n, size);
+  audit.largest_fed_mw = std::max(audit.largest_fed_mw, fed_mw);
+  return audit;
+}
+
 }  // namespace relievo

@@ -28,14 +28,27 @@ struct ForceAudit {
   double largest_n = 0;                ///< Of all forces.
   std::uint64_t fast_falls = 0;        ///< Ticks in which a lower cap took more than that: allowed.
   double largest_step_n = 0;           ///< Of all changes as the limit counts them.
+  std::uint64_t guided_ticks = 0;      ///< Ticks in which the hand was led ...
+  std::uint64_t guide_violations = 0;  ///< ... by more force or power than GuideBounds.
+  double largest_guide_n = 0;          ///< Of all forces that led.
+  double largest_fed_mw = 0;           ///< Largest power that a moving target fed in.
 
   std::uint64_t violations() const RELIEVO_REALTIME {
-    return zero_violations + limit_violations + step_violations;
+    return zero_violations + limit_violations + step_violations + guide_violations;
   }
 };
 
 /// @param before  the force of the tick before, as the device got it
 ForceAudit audited(ForceAudit audit, const ForceBounds& bounds, DeviceN before,
                    DeviceN sent) RELIEVO_REALTIME;
+
+/// What may lead a hand: a target that moves is no spring, and its power is bounded instead.
+struct GuideBounds {
+  double most_n = 2;    ///< Of all that is sent.
+  double most_mw = 80;  ///< Force along the way, times the target's speed; N mm/s = mW.
+};
+/// One more tick of a hand that is led. @param fed_mw  power that the target's way fed in
+ForceAudit auditedGuide(ForceAudit audit, const GuideBounds& bounds, DeviceN sent,
+                        double fed_mw) RELIEVO_REALTIME;
 
 }  // namespace relievo

@@ -25,5 +25,7 @@ using SnapshotRing = SpscRing<CoreSnapshot, 4>;
 inline constexpr std::uint64_t kLeavingBit = std::uint64_t{1} << 63U;
 /// Likewise: the window was silent for too long (ForceStopOptions::window_silent).
 inline constexpr std::uint64_t kSilentBit = std::uint64_t{1} << 62U;
+/// Likewise: nothing led, as the path that the options name was not the one that was there.
+inline constexpr std::uint64_t kPathlessBit = std::uint64_t{1} << 61U;
 
 }  // namespace relievo

@@ -26,6 +26,8 @@ void HapticCore::reset() RELIEVO_REALTIME {
   soft_ = {};
   force_ = {};
   stop_ = {};
+  guide_ = {};
+  guided_ = false;
   settings_.reset();
   rate_.reset();
   slow_ = {};
@@ -80,7 +82,7 @@ HapticOptions HapticCore::settled(HapticOptions asked, int detail) RELIEVO_REALT
 
 FeltSpring HapticCore::feltSpring(const HapticOptions& options) const RELIEVO_REALTIME {
   if (chain_ == ForceChain::bare) return {.pull_n = options.fields.magnet_n};
-  if (options.gate.on) return {.gain = 0};
+  if (options.gate.on || guided_) return {.gain = 0};
   return {.gain = options.force.strength * force_.rise,
           .limit_n = options.force.limit_n,
           .pull_n = options.fields.magnet_n};
@@ -141,7 +143,7 @@ Fields HapticCore::fields(const HapticSpace& space, const HapticSpace* previous,
 Fields HapticCore::yielding(const HapticSpace& space, Fields felt, GridPoint held, double k,
                             const HapticOptions& options) RELIEVO_REALTIME {
   const double softest = options.fields.softest_part;
-  if (!(softest < 1) || space.firm_everywhere || !proxy_.contact || options.gate.on) {
+  if (!(softest < 1) || space.firm_everywhere || !proxy_.contact || options.gate.on || guided_) {
     soft_ = {};
     return felt;
   }
@@ -254,16 +256,14 @@ void HapticCore::throughFrame(const HapticSpace& space, const HapticOptions& opt
   felt.energy_mj += cushion.energy_mj;
 }
 
-ForceInput HapticCore::throughGate(const MoveGate& gate, const ForceInput& input,
-                                   ForceOptions& options) const RELIEVO_REALTIME {
-  // A gate is softer than any surface and its own potential: no spring's energy to watch.
-  options.passivity.on = false;
-  options.damping_n_s_per_mm = 0;
-  const DeviceN pull = gateForce(gate, hip_);
+namespace {
+/// What pulls at the hand in place of the surface.
+ForceInput pulled(DeviceMm hip, DeviceN pull, const ForceInput& input,
+                  const ForceOptions& options) RELIEVO_REALTIME {
   ForceInput gated;
-  gated.hip = hip_;
-  // The spring's force from there is the gate's.
-  gated.proxy = hip_ + (1 / options.stiffness_n_per_mm) * DeviceMm{pull.x, pull.y, pull.z};
+  gated.hip = hip;
+  // The spring's force from there is the pull.
+  gated.proxy = hip + (1 / options.stiffness_n_per_mm) * DeviceMm{pull.x, pull.y, pull.z};
   gated.contact = true;
   gated.velocity = input.velocity;
   gated.moved = input.moved;
@@ -271,6 +271,53 @@ ForceInput HapticCore::throughGate(const MoveGate& gate, const ForceInput& input
   gated.resumed = input.resumed;
   gated.age_s = input.age_s;
   return gated;
+}
+}  // namespace
+
+ForceInput HapticCore::throughGate(const MoveGate& gate, const ForceInput& input,
+                                   ForceOptions& options) const RELIEVO_REALTIME {
+  // A gate is softer than any surface and its own potential: no spring's energy to watch.
+  options.passivity.on = false;
+  options.damping_n_s_per_mm = 0;
+  return pulled(hip_, gateForce(gate, hip_), input, options);
+}
+
+GuideStep HapticCore::lead(const HapticOptions& options, const GuidePath* path,
+                           const ForceInput& input, std::uint32_t buttons,
+                           const ForceOptions& force) RELIEVO_REALTIME {
+  const double most_n = std::min(GuideLaw::kMostN, force.limit_n);
+  const double step_n = force.contact_slew_n_per_s * input.dt_s;
+  const GuideInput guide{.hand = hip_,
+                         .velocity = input.velocity,
+                         .buttons = buttons & ~kHoverBit,
+                         .scene_id = scene_id_,
+                         .forces_on = force.forces_on && !input.fault,
+                         .gated = options.gate.on,
+                         .rise = force_.rise,
+                         .sent_most_n = std::min(most_n, norm(force_.last) + step_n),
+                         .dt_s = input.dt_s};
+  const GuideStep step = guided(options.guide, path, guide, guide_);
+  guide_ = step.state;
+  if (step.on != guided_) force_ = refade(force_);
+  // A target that moves gives energy and takes none back: nothing is owed for it (checkGuide()
+  // counts its power).
+  if (step.on) force_.passivity = rebased(force_.passivity);
+  guided_ = step.on;
+  return step;
+}
+
+// Strength is for surfaces: what leads arrives as it is, and strength 0 is still zero.
+ForceInput HapticCore::throughGuide(const GuideStep& step, const ForceInput& input,
+                                    ForceOptions& options) const RELIEVO_REALTIME {
+  options.passivity.on = false;
+  options.damping_n_s_per_mm = 0;
+  options.transient = {};
+  options.limit_n = std::min(options.limit_n, GuideLaw::kMostN);
+  const double strength = options.strength;
+  // Softened as a surface is, if hand and guide began to swing.
+  const double part = strength > 0 ? force_.oscillation.factor / strength : 0;
+  const DeviceN pull = part * step.force;
+  return pulled(hip_, pull, input, options);
 }
 
 void HapticCore::check(const ForceOptions& options, const ForceInput& input, bool paused,
@@ -290,20 +337,31 @@ void HapticCore::check(const ForceOptions& options, const ForceInput& input, boo
   audit_ = audited(audit_, bounds, before, sent);
 }
 
+void HapticCore::checkGuide(const GuideStep& step, const ForceOptions& options,
+                            DeviceN sent) RELIEVO_REALTIME {
+  if (chain_ == ForceChain::bare) return;
+  const DeviceN lift{0, force_.rise * options.lift_n, 0};  // Holds the grip, and leads nowhere.
+  const DeviceN led = sent == DeviceN{} ? sent : sent - lift;
+  const DeviceMm u = step.direction;
+  const double along_n = led.x * u.x + led.y * u.y + led.z * u.z;
+  audit_ = auditedGuide(audit_, {}, sent, along_n * guide_.speed_mm_per_s);
+}
+
 HapticSample HapticCore::tick(const HapticSpace& space, const HapticOptions& options,
-                              const DeviceReading& reading, std::int64_t now_ns) RELIEVO_REALTIME {
-  return tickOn(space, nullptr, options, reading, now_ns);
+                              const DeviceReading& reading, std::int64_t now_ns,
+                              const GuidePath* path) RELIEVO_REALTIME {
+  return tickOn(space, nullptr, options, reading, now_ns, path);
 }
 
 HapticSample HapticCore::tick(const HapticSpace& space, const HapticSpace& previous,
                               const HapticOptions& options, const DeviceReading& reading,
-                              std::int64_t now_ns) RELIEVO_REALTIME {
-  return tickOn(space, &previous, options, reading, now_ns);
+                              std::int64_t now_ns, const GuidePath* path) RELIEVO_REALTIME {
+  return tickOn(space, &previous, options, reading, now_ns, path);
 }
 
 HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* previous,
                                 const HapticOptions& asked, const DeviceReading& reading,
-                                std::int64_t now_ns) RELIEVO_REALTIME {
+                                std::int64_t now_ns, const GuidePath* path) RELIEVO_REALTIME {
   rate_.tick(now_ns, reading.time_ns);
   const HapticOptions options = settled(asked, space.detail);
   const DeviceFault fault = latch(options, reading);
@@ -342,12 +400,15 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   input.fault = fault != DeviceFault::none;
   input.resumed = paused;
   input.age_s = 1e-9 * static_cast<double>(now_ns - reading.time_ns);
+  const GuideStep guide = lead(options, path, input, reading.buttons, force_options);
   if (options.gate.on) input = throughGate(options.gate, input, force_options);
+  if (guide.on) input = throughGuide(guide, input, force_options);
   const DeviceN before = force_.last;
   const ForceResult result = chain_ == ForceChain::bare ? bareForce(force_options, input, force_)
                                                         : force(force_options, input, force_);
   force_ = result.state;
   check(force_options, input, paused, before, result.force);
+  if (guide.on) checkGuide(guide, force_options, result.force);
   sample.force = result.force;
   sample.f_cmd_n = result.command_n;
   sample.clamped = result.limited;
@@ -366,6 +427,9 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
                .rise = force_.rise};
   sample.engaged = force_.phase;
   sample.stopped = stop_.reason();
+  sample.guide = guide_.phase;
+  sample.guide_end = guide_.end;
+  sample.guide_path = guide_.path;
   if (sample.engaged != EngagePhase::off) sample.slow = slow_;
   sample.change = change_.running() ? change_.weight() : 1;
   return sample;

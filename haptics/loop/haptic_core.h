@@ -9,6 +9,7 @@
 #include "haptics/force/force_audit.h"
 #include "haptics/force/force_model.h"
 #include "haptics/force/move_gate.h"
+#include "haptics/guide/guide.h"
 #include "haptics/loop/force_stop.h"
 #include "haptics/loop/rate_watch.h"
 #include "haptics/loop/scene_change.h"
@@ -44,6 +45,7 @@ struct HapticOptions {
   Workspace workspace;   ///< The device's.
   std::uint64_t id = 0;  ///< Given by whoever sets them; names these very values in recordings.
   MoveGate gate;         ///< While on, felt in place of the surface.
+  GuideOptions guide;    ///< Likewise, while it leads.
   ForceStopOptions stop;
   /// Below RateWatch::kLeastHz no surface is stiffer than what `timing` allows at the rate that is
   /// left (E306). Without a `timing`, which withinDevice() knows of a device that pushes, none
@@ -87,6 +89,9 @@ struct HapticSample {
   Origin origin = Origin::outside;  ///< Of the sample under the proxy.
   EngagePhase engaged = EngagePhase::off;
   StopReason stopped = StopReason::none;  ///< Asked for, and the loop itself ended them.
+  GuidePhase guide = GuidePhase::off;
+  GuideEnd guide_end = GuideEnd::none;  ///< Of the last run.
+  std::uint64_t guide_path = 0;         ///< GuidePath::id of the last run; 0: there was none.
   SlowRate slow;
   double change = 1;  ///< How much of a new surface is there; 1: all of it, none is coming.
   bool contact = false;
@@ -107,13 +112,15 @@ class HapticCore {
   /// and touches from there once it is put down. A window with a new id keeps the hand, places the
   /// proxy on or above the new surface and fades the force in. A fault, or a hand that is no finite
   /// place, gives zero force until forces_on was false for a tick.
+  /// @param path  that the options name (GuideOptions); null: there is none
   HapticSample tick(const HapticSpace& space, const HapticOptions& options,
-                    const DeviceReading& reading, std::int64_t now_ns) RELIEVO_REALTIME;
+                    const DeviceReading& reading, std::int64_t now_ns,
+                    const GuidePath* path = nullptr) RELIEVO_REALTIME;
   /// The same, with the surface that lay under the hand before: a new one then comes gradually, in
   /// contact and out of it. Both must stay as they are while changing().
   HapticSample tick(const HapticSpace& space, const HapticSpace& previous,
-                    const HapticOptions& options, const DeviceReading& reading,
-                    std::int64_t now_ns) RELIEVO_REALTIME;
+                    const HapticOptions& options, const DeviceReading& reading, std::int64_t now_ns,
+                    const GuidePath* path = nullptr) RELIEVO_REALTIME;
   bool changing() const RELIEVO_REALTIME { return change_.running(); }
   /// Would the next tick on this surface look at the one before, too?
   bool looksBackFrom(const HapticSpace& space) const RELIEVO_REALTIME {
@@ -165,13 +172,20 @@ class HapticCore {
   Fields yielding(const HapticSpace& space, Fields felt, GridPoint held, double k,
                   const HapticOptions& options) RELIEVO_REALTIME;
   HapticSample tickOn(const HapticSpace& space, const HapticSpace* previous,
-                      const HapticOptions& asked, const DeviceReading& reading,
-                      std::int64_t now_ns) RELIEVO_REALTIME;
+                      const HapticOptions& asked, const DeviceReading& reading, std::int64_t now_ns,
+                      const GuidePath* path) RELIEVO_REALTIME;
   /// What the frame leaves of spring and fields at this hand, with the cushions.
   void throughFrame(const HapticSpace& space, const HapticOptions& options, Fields& felt,
                     ForceInput& input) const RELIEVO_REALTIME;
   ForceInput throughGate(const MoveGate& gate, const ForceInput& input,
                          ForceOptions& options) const RELIEVO_REALTIME;
+  /// Leads the hand, if it is to be led: from there on as through a gate.
+  GuideStep lead(const HapticOptions& options, const GuidePath* path, const ForceInput& input,
+                 std::uint32_t buttons, const ForceOptions& force) RELIEVO_REALTIME;
+  ForceInput throughGuide(const GuideStep& step, const ForceInput& input,
+                          ForceOptions& options) const RELIEVO_REALTIME;
+  void checkGuide(const GuideStep& step, const ForceOptions& options,
+                  DeviceN sent) RELIEVO_REALTIME;
   HapticSample describeTick(const HapticSpace& space,
                             const HapticSpace* previous) const RELIEVO_REALTIME;
 
@@ -187,6 +201,7 @@ class HapticCore {
   SoftSpring soft_;
   ForceState force_;
   ForceStop stop_;
+  GuideState guide_;
   ForceAudit audit_;
 
   static constexpr std::uint64_t kSpeedTicks = 8;
@@ -204,6 +219,7 @@ class HapticCore {
   SurfaceKind surface_ = SurfaceKind::gated;
   std::int64_t last_ns_ = 0;  // Of the last tick.
   bool gated_ = false;        // In the last tick.
+  bool guided_ = false;       // Likewise.
   bool placed_ = false;
   bool resume_ = false;
 };

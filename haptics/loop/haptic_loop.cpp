@@ -36,6 +36,7 @@ struct HapticLoop::Impl {
 
   SceneBuffer<HapticSpace> spaces;
   TripleBuffer<HapticOptions> options;
+  TripleBuffer<GuidePath> paths;
   TripleBuffer<HapticSample> latest;
   TripleBuffer<LoopStats> stats;
   SampleRing samples;
@@ -69,6 +70,12 @@ HapticOptions HapticLoop::Impl::optionsNow(std::int64_t now_ns,
                                            bool forces_allowed) RELIEVO_REALTIME {
   options.update();
   HapticOptions now = options.front();
+  // A path is there before the options that name it.
+  if (now.guide.path != 0 && now.guide.path != paths.front().id) paths.update();
+  if (now.guide.path != 0 && now.guide.path != paths.front().id) {
+    now.guide = {};
+    now.id |= kPathlessBit;
+  }
   if (!forces_allowed) {
     now.force.forces_on = false;
     now.id |= kLeavingBit;
@@ -99,8 +106,9 @@ void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
         {core.ticks(), core, spaces.front().scene_id, spaces.previous().scene_id, gradual});
   }
   HapticSample sample =
-      gradual ? core.tick(spaces.front(), spaces.previous(), now_options, reading, now_ns)
-              : core.tick(spaces.front(), now_options, reading, now_ns);
+      gradual ? core.tick(spaces.front(), spaces.previous(), now_options, reading, now_ns,
+                          &paths.front())
+              : core.tick(spaces.front(), now_options, reading, now_ns, &paths.front());
   sample.tick_ns =
       static_cast<std::int32_t>(std::min<std::int64_t>(monotonicNs() - before_ns, 2'000'000'000));
   device->send(sample.force, now_ns);  // Before anything else: what waits now is a hand.
@@ -196,6 +204,9 @@ SceneBuffer<HapticSpace>& HapticLoop::spaces() noexcept {
 }
 TripleBuffer<HapticOptions>& HapticLoop::options() noexcept {
   return impl_->options;
+}
+TripleBuffer<GuidePath>& HapticLoop::paths() noexcept {
+  return impl_->paths;
 }
 TripleBuffer<HapticSample>& HapticLoop::latest() noexcept {
   return impl_->latest;

@@ -56,10 +56,12 @@ class HapticLoop {
 
   SceneBuffer<HapticSpace>& spaces() noexcept;      ///< [one worker writes]
   TripleBuffer<HapticOptions>& options() noexcept;  ///< [GUI thread writes]
-  TripleBuffer<HapticSample>& latest() noexcept;    ///< [GUI thread reads]
-  TripleBuffer<LoopStats>& stats() noexcept;        ///< [GUI thread reads]
-  SampleRing& samples() noexcept;                   ///< [drain thread reads]
-  ButtonRing& buttons() noexcept;                   ///< [GUI thread reads]
+  /// [GUI thread writes] What options name that are written afterwards (GuideOptions::path).
+  TripleBuffer<GuidePath>& paths() noexcept;
+  TripleBuffer<HapticSample>& latest() noexcept;  ///< [GUI thread reads]
+  TripleBuffer<LoopStats>& stats() noexcept;      ///< [GUI thread reads]
+  SampleRing& samples() noexcept;                 ///< [drain thread reads]
+  ButtonRing& buttons() noexcept;                 ///< [GUI thread reads]
   /// [any thread] Asks for a snapshot before one of the next ticks; it is there before its sample.
   void wantSnapshot() noexcept;
   SnapshotRing& snapshots() noexcept;  ///< [drain thread reads]

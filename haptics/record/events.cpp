@@ -43,6 +43,26 @@ std::string_view phaseText(EngagePhase phase) {
   return "forces unknown";
 }
 
+std::string_view guideEndText(GuideEnd end) {
+  switch (end) {
+    case GuideEnd::none:
+      break;
+    case GuideEnd::arrived:
+      return "it has arrived";
+    case GuideEnd::you_lead:
+      return "the hand leads";
+    case GuideEnd::button:
+      return "a button";
+    case GuideEnd::asked:
+      return "it was asked to";
+    case GuideEnd::no_forces:
+      return "there are no forces";
+    case GuideEnd::surface:
+      return "another surface";
+  }
+  return "it leads still";
+}
+
 std::string windowText(const HapticSample& sample) {
   return "window " + std::to_string(sample.window_id) + " of detail " +
          std::to_string(sample.detail);
@@ -91,6 +111,11 @@ std::string eventBetween(const HapticSample& before, const HapticSample& now) {
   if (now.stopped != before.stopped && now.stopped != StopReason::none) {
     events.add(now.stopped == StopReason::held ? "stopped by a held button"
                                                : "the window is silent: forces fade out");
+  }
+  if (now.guide_path != before.guide_path) events.add("the hand is led");
+  const bool let_go = now.guide == GuidePhase::off && now.guide_end != GuideEnd::none;
+  if (let_go && (before.guide != GuidePhase::off || now.guide_path != before.guide_path)) {
+    events.add("the guide lets go: " + std::string(guideEndText(now.guide_end)));
   }
   const bool slow = now.slow.rate_hz > 0, was_slow = before.slow.rate_hz > 0;
   if (slow && !was_slow) {

@@ -193,6 +193,10 @@ std::string optionsLine(const HapticOptions& options) {
   return "replay options " + std::to_string(options.id) + " " + sealed(toJson(options)) + "\n";
 }
 
+std::string guideLine(const GuidePath& path) {
+  return "replay guide " + std::to_string(path.id) + " " + sealed(toJson(path)) + "\n";
+}
+
 std::string snapshotLine(const CoreSnapshot& snapshot, std::int64_t first_ns,
                          std::string_view build) {
   return "replay core " + std::string(build) + " " + std::to_string(first_ns) + " " +
@@ -236,6 +240,27 @@ RecordedFiles recordedFiles(std::string_view footer) {
     }
   });
   return files;
+}
+
+std::map<std::uint64_t, GuidePath> recordedGuides(std::string_view footer) {
+  std::map<std::uint64_t, GuidePath> guides;
+  forEachReplayLine(footer, [&guides](const std::vector<std::string_view>& words) {
+    if (words[1] != "guide") return;
+    const auto id = numberOf<std::uint64_t>(words[2]);
+    GuidePath path;
+    const bool fits = words.size() == 5 && fromSealed(words[3], words[4], path) && path.id == id;
+    if (!fits) throw failure<MessageId::guide_damaged>();
+    guides[id] = path;
+  });
+  return guides;
+}
+
+const GuidePath* guideNamed(const std::map<std::uint64_t, GuidePath>& guides,
+                            const HapticOptions& options) {
+  if (options.guide.path == 0) return nullptr;
+  const auto found = guides.find(options.guide.path);
+  if (found == guides.end()) throw failure<MessageId::guide_damaged>();
+  return &found->second;
 }
 
 std::string recordedBuild(std::string_view footer) {
@@ -301,12 +326,14 @@ std::optional<RecordedLoop> recordedLoop(std::string_view footer) {
   });
   loop.changes = loopChanges(footer);
   loop.files = recordedFiles(footer);
+  loop.guides = recordedGuides(footer);
   return loop;
 }
 
 HapticOptions asTheLoopHad(HapticOptions options, std::uint64_t id) {
   options.id = id;
   if ((id & kLeavingBit) != 0) options.force.forces_on = false;
+  if ((id & kPathlessBit) != 0) options.guide = {};
   options.stop.window_silent = (id & kSilentBit) != 0;
   return options;
 }
@@ -319,7 +346,7 @@ const RecordedScene& sceneNamed(const RecordedLoop& loop, std::uint64_t id) {
 }
 
 HapticOptions optionsNamed(const RecordedLoop& loop, std::uint64_t id) {
-  const auto found = loop.options.find(id & ~(kLeavingBit | kSilentBit));
+  const auto found = loop.options.find(id & ~(kLeavingBit | kSilentBit | kPathlessBit));
   if (found == loop.options.end()) refuse("it does not tell options " + std::to_string(id));
   return asTheLoopHad(found->second, id);
 }
@@ -357,8 +384,10 @@ ReplayResult replayLoop(const RecordedLoop& loop, const LogTable& log,
     DeviceReading reading = readingOf(row, loop.first_ns);
     changes.tell(core, options, reading);
     const std::int64_t now_ns = loop.first_ns + nanosecondsOf(row);
-    HapticSample sample = loop.start.gradual ? core.tick(*now, *before, options, reading, now_ns)
-                                             : core.tick(*now, options, reading, now_ns);
+    const GuidePath* path = guideNamed(loop.guides, options);
+    HapticSample sample = loop.start.gradual
+                              ? core.tick(*now, *before, options, reading, now_ns, path)
+                              : core.tick(*now, options, reading, now_ns, path);
     compare(sample, row, log, result, each);
     ++tick;
   }

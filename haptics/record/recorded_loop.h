@@ -39,6 +39,8 @@ std::string firmnessLine(std::string_view sha256, std::string_view file);
 /// How a map is made that scenes name. @param state  as text; what it says is not looked at here
 std::string mapLine(std::uint64_t map, std::string_view state);
 std::string optionsLine(const HapticOptions& options);
+/// What a hand was led along, under its id.
+std::string guideLine(const GuidePath& path);
 /// @param build  names the program that wrote it
 std::string snapshotLine(const CoreSnapshot& snapshot, std::int64_t first_ns,
                          std::string_view build);
@@ -52,6 +54,9 @@ struct RecordedFiles {
 };
 /// @throw FileError  such a line is damaged
 RecordedFiles recordedFiles(std::string_view footer);
+
+/// Of guideLine(), by their ids; of any build. @throw FileError  such a line is damaged
+std::map<std::uint64_t, GuidePath> recordedGuides(std::string_view footer);
 
 struct LoopChange {
   std::uint64_t scene_id = 0, options_id = 0;
@@ -67,6 +72,7 @@ struct RecordedLoop {
   std::map<std::uint64_t, RecordedScene> scenes;
   std::map<std::uint64_t, LoopChange> changes;  ///< By tick.
   RecordedFiles files;
+  std::map<std::uint64_t, GuidePath> guides;
 };
 /// What changed at which tick; empty: no line tells of any. @throw FileError  a line is damaged
 std::map<std::uint64_t, LoopChange> loopChanges(std::string_view footer);
@@ -96,6 +102,11 @@ std::string recordedBuild(std::string_view footer);
 
 /// Options as the loop used them under that id: its upper bits say what it overruled.
 HapticOptions asTheLoopHad(HapticOptions options, std::uint64_t id);
+
+/// The one that these options name. @return null: they name none
+/// @throw FileError  no line tells it
+const GuidePath* guideNamed(const std::map<std::uint64_t, GuidePath>& guides,
+                            const HapticOptions& options);
 
 /// As replay(), from a running loop.
 /// @param space  the surface of a scene; stays valid

@@ -63,6 +63,7 @@ ReplayResult replay(const HapticSpace& space, const HapticOptions& core_options,
   HapticCore core(chain);
   const std::map<std::uint64_t, LoopChange> told = loopChanges(log.footer);
   ChangeCursor changes(told);
+  const std::map<std::uint64_t, GuidePath> guides = recordedGuides(log.footer);
   for (const TouchRow& row : log.rows) {
     constexpr std::uint64_t kTicksPerCheck = 1024;
     if (row.tick != result.ticks) {
@@ -73,7 +74,8 @@ ReplayResult replay(const HapticSpace& space, const HapticOptions& core_options,
     const HapticOptions options = asTheLoopHad(core_options, changes.now().options_id);
     DeviceReading reading = readingOf(row, 0);
     changes.tell(core, options, reading);
-    HapticSample sample = core.tick(space, options, reading, nanosecondsOf(row));
+    HapticSample sample =
+        core.tick(space, options, reading, nanosecondsOf(row), guideNamed(guides, options));
     compare(sample, row, log, result, each);
   }
   return result;

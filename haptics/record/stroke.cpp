@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/record/stroke.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -107,6 +108,17 @@ Stroke readStroke(const std::filesystem::path& file) {
   if (in.bad()) throw failure<MessageId::stroke_cut>(file);
   if (stroke.points.empty()) throw failure<MessageId::stroke_without_rows>(file);
   return stroke;
+}
+
+ViewMm strokePlaceAt(const Stroke& stroke, double t_s) {
+  const auto next =
+      std::upper_bound(stroke.points.begin(), stroke.points.end(), t_s,
+                       [](double t, const StrokePoint& point) { return t < point.t_s; });
+  const auto place = [](const StrokePoint& p) { return ViewMm{p.x_mm, p.y_mm, p.z_mm}; };
+  if (next == stroke.points.begin()) return place(stroke.points.front());
+  if (next == stroke.points.end()) return place(stroke.points.back());
+  const ViewMm a = place(*(next - 1)), b = place(*next);
+  return a + ((t_s - (next - 1)->t_s) / (next->t_s - (next - 1)->t_s)) * (b - a);
 }
 
 std::uint64_t strokeTicks(const Stroke& stroke) {

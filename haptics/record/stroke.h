@@ -51,6 +51,10 @@ struct StrokeOptions {
 /// The same for the core; forces are on from the first tick.
 HapticOptions strokeHapticOptions(const StrokeOptions& options);
 
+/// Where it leads the hand at a time, in its own frame; before its start and after its end the
+/// first and the last point. Precondition: it has points.
+ViewMm strokePlaceAt(const Stroke& stroke, double t_s);
+
 /// Ticks that a stroke takes: one at its start, then one per millisecond up to its end.
 /// @throw ArgumentError  longer than 1e7 s
 std::uint64_t strokeTicks(const Stroke& stroke);

@@ -36,6 +36,11 @@ struct TouchArguments {
   std::optional<double> softest_part, texture_mm, magnet_n, magnet_reach_mm, contact_n, crossing_n;
   std::string firmness;  ///< A raster that says where the ground is firm; empty: the origins do.
   std::string frame = "view";
+  /// "outline", "object" or a file with a way: what the hand is led along; empty: it is not led.
+  std::string guide;
+  std::uint32_t rounds = 1;  ///< Of a closed one.
+  /// As a recording has it; null: it is found anew.
+  std::shared_ptr<const GuidePath> recorded_guide;
   std::optional<double> lift_n;  ///< As a recording had it; nothing: as the device's settings say.
   /// What a plug-in's device told of itself; nothing: what this build knows of the device.
   std::optional<DeviceInfo> told;
@@ -67,7 +72,10 @@ struct TouchSetup {
   RegionWindow window;
   std::unique_ptr<HapticSpace> space;  ///< On the heap: 900 kB by value.
   StrokeOptions options;
-  std::string device;   ///< Which one it is, for headers; "none".
+  /// What the hand is led along; null: it is not led. Under its id in `core`.
+  std::shared_ptr<const GuidePath> guide;
+  std::string guide_of;  ///< In words, for reports.
+  std::string device;    ///< Which one it is, for headers; "none".
   HapticOptions core;   ///< The same for the core, within what the device can do.
   std::string limited;  ///< What was asked for and is more than that, in a sentence; or empty.
 };

@@ -22,7 +22,7 @@ struct NamedFields {
       visit("proxy", s.proxy); visit("force", s.force); visit("fields", s.fields);
       visit("stiffness_by_detail", s.stiffness_by_detail); visit("detail_stiffness", s.detail_stiffness);
       visit("frame", s.frame); visit("cushion", s.cushion); visit("workspace", s.workspace); visit("id", s.id);
-      visit("gate", s.gate); visit("stop", s.stop); visit("bound_by_rate", s.bound_by_rate);
+      visit("gate", s.gate); visit("guide", s.guide); visit("stop", s.stop); visit("bound_by_rate", s.bound_by_rate);
       visit("holds_grip", s.holds_grip); visit("timing", s.timing);
     } else if constexpr (kIs<T, ProxyOptions>) {
       visit("kind", s.kind); visit("step_mm", s.step_mm); visit("updates_per_tick", s.updates_per_tick);
@@ -51,6 +51,13 @@ struct NamedFields {
       visit("half_extent", s.half_extent);
     } else if constexpr (kIs<T, MoveGate>) {
       visit("on", s.on); visit("centre", s.centre); visit("blocked", s.blocked);
+    } else if constexpr (kIs<T, GuideOptions>) {
+      visit("path", s.path);
+    } else if constexpr (kIs<T, GuideState>) {
+      visit("path", s.path); visit("phase", s.phase); visit("end", s.end); visit("from", s.from); visit("to", s.to);
+      visit("path_mm", s.path_mm); visit("target_mm", s.target_mm); visit("hand_mm", s.hand_mm);
+      visit("speed_mm_per_s", s.speed_mm_per_s); visit("pause_s", s.pause_s); visit("since_s", s.since_s);
+      visit("against_s", s.against_s); visit("fast_s", s.fast_s); visit("buttons", s.buttons);
     } else if constexpr (kIs<T, ForceStopOptions>) {
       visit("buttons", s.buttons); visit("window_silence_s", s.window_silence_s);
       visit("window_silent", s.window_silent);
@@ -62,11 +69,11 @@ struct NamedFields {
     } else if constexpr (kIs<T, HapticCore>) {
       visit("proxy", s.proxy_); visit("chain", s.chain_); visit("change", s.change_); visit("settings", s.settings_);
       visit("rate", s.rate_); visit("slow", s.slow_); visit("felt_now", s.felt_now_); visit("frame", s.frame_);
-      visit("hand", s.hand_); visit("soft", s.soft_); visit("force", s.force_); visit("stop", s.stop_);
+      visit("hand", s.hand_); visit("soft", s.soft_); visit("force", s.force_); visit("stop", s.stop_); visit("guide", s.guide_);
       visit("audit", s.audit_); visit("places", s.places_); visit("oldest", s.oldest_);
       visit("places_seen", s.places_seen_); visit("hip", s.hip_); visit("fault", s.fault_); visit("tick", s.tick_);
       visit("window_id", s.window_id_); visit("scene_id", s.scene_id_); visit("surface", s.surface_);
-      visit("last_ns", s.last_ns_); visit("gated", s.gated_); visit("placed", s.placed_); visit("resume", s.resume_);
+      visit("last_ns", s.last_ns_); visit("gated", s.gated_); visit("guided", s.guided_); visit("placed", s.placed_); visit("resume", s.resume_);
     } else if constexpr (kIs<T, HapticCore::HandPlace>) {
       visit("position", s.position); visit("time_ns", s.time_ns);
     } else if constexpr (kIs<T, ProxyState>) {
@@ -127,6 +134,8 @@ struct NamedFields {
       visit("ticks", s.ticks); visit("zero_demanded", s.zero_demanded); visit("zero_violations", s.zero_violations);
       visit("limit_violations", s.limit_violations); visit("step_violations", s.step_violations);
       visit("largest_n", s.largest_n); visit("fast_falls", s.fast_falls); visit("largest_step_n", s.largest_step_n);
+      visit("guided_ticks", s.guided_ticks); visit("guide_violations", s.guide_violations);
+      visit("largest_guide_n", s.largest_guide_n); visit("largest_fed_mw", s.largest_fed_mw);
     }
     // clang-format on
   }

@@ -45,6 +45,12 @@ constexpr EngagePhase lastOf(EngagePhase) {
 constexpr StopReason lastOf(StopReason) {
   return StopReason::window_silent;
 }
+constexpr GuidePhase lastOf(GuidePhase) {
+  return GuidePhase::pausing;
+}
+constexpr GuideEnd lastOf(GuideEnd) {
+  return GuideEnd::surface;
+}
 
 // JSON has no numbers for these.
 constexpr const char* kInfinity = "inf";
@@ -135,6 +141,41 @@ std::string toJson(const HapticOptions& options) {
 std::string toJson(const CoreSnapshot& snapshot) {
   return jsonOf(snapshot).dump();
 }
+std::string toJson(const GuidePath& path) {
+  Json points = Json::array();
+  for (std::uint32_t i = 0; i < path.count; ++i) {
+    const GuidePoint& p = path.points[i];
+    points.push_back({p.place.x, p.place.y, p.place.z, p.speed_mm_per_s, p.pause_s});
+  }
+  return Json{{"id", path.id},
+              {"scene_id", path.scene_id},
+              {"closed", path.closed},
+              {"rounds", path.rounds},
+              {"points", std::move(points)}}
+      .dump();
+}
+
+bool fromJson(std::string_view text, GuidePath& path) {
+  const Json json = Json::parse(text, nullptr, false);
+  GuidePath told;
+  const auto has = [&json](const char* name, auto& member) {
+    return json.contains(name) && read(json[name], member);
+  };
+  const bool begins = json.is_object() && has("id", told.id) && has("scene_id", told.scene_id) &&
+                      has("closed", told.closed) && has("rounds", told.rounds) &&
+                      json.contains("points") && json["points"].is_array() &&
+                      json["points"].size() <= GuidePath::kMostPoints;
+  if (!begins) return false;
+  for (const Json& point : json["points"]) {
+    std::array<double, 5> numbers{};
+    if (!read(point, numbers)) return false;
+    told.points[told.count++] = {{numbers[0], numbers[1], numbers[2]}, numbers[3], numbers[4]};
+  }
+  if (!completePath(told)) return false;
+  path = told;
+  return true;
+}
+
 bool fromJson(std::string_view text, HapticOptions& options) {
   return parsed(text, options);
 }
