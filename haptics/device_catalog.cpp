@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/device_catalog.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "core/base/failure.h"
@@ -72,6 +73,21 @@ std::vector<DeviceDriver> deviceCatalog() {
           {std::string(kVirtual), virtualHands, makeVirtualHand},
           {"falcon", falcons, makeFalcon, "never"},
           {"haply", haplys, makeHaply, "never"}};
+}
+
+std::optional<std::string> triedOnHardware(std::string_view id) {
+  const std::string_view kind = id.substr(0, id.find(':'));
+  if (kind != foreign::kPluginKind) {
+    for (const DeviceDriver& driver : deviceCatalog()) {
+      if (kind == driver.kind) return driver.tried_on_hardware;
+    }
+    return "";
+  }
+  const std::string_view rest = id.substr(std::min(id.size(), kind.size() + 1));
+  for (const OwnPlugin& plugin : kOwnPlugins) {
+    if (rest.substr(0, rest.find('/')) == plugin.file) return std::string(plugin.tried_on_hardware);
+  }
+  return {};
 }
 
 std::unique_ptr<Device> makeDevice(const std::string& id) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "haptics/device/device.h"
@@ -21,8 +24,19 @@ struct DeviceDriver {
   std::string tried_on_hardware = {};
 };
 
+/// A plug-in for devices that comes with this program (foreign/plugin_files.h).
+struct OwnPlugin {
+  std::string_view file;               ///< The FILE of "plugin:FILE/ID".
+  std::string_view tried_on_hardware;  ///< As a driver's.
+};
+inline constexpr std::array<OwnPlugin, 1> kOwnPlugins{{{"force_dimension", "never"}}};
+
 /// All kinds this build knows, written out in the .cpp: no static registration.
 std::vector<DeviceDriver> deviceCatalog();
+
+/// Whether somebody has felt the device of that id: what its driver or its plug-in says. Empty: it
+/// is no hardware that pushes. Nothing: who made its plug-in may know.
+std::optional<std::string> triedOnHardware(std::string_view id);
 
 /// The closed device of that id, "mouse" or "virtual:light"; a kind alone is its usual device. Also
 /// one of a plug-in, "plugin:FILE/ID", which is no kind of this build (foreign/plugin_files.h).

@@ -7864,6 +7864,10 @@
         <source>The Haply device was not ready within %1, and nothing was recorded. %2</source>
         <translation>Das Haply-Gerät war nicht innerhalb von %1 bereit, und es wurde nichts aufgezeichnet. %2</translation>
     </message>
+    <message>
+        <source>%1&apos;s library was not found, or cannot be used (%2)</source>
+        <translation>die Bibliothek von %1 wurde nicht gefunden oder kann nicht benutzt werden (%2)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

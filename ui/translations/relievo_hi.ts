@@ -7864,6 +7864,10 @@
         <source>The Haply device was not ready within %1, and nothing was recorded. %2</source>
         <translation>Haply उपकरण %1 के भीतर तैयार नहीं हुआ, और कुछ भी रिकॉर्ड नहीं हुआ। %2</translation>
     </message>
+    <message>
+        <source>%1&apos;s library was not found, or cannot be used (%2)</source>
+        <translation>%1 की लाइब्रेरी नहीं मिली, या उपयोग नहीं हो सकती (%2)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

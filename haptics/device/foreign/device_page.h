@@ -26,7 +26,8 @@ enum class HostTrouble : std::uint32_t {
   no_entry,
   version,     ///< `number`: the plug-in's major version.
   incomplete,  ///< A function or a name is missing.
-  not_begun,   ///< `number`: init's status.
+  not_begun,   ///< `number`: init's status; `text`: why, in its words; after its name if a library
+               ///< is missing.
   no_device,   ///< It knows no such id.
   refuses,     ///< open's or limits' status in `number`; `text`: last_error.
   limits,      ///< They are impossible.

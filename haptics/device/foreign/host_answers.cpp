@@ -34,6 +34,18 @@ std::string shown(std::string text) {
   return text;
 }
 
+/// Of one that did not begin.
+Message whyNotBegun(int number, const std::string& text) {
+  constexpr std::string_view kBetween = ": ";
+  const std::size_t end = text.find(kBetween);
+  if (number == RELIEVO_NO_LIBRARY && end != std::string::npos) {
+    return said<MessageId::device_library_missing>(text.substr(0, end),
+                                                   text.substr(end + kBetween.size()));
+  }
+  return text.empty() ? said<MessageId::device_plugin_not_begun>(number)
+                      : said<MessageId::device_plugin_refuses>(text);
+}
+
 bool isId(const std::string& text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
@@ -60,7 +72,7 @@ Message messageOf(HostTrouble trouble, int number, const std::string& text) {
     default:
       break;
   }
-  return said<MessageId::device_plugin_not_begun>(number);
+  return whyNotBegun(number, text);
 }
 
 ScannedPlugin pluginOf(std::string_view answer) {

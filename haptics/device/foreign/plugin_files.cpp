@@ -139,7 +139,8 @@ PluginPlaces pluginPlaces() {
     if (!folder.empty()) places.trusted.emplace_back(folder);
   }
   // Beside the library of this module, as the programs lie beside theirs.
-  const fs::path programs = ownFolder("Plug-ins for devices cannot be looked for:");
+  const fs::path programs =
+      placeOfPrograms(ownFolder("Plug-ins for devices cannot be looked for:"));
   places.trusted.push_back((programs / RELIEVO_DEVICE_PLUGINS).lexically_normal());
   places.own = userFolder("XDG_DATA_HOME", ".local/share") / "devices";
   places.list = userFolder("XDG_CONFIG_HOME", ".config") / "trusted-devices";

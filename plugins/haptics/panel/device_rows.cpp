@@ -69,16 +69,16 @@ bool DeviceRows::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
-/// What the catalogue of devices says of the chosen one's kind.
+/// What the catalogue of devices says of the chosen one.
 void DeviceRows::showTried() {
-  const std::string id = device_->currentData().toString().toStdString();
-  QString text =
-      isPluginDevice(id) ? tr("Tried on hardware: ask who made the plug-in.") : QString();
-  for (const DeviceDriver& driver : deviceCatalog()) {
-    if (driver.tried_on_hardware.empty() || id.substr(0, id.find(':')) != driver.kind) continue;
-    text = driver.tried_on_hardware == "never"
-               ? tr("Tried on hardware: never.")
-               : tr("Tried on hardware: %1.").arg(QString::fromStdString(driver.tried_on_hardware));
+  const auto tried = triedOnHardware(device_->currentData().toString().toStdString());
+  QString text;
+  if (!tried) {
+    text = tr("Tried on hardware: ask who made the plug-in.");
+  } else if (*tried == "never") {
+    text = tr("Tried on hardware: never.");
+  } else if (!tried->empty()) {
+    text = tr("Tried on hardware: %1.").arg(QString::fromStdString(*tried));
   }
   setTextIfNew(tried_, text);
   tried_->setVisible(!text.isEmpty());

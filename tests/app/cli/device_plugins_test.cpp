@@ -15,15 +15,22 @@ using testing::HasSubstr;
 
 const std::string kStandIns = RELIEVO_BINARY_DIR "/tests/stand_ins";
 const std::string kExample = RELIEVO_BINARY_DIR "/device_example";
+const std::string kForceDimension = "force_dimension";
+const std::string kTheirLibrary = RELIEVO_BINARY_DIR "/tests/dhd_stand_ins/whole/libdhd.so.3";
 
 class DevicePlugins : public test::CommandTest {
  protected:
   /// Beside nothing of the user's own.
-  CommandResult run(const std::vector<std::string>& words, const std::string& folders = {}) const {
+  /// @param library  of Force Dimension's; none of this computer's is looked for
+  CommandResult run(const std::vector<std::string>& words, const std::string& folders = {},
+                    const std::string& library = "/no/libdhd.so.3") const {
     return test::runRelievo(
         words, {"XDG_DATA_HOME=" + path("data"), "XDG_CONFIG_HOME=" + path("config"),
+                "RELIEVO_FORCE_DIMENSION_LIBRARY=" + library,
                 folders.empty() ? "RELIEVO_DEVICE_PATH" : "RELIEVO_DEVICE_PATH=" + folders});
   }
+  /// The plug-in that comes with the program, as only its user may change it.
+  std::string ours() const { return folderWith(FORCE_DIMENSION); }
   /// A folder with one plug-in, as only its user may change it, wherever this was built.
   std::string folderWith(const std::string& file) const {
     const fs::path folder = path("plug-ins");
@@ -37,13 +44,21 @@ class DevicePlugins : public test::CommandTest {
   nlohmann::json listed(const std::string& folders = {}) const {
     return nlohmann::json::parse(run({"devices", "--report", "json"}, folders).out, nullptr, false);
   }
+  /// Of those that do not come with the program.
+  nlohmann::json othersListed(const std::string& folders = {}) const {
+    nlohmann::json others = nlohmann::json::array();
+    for (const nlohmann::json& plugin : listed(folders)["plugins"]) {
+      if (plugin["name"] != kForceDimension) others.push_back(plugin);
+    }
+    return others;
+  }
 };
 
 TEST_F(DevicePlugins, NoneIsThereUntilOneIsPutThere) {
-  EXPECT_TRUE(listed()["plugins"].empty());
-  const nlohmann::json report = listed(folderWith(kExample + "/spring_hand.so"));
-  ASSERT_EQ(report["plugins"].size(), 1U);
-  const nlohmann::json& plugin = report["plugins"][0];
+  EXPECT_TRUE(othersListed().empty());
+  const nlohmann::json plugins = othersListed(folderWith(kExample + "/spring_hand.so"));
+  ASSERT_EQ(plugins.size(), 1U);
+  const nlohmann::json& plugin = plugins[0];
   EXPECT_EQ(plugin["name"], "spring_hand");
   EXPECT_EQ(plugin["trusted"], true);
   EXPECT_EQ(plugin["title"], "Hand on a spring");
@@ -107,8 +122,46 @@ TEST_F(DevicePlugins, ARecordingIsReplayedWithoutThePlugIn) {
   EXPECT_EQ(replayed["identical"], true) << replayed;
 }
 
+TEST_F(DevicePlugins, TheOneThatComesWithTheProgramIsFoundBesideIt) {
+  const nlohmann::json plugins = listed()["plugins"];
+  ASSERT_EQ(plugins.size(), 1U);
+  EXPECT_EQ(plugins[0]["name"], kForceDimension);
+}
+
+TEST_F(DevicePlugins, AMakersLibraryThatIsNotThereIsSaidAndIsNoFailure) {
+  const CommandResult result = run({"devices"}, ours());
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out,
+              HasSubstr("plug-in force_dimension: Force Dimension's library was not found"));
+  EXPECT_THAT(result.out, HasSubstr("(E321)"));
+  const CommandResult record = run({"record", test::kReliefF, "--device",
+                                    "plugin:force_dimension/device.0", "-o", path("log.csv")},
+                                   ours());
+  EXPECT_EQ(record.exit_code, 6);
+  EXPECT_THAT(record.err, HasSubstr("Force Dimension's library was not found"));
+  EXPECT_FALSE(fs::exists(path("log.csv")));
+}
+
+TEST_F(DevicePlugins, ADeviceOfForceDimensionIsListedAndTouchedWith) {
+  const CommandResult list = run({"devices"}, ours(), kTheirLibrary);
+  EXPECT_EQ(list.exit_code, 0) << list.err;
+  EXPECT_THAT(list.out, HasSubstr("plugin:force_dimension/device.0: Force Dimension device 1"));
+  const CommandResult record =
+      run({"record", test::kReliefF, "--unit", "mm", "--device", "plugin:force_dimension/device.0",
+           "--seconds", "0.3", "-o", path("log.csv"), "--report", "json"},
+          ours(), kTheirLibrary);
+  const nlohmann::json report = nlohmann::json::parse(record.out, nullptr, false);
+  ASSERT_FALSE(report.is_discarded()) << record.out << record.err;
+  EXPECT_EQ(report["violations"], 0);
+  EXPECT_THAT(test::bytesOf(path("log.csv")), HasSubstr("device told {"));
+  const nlohmann::json replayed =
+      test::reportOf(run({"replay", path("log.csv"), "--report", "json"}));
+  EXPECT_EQ(replayed["identical"], true) << replayed;
+}
+
 TEST_F(DevicePlugins, WhatWasNeverTriedOnHardwareIsSaid) {
   EXPECT_EQ(listed()["tried_on_hardware"]["falcon"], "never");
+  EXPECT_EQ(listed()["tried_on_hardware"]["force_dimension"], "never");
   EXPECT_THAT(run({"devices"}).out, HasSubstr("falcon: tried on hardware: never"));
 }
 

@@ -134,10 +134,11 @@ void listFalcons(Json& json, Outcome& outcome) {
 }
 
 /// Also of a kind that is not plugged in: before somebody buys one.
-void tellTried(const DeviceDriver& driver, Json& json, std::vector<std::string>& lines) {
-  if (driver.tried_on_hardware.empty()) return;
-  json["tried_on_hardware"][driver.kind] = driver.tried_on_hardware;
-  lines.push_back(driver.kind + ": tried on hardware: " + driver.tried_on_hardware);
+void tellTried(const std::string& kind, const std::string& tried, Json& json,
+               std::vector<std::string>& lines) {
+  if (tried.empty()) return;
+  json["tried_on_hardware"][kind] = tried;
+  lines.push_back(kind + ": tried on hardware: " + tried);
 }
 
 Outcome list(const Task& task) {
@@ -146,7 +147,7 @@ Outcome list(const Task& task) {
   json["tried_on_hardware"] = Json::object();
   Outcome outcome;
   for (const DeviceDriver& driver : deviceCatalog()) {
-    tellTried(driver, json, outcome.lines);
+    tellTried(driver.kind, driver.tried_on_hardware, json, outcome.lines);
     for (const std::string& id : driver.scan()) {
       const std::unique_ptr<Device> device = driver.make(id);
       const DeviceInfo& info = device->info();
@@ -155,6 +156,9 @@ Outcome list(const Task& task) {
       outcome.lines.push_back(id + ": " + info.name +
                               (info.max_force_n > 0 ? "" : " (cannot push back)"));
     }
+  }
+  for (const OwnPlugin& plugin : kOwnPlugins) {
+    tellTried(std::string(plugin.file), std::string(plugin.tried_on_hardware), json, outcome.lines);
   }
   listPlugins(json, outcome, task);
   listHid(json, outcome.lines);

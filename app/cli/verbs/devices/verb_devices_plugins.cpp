@@ -55,6 +55,13 @@ void tellTrusted(const PluginFile& file, Json& one, Outcome& outcome, const Task
   const ScannedPlugin plugin = scanned(file, task);
   if (plugin.trouble) {
     one["trouble"] = englishText(*plugin.trouble);
+    one["code"] = codeOf(*plugin.trouble);
+    // One that comes with relievo is there, whether anybody has its device or not.
+    if (plugin.trouble->id == MessageId::device_library_missing) {
+      outcome.lines.push_back("plug-in " + file.name + ": " + englishText(*plugin.trouble) + " (" +
+                              codeOf(*plugin.trouble) + ")");
+      return;
+    }
     outcome.lines.push_back("plug-in " + file.name + ": cannot be used");
     outcome.exit_code = kDeviceExit;
     return tell("The plug-in " + file.file.string() +

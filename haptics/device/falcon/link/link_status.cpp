@@ -134,7 +134,7 @@ std::string udevRule() {
          R"(SUBSYSTEM=="hidraw", ACTION!="remove", )"
          R"(PROGRAM="/usr/bin/od -An -tx1 -w8 -N8 /sys%p/device/report_descriptor", )"
          R"(RESULT=="*05 01 09 0[458] *|*05 01 15 00 09 0[458] *", )" +
-         give;
+         give + R"(SUBSYSTEM=="usb", ENV{DEVTYPE}=="usb_device", ATTR{idVendor}=="1451", )" + give;
 }
 
 }  // namespace relievo::falcon

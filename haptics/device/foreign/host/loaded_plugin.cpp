@@ -13,11 +13,14 @@ namespace relievo::foreign {
 namespace {
 constexpr std::uint32_t kMostDevices = 64;
 
-void logLine(void* /*self*/, std::int32_t level, const char* text) {
+constexpr std::int32_t kError = 2;
+/// Of words that a report can hold.
+constexpr std::size_t kMostWords = 180;
+
+void printLine(std::int32_t level, const char* text) {
   constexpr std::array<const char*, 3> kLevels{"information", "warning", "error"};
-  const auto index = static_cast<std::size_t>(std::clamp(level, 0, 2));
-  std::fprintf(stderr, "relievo-device-host: %s: %.500s\n", kLevels[index],
-               text == nullptr ? "" : text);
+  const auto index = static_cast<std::size_t>(std::clamp(level, 0, kError));
+  std::fprintf(stderr, "relievo-device-host: %s: %.500s\n", kLevels[index], text);
 }
 
 const void* noExtension(void* /*self*/, const char* /*id*/) {
@@ -35,6 +38,13 @@ bool isWhole(const relievo_device_entry_t& entry) noexcept {
                   entry.scan, entry.create, entry.destroy);
 }
 }  // namespace
+
+void LoadedPlugin::log(void* self, std::int32_t level, const char* text) noexcept {
+  if (text == nullptr) return;
+  auto& plugin = *static_cast<LoadedPlugin*>(self);
+  if (plugin.begun_ || level < kError) return printLine(level, text);
+  plugin.last_words_.assign(text, ::strnlen(text, kMostWords));
+}
 
 LoadedPlugin::~LoadedPlugin() {
   end();
@@ -68,16 +78,20 @@ Trouble LoadedPlugin::begin() {
            .abi_major = RELIEVO_DEVICE_ABI_MAJOR,
            .abi_minor = RELIEVO_DEVICE_ABI_MINOR,
            .reserved = 0,
-           .self = nullptr,
-           .log = logLine,
+           .self = this,
+           .log = log,
            .get_extension = noExtension};
   try {
     const relievo_status status = entry_->init(&host_, file_.c_str());
-    if (status < 0) return {HostTrouble::not_begun, status, {}};
+    if (status == RELIEVO_NO_LIBRARY) {
+      return {HostTrouble::not_begun, status, std::string(entry_->name) + ": " + last_words_};
+    }
+    if (status < 0) return {HostTrouble::not_begun, status, last_words_};
   } catch (...) {
     return {HostTrouble::threw, 0, "init"};
   }
   begun_ = true;
+  if (!last_words_.empty()) printLine(kError, last_words_.c_str());
   return {};
 }
 
@@ -126,8 +140,7 @@ bool isWhole(const relievo_device* device) noexcept {
 std::string lastError(const relievo_device* device) {
   const char* const text =
       called(static_cast<const char*>(nullptr), device->last_error, device->self);
-  constexpr std::size_t kMost = 180;
-  return text == nullptr ? std::string() : std::string(text, ::strnlen(text, kMost));
+  return text == nullptr ? std::string() : std::string(text, ::strnlen(text, kMostWords));
 }
 
 Trouble askLimits(relievo_device* device, ForeignLimits& limits) {

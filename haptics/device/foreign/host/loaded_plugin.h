@@ -53,7 +53,11 @@ class LoadedPlugin {
   void end();
 
  private:
+  /// Of the plug-in. What it says of an error before it has begun is why it did not.
+  static void log(void* self, std::int32_t level, const char* text) noexcept;
+
   std::string file_;
+  std::string last_words_;
   const relievo_device_entry_t* entry_ = nullptr;
   relievo_host host_{};
   bool begun_ = false;
