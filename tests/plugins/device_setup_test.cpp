@@ -432,6 +432,16 @@ TEST_F(DeviceButtonsTest, RunTheWindowsCommandsAndSayWhatTheyFind) {
   EXPECT_TRUE(last().startsWith("Detail 1 of 1, 8 centimetres wide."));
 }
 
+TEST_F(DeviceButtonsTest, PlusAndMinusTogetherAreTheWindowsSwitchOfLookAndTouch) {
+  buttons_.press(kPlus, true, now_s_);
+  buttons_.press(kMinus, true, now_s_);
+  pass(0.2);
+  buttons_.press(kPlus, false, now_s_);
+  buttons_.press(kMinus, false, now_s_);
+  pass(0.2);
+  EXPECT_EQ(host_.commands, QStringList{"pointer_switch"});
+}
+
 TEST_F(DeviceButtonsTest, MoveModePutsAGateUnderTheHandAndStepsTheWindow) {
   x_ = 4;
   press(kForward, 0.2);

@@ -5953,10 +5953,6 @@
         <translation>Einführung</translation>
     </message>
     <message>
-        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
-        <translation>Plus: feiner; lang: Detail und Maßstab. Minus: gröber; lang: ganzes Objekt. Vorwärts: verschieben; lang: Leuchtfeuer. Mitte: wo bin ich; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
-    </message>
-    <message>
         <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
         <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächster Ort. Minus: voriger Ort. Vorwärts: fertig. Mitte: zurück; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
     </message>
@@ -7867,6 +7863,14 @@
     <message>
         <source>%1&apos;s library was not found, or cannot be used (%2)</source>
         <translation>die Bibliothek von %1 wurde nicht gefunden oder kann nicht benutzt werden (%2)</translation>
+    </message>
+    <message>
+        <source>Look or touch</source>
+        <translation>Betrachten oder fühlen</translation>
+    </message>
+    <message>
+        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus: look or touch; for two seconds: help; for five: introduction.</source>
+        <translation>Plus: feiner; lang: Detail und Maßstab. Minus: gröber; lang: ganzes Objekt. Vorwärts: verschieben; lang: Leuchtfeuer. Mitte: wo bin ich; lang: Kräfte aus oder an. Plus und Minus: Betrachten oder Fühlen; zwei Sekunden: Hilfe; fünf: Einführung.</translation>
     </message>
 </context>
 <context>

@@ -5953,10 +5953,6 @@
         <translation>परिचय</translation>
     </message>
     <message>
-        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
-        <translation>प्लस: बारीक; देर तक: विवरण और पैमाना। माइनस: मोटा; देर तक: पूरी वस्तु। आगे: खिसकाना; देर तक: संकेतक। बीच: मैं कहाँ हूँ; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
-    </message>
-    <message>
         <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
         <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला स्थान। माइनस: पिछला स्थान। आगे: पूरा। बीच: वापस; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
     </message>
@@ -7867,6 +7863,14 @@
     <message>
         <source>%1&apos;s library was not found, or cannot be used (%2)</source>
         <translation>%1 की लाइब्रेरी नहीं मिली, या उपयोग नहीं हो सकती (%2)</translation>
+    </message>
+    <message>
+        <source>Look or touch</source>
+        <translation>देखना या स्पर्श</translation>
+    </message>
+    <message>
+        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus: look or touch; for two seconds: help; for five: introduction.</source>
+        <translation>प्लस: बारीक; देर तक: विवरण और पैमाना। माइनस: मोटा; देर तक: पूरी वस्तु। आगे: खिसकाना; देर तक: संकेतक। बीच: मैं कहाँ हूँ; देर तक: बल बंद या चालू। प्लस और माइनस: देखना या स्पर्श; दो सेकंड: सहायता; पाँच: परिचय।</translation>
     </message>
 </context>
 <context>
