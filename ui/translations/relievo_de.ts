@@ -266,6 +266,18 @@
         <source>ambient occlusion</source>
         <translation>Umgebungsverdeckung</translation>
     </message>
+    <message>
+        <source>hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>proxy</source>
+        <translation>Proxy</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -5305,10 +5317,6 @@
         <translation>%1 kann nicht gelesen werden: Die Datei ist leer (0 Bytes). Kopieren oder exportieren Sie sie erneut.</translation>
     </message>
     <message>
-        <source>Cannot read %1: it is %2; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ/ASC/PTS/CSV text and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Convert it to one of these, or choose another file.</source>
-        <translation>%1 kann nicht gelesen werden: Es ist %2; diese Version liest PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ/ASC/PTS/CSV text and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Wandeln Sie die Datei in eines davon um oder wählen Sie eine andere.</translation>
-    </message>
-    <message>
         <source>Cannot read %1 as a scan: it is %2. Open it as a raster.</source>
         <translation>%1 kann nicht als Scan gelesen werden: Es ist %2. Öffnen Sie es als Raster.</translation>
     </message>
@@ -7872,6 +7880,10 @@
         <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus: look or touch; for two seconds: help; for five: introduction.</source>
         <translation>Plus: feiner; lang: Detail und Maßstab. Minus: gröber; lang: ganzes Objekt. Vorwärts: verschieben; lang: Leuchtfeuer. Mitte: wo bin ich; lang: Kräfte aus oder an. Plus und Minus: Betrachten oder Fühlen; zwei Sekunden: Hilfe; fünf: Einführung.</translation>
     </message>
+    <message>
+        <source>Cannot read %1: it is %2; this version reads scans as %3, and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Convert it to one of these, or choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist %2; diese Version liest Scans als %3 und Raster als GeoTIFF, TIFF, PNG oder ESRI-ASCII-Gitter. Wandeln Sie die Datei in eines davon um oder wählen Sie eine andere.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -9571,24 +9583,12 @@
         <translation>z (mm)</translation>
     </message>
     <message>
-        <source>hand</source>
-        <translation>Hand</translation>
-    </message>
-    <message>
-        <source>proxy</source>
-        <translation>Proxy</translation>
-    </message>
-    <message>
         <source>Force in the recording</source>
         <translation>Kraft in der Aufzeichnung</translation>
     </message>
     <message>
         <source>force (N)</source>
         <translation>Kraft (N)</translation>
-    </message>
-    <message>
-        <source>force</source>
-        <translation>Kraft</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -9890,8 +9890,8 @@
         <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
-        <source>Point clouds and meshes (PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ and other text), height maps (TIFF, PNG, ASCII grid), projects and figures. You can also drop a file on this window.</source>
-        <translation>Punktwolken und Netze (PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ und anderer Text), Höhenkarten (TIFF, PNG, ASCII-Gitter), Projekte und Abbildungen. Sie können eine Datei auch auf dieses Fenster ziehen.</translation>
+        <source>Point clouds and meshes (%1), height maps (TIFF, PNG, ASCII grid), projects and figures. You can also drop a file on this window.</source>
+        <translation>Punktwolken und Netze (%1), Höhenkarten (TIFF, PNG, ASCII-Gitter), Projekte und Abbildungen. Sie können eine Datei auch auf dieses Fenster ziehen.</translation>
     </message>
 </context>
 <context>
@@ -10548,24 +10548,12 @@
         <translation>z (mm)</translation>
     </message>
     <message>
-        <source>hand</source>
-        <translation>Hand</translation>
-    </message>
-    <message>
-        <source>proxy</source>
-        <translation>Proxy</translation>
-    </message>
-    <message>
         <source>Force over the last ten seconds</source>
         <translation>Kraft in den letzten zehn Sekunden</translation>
     </message>
     <message>
         <source>force (N)</source>
         <translation>Kraft (N)</translation>
-    </message>
-    <message>
-        <source>force</source>
-        <translation>Kraft</translation>
     </message>
     <message>
         <source>Plots of height and force</source>

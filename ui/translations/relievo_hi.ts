@@ -266,6 +266,18 @@
         <source>ambient occlusion</source>
         <translation>परिवेशी अवरोधन</translation>
     </message>
+    <message>
+        <source>hand</source>
+        <translation>हाथ</translation>
+    </message>
+    <message>
+        <source>proxy</source>
+        <translation>प्रॉक्सी</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>बल</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -5305,10 +5317,6 @@
         <translation>%1 पढ़ी नहीं जा सकती: यह खाली है (0 बाइट)। इसे फिर से कॉपी या निर्यात करें।</translation>
     </message>
     <message>
-        <source>Cannot read %1: it is %2; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ/ASC/PTS/CSV text and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Convert it to one of these, or choose another file.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: यह %2 है; यह संस्करण PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ/ASC/PTS/CSV text and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid पढ़ता है। इसे इनमें से किसी में बदलें या दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
         <source>Cannot read %1 as a scan: it is %2. Open it as a raster.</source>
         <translation>%1 को स्कैन के रूप में नहीं पढ़ा जा सकता: यह %2 है। इसे रास्टर के रूप में खोलें।</translation>
     </message>
@@ -7872,6 +7880,10 @@
         <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus: look or touch; for two seconds: help; for five: introduction.</source>
         <translation>प्लस: बारीक; देर तक: विवरण और पैमाना। माइनस: मोटा; देर तक: पूरी वस्तु। आगे: खिसकाना; देर तक: संकेतक। बीच: मैं कहाँ हूँ; देर तक: बल बंद या चालू। प्लस और माइनस: देखना या स्पर्श; दो सेकंड: सहायता; पाँच: परिचय।</translation>
     </message>
+    <message>
+        <source>Cannot read %1: it is %2; this version reads scans as %3, and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Convert it to one of these, or choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह %2 है; यह संस्करण स्कैन %3 के रूप में और रास्टर GeoTIFF, TIFF, PNG या ESRI ASCII ग्रिड के रूप में पढ़ता है। इसे इनमें से किसी में बदलें या दूसरी फ़ाइल चुनें।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -9571,24 +9583,12 @@
         <translation>z (mm)</translation>
     </message>
     <message>
-        <source>hand</source>
-        <translation>हाथ</translation>
-    </message>
-    <message>
-        <source>proxy</source>
-        <translation>प्रॉक्सी</translation>
-    </message>
-    <message>
         <source>Force in the recording</source>
         <translation>रिकॉर्डिंग में बल</translation>
     </message>
     <message>
         <source>force (N)</source>
         <translation>बल (N)</translation>
-    </message>
-    <message>
-        <source>force</source>
-        <translation>बल</translation>
     </message>
     <message>
         <source>Replay</source>
@@ -9890,8 +9890,8 @@
         <translation>हाल के</translation>
     </message>
     <message>
-        <source>Point clouds and meshes (PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ and other text), height maps (TIFF, PNG, ASCII grid), projects and figures. You can also drop a file on this window.</source>
-        <translation>बिंदु-मेघ और जाल (PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ और अन्य पाठ), ऊँचाई मानचित्र (TIFF, PNG, ASCII ग्रिड), परियोजनाएँ और चित्र। फ़ाइल को इस खिड़की पर भी छोड़ा जा सकता है।</translation>
+        <source>Point clouds and meshes (%1), height maps (TIFF, PNG, ASCII grid), projects and figures. You can also drop a file on this window.</source>
+        <translation>बिंदु-मेघ और जाल (%1), ऊँचाई मानचित्र (TIFF, PNG, ASCII ग्रिड), परियोजनाएँ और चित्र। फ़ाइल को इस खिड़की पर भी छोड़ा जा सकता है।</translation>
     </message>
 </context>
 <context>
@@ -10548,24 +10548,12 @@
         <translation>z (mm)</translation>
     </message>
     <message>
-        <source>hand</source>
-        <translation>हाथ</translation>
-    </message>
-    <message>
-        <source>proxy</source>
-        <translation>प्रॉक्सी</translation>
-    </message>
-    <message>
         <source>Force over the last ten seconds</source>
         <translation>पिछले दस सेकंड में बल</translation>
     </message>
     <message>
         <source>force (N)</source>
         <translation>बल (N)</translation>
-    </message>
-    <message>
-        <source>force</source>
-        <translation>बल</translation>
     </message>
     <message>
         <source>Plots of height and force</source>

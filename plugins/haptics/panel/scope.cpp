@@ -16,35 +16,36 @@
 
 #include "core/base/failure.h"
 #include "core/io/formats/text_file.h"
+#include "core/recording/force_curves.h"
 #include "ui/message/message_text.h"
 
 namespace relievo {
 
 namespace {
-struct Curve {
-  double ForcePoint::*value;
-  const char* name;
-  const char* colour;
-  bool lower;  // In the lower of the two strips.
-};
-constexpr std::array<Curve, 3> kCurves{{{&ForcePoint::hip_z_mm, "hand z (mm)", "#c0392b", false},
-                                        {&ForcePoint::proxy_z_mm, "proxy z (mm)", "#1f5fa8", false},
-                                        {&ForcePoint::force_n, "force (N)", "#2e7d32", true}}};
+const char* colourOf(const ForceCurve& curve) {
+  constexpr std::array<const char*, 3> kColours{"#c0392b", "#1f5fa8", "#2e7d32"};
+  return kColours.at(static_cast<std::size_t>(curve.ink));
+}
+
+QString nameOf(const ForceCurve& curve) {
+  return QLatin1String(curve.window_name) +
+         QLatin1String(curve.strip == ForceStrip::heights ? " z (mm)" : " (N)");
+}
 
 struct Range {
   double low = 0, high = 1;
 };
 /// Of the curves of one strip; never without height.
-Range rangeOf(std::span<const ForcePoint> samples, bool lower) {
+Range rangeOf(std::span<const ForcePoint> samples, ForceStrip strip) {
   Range range{1e300, -1e300};
-  for (const Curve& curve : kCurves) {
-    if (curve.lower != lower) continue;
+  for (const ForceCurve& curve : kForceCurves) {
+    if (curve.strip != strip) continue;
     for (const ForcePoint& sample : samples) {
       range.low = std::min(range.low, sample.*curve.value);
       range.high = std::max(range.high, sample.*curve.value);
     }
   }
-  if (lower) range.low = std::min(0.0, range.low);
+  if (strip == ForceStrip::forces) range.low = std::min(0.0, range.low);
   if (!(range.low <= range.high)) return {};
   if (range.high - range.low < 1e-3) range.high = range.low + 1e-3;
   return range;
@@ -55,7 +56,7 @@ QString exact(double value) {
 }
 
 /// Points of one curve within a box; time fills its width.
-QPolygonF pointsOf(std::span<const ForcePoint> samples, const Curve& curve, const Range& range,
+QPolygonF pointsOf(std::span<const ForcePoint> samples, const ForceCurve& curve, const Range& range,
                    const QRectF& box) {
   QPolygonF points;
   if (samples.empty()) return points;
@@ -71,12 +72,15 @@ QPolygonF pointsOf(std::span<const ForcePoint> samples, const Curve& curve, cons
 }  // namespace
 
 QString scopeCsv(std::span<const ForcePoint> samples) {
-  QString text = QStringLiteral("t_s,hip_z_mm,proxy_z_mm,f_N\n");
+  QString text = QStringLiteral("t_s");
+  for (const ForceCurve& curve : kForceCurves) {
+    text += ',' + QString::fromLatin1(curve.column.data(), static_cast<int>(curve.column.size()));
+  }
+  text += '\n';
   for (const ForcePoint& s : samples) {
-    text +=
-        QStringList{exact(s.t_s), exact(s.hip_z_mm), exact(s.proxy_z_mm), exact(s.force_n)}.join(
-            ',') +
-        '\n';
+    QStringList values{exact(s.t_s)};
+    for (const ForceCurve& curve : kForceCurves) values += exact(s.*curve.value);
+    text += values.join(',') + '\n';
   }
   return text;
 }
@@ -89,9 +93,10 @@ QString scopeSvg(std::span<const ForcePoint> samples) {
                     "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n")
                     .arg(kLeft + kWidth + kGap)
                     .arg(2 * kStrip + 4 * kGap);
-  for (const bool lower : {false, true}) {
+  for (const ForceStrip strip : kForceStrips) {
+    const bool lower = strip == ForceStrip::forces;
     const QRectF box(kLeft, kGap + (lower ? kStrip + kGap : 0), kWidth, kStrip);
-    const Range range = rangeOf(samples, lower);
+    const Range range = rangeOf(samples, strip);
     svg += QStringLiteral(
                "<rect x=\"%1\" y=\"%2\" width=\"%3\" height=\"%4\" fill=\"none\" "
                "stroke=\"#888\"/>\n<text x=\"4\" y=\"%5\">%6</text>\n"
@@ -105,8 +110,8 @@ QString scopeSvg(std::span<const ForcePoint> samples) {
                .arg(box.bottom())
                .arg(QString::number(range.low, 'f', 3));
     int row = 0;
-    for (const Curve& curve : kCurves) {
-      if (curve.lower != lower) continue;
+    for (const ForceCurve& curve : kForceCurves) {
+      if (curve.strip != strip) continue;
       QStringList points;
       for (const QPointF& p : pointsOf(samples, curve, range, box)) {
         points << QString::number(p.x(), 'f', 2) + ',' + QString::number(p.y(), 'f', 2);
@@ -114,10 +119,10 @@ QString scopeSvg(std::span<const ForcePoint> samples) {
       svg += QStringLiteral(
                  "<polyline fill=\"none\" stroke=\"%1\" points=\"%2\"/>\n"
                  "<text x=\"%3\" y=\"%4\" fill=\"%1\">%5</text>\n")
-                 .arg(QLatin1String(curve.colour), points.join(' '))
+                 .arg(QLatin1String(colourOf(curve)), points.join(' '))
                  .arg(kLeft + 8)
                  .arg(box.top() + 16 + 14 * row++)
-                 .arg(QLatin1String(curve.name));
+                 .arg(nameOf(curve));
     }
   }
   const double length = samples.empty() ? 0 : samples.back().t_s - samples.front().t_s;
@@ -210,11 +215,12 @@ void ScopeView::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), palette().base());
   painter.setRenderHint(QPainter::Antialiasing);
   constexpr double kMargin = 8;
-  const double strip = 0.5 * (height() - 3 * kMargin);
-  for (const bool lower : {false, true}) {
-    const QRectF box(kMargin, kMargin + (lower ? strip + kMargin : 0), width() - 2 * kMargin,
-                     strip);
-    const Range range = rangeOf(shown_, lower);
+  const double strip_height = 0.5 * (height() - 3 * kMargin);
+  for (const ForceStrip strip : kForceStrips) {
+    const bool lower = strip == ForceStrip::forces;
+    const QRectF box(kMargin, kMargin + (lower ? strip_height + kMargin : 0), width() - 2 * kMargin,
+                     strip_height);
+    const Range range = rangeOf(shown_, strip);
     painter.setPen(palette().mid().color());
     painter.drawRect(box);
     painter.setPen(palette().text().color());
@@ -222,9 +228,9 @@ void ScopeView::paintEvent(QPaintEvent*) {
                      QString::number(range.high, 'f', 2));
     painter.drawText(box.adjusted(4, 2, -4, -2), Qt::AlignBottom | Qt::AlignRight,
                      QString::number(range.low, 'f', 2));
-    for (const Curve& curve : kCurves) {
-      if (curve.lower != lower) continue;
-      painter.setPen(QPen(QColor(QLatin1String(curve.colour)), 1.6));
+    for (const ForceCurve& curve : kForceCurves) {
+      if (curve.strip != strip) continue;
+      painter.setPen(QPen(QColor(QLatin1String(colourOf(curve))), 1.6));
       painter.drawPolyline(pointsOf(shown_, curve, range, box));
     }
     if (shown_.size() < 2) continue;

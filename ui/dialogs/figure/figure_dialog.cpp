@@ -20,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include "ui/dialogs/figure/figure_error.h"
+#include "ui/dialogs/figure/figure_form.h"
 #include "ui/dialogs/figure/figure_preview.h"
 #include "ui/language/core_words.h"
 #include "ui/style/dialog_size.h"
@@ -41,6 +42,7 @@ FigureDialog::FigureDialog(std::shared_ptr<const Surface> surface, Project proje
       surface_(std::move(surface)),
       project_(std::move(project)),
       own_folder_(QFileInfo(file).absolutePath()),
+      form_(new FigureForm(*surface_, project_, file, this)),
       delay_(new QTimer(this)) {
   setObjectName(QStringLiteral("figure_dialog"));
   setWindowTitle(tr("Figure"));
@@ -49,9 +51,6 @@ FigureDialog::FigureDialog(std::shared_ptr<const Surface> surface, Project proje
   columns->setContentsMargins({});
   columns->addWidget(formColumn(), 0);
   columns->addLayout(previewColumn(), 1);
-  file_->setText(file);
-  showRequest(project_.figure);
-  complete_ = true;
   // On a small screen with large text not even the columns' least widths have room.
   auto* scrolled = new QScrollArea;
   scrolled->setFocusPolicy(Qt::NoFocus);  // What stands in it has the keyboard.
@@ -65,6 +64,7 @@ FigureDialog::FigureDialog(std::shared_ptr<const Surface> surface, Project proje
   delay_->setSingleShot(true);
   delay_->setInterval(kDelayMs);
   connect(delay_, &QTimer::timeout, this, &FigureDialog::preview);
+  connect(form_, &FigureForm::changed, this, &FigureDialog::changed);
   connect(picture_, &FigurePreview::resized, this, &FigureDialog::previewLarger);
   connect(&worker_, &LatestWorker::busyChanged, this, &FigureDialog::showBusy);
   showBusy(false);
@@ -76,7 +76,7 @@ FigureDialog::~FigureDialog() {
 }
 
 QWidget* FigureDialog::formColumn() {
-  QWidget* form = makeForm();
+  QWidget* form = form_;
   auto* column = new QScrollArea;
   column->setFocusPolicy(Qt::NoFocus);  // What stands in it has the keyboard.
   column->setWidget(form);
@@ -165,9 +165,19 @@ Project FigureDialog::wanted() const {
   return project;
 }
 
+FigureRequest FigureDialog::request() const {
+  return form_->request();
+}
+
+FigureFiles FigureDialog::files() const {
+  return form_->files();
+}
+
+QString FigureDialog::file() const {
+  return form_->file();
+}
+
 void FigureDialog::changed() {
-  if (!complete_) return;
-  limit();
   Q_EMIT requestChanged(request());
   delay_->start();
 }
@@ -215,7 +225,7 @@ void FigureDialog::showFacts(const FigureFacts& facts) {
   }
   facts_->setText(text + '.');
   caption_->setPlainText(QString::fromStdString(facts.caption));
-  showAutomatic(facts);
+  form_->showAutomatic(facts);
 }
 
 void FigureDialog::showProblem(const QString& problem) {
