@@ -74,9 +74,11 @@ std::vector<ViewMm> sampleOf(const FromCorner& points) {
 }
 
 /// Does the front rise by less than a steep cell does, across the cell both ways? Points of a wall
-/// beside it, and strays, make a cell look steep that is not.
+/// beside it, and strays, make a cell look steep that is not; so does noise, by which the front may
+/// be off at both sides, across itself.
 bool isGentle(const FrontSurface& front, double x_mm, double y_mm, double spacing_mm) {
-  const auto limit = static_cast<float>(kSteepRise * spacing_mm);
+  const double off_mm = 2 * front.noiseMm() * std::hypot(1.0, kSteepRise);
+  const auto limit = static_cast<float>(kSteepRise * spacing_mm + off_mm);
   const double half = spacing_mm / 2;
   const float across = front.depthAt(x_mm + half, y_mm) - front.depthAt(x_mm - half, y_mm);
   const float along = front.depthAt(x_mm, y_mm + half) - front.depthAt(x_mm, y_mm - half);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -18,9 +19,17 @@ constexpr float kEdgeOn = 0.1F;        // Cosine; flatter discs are lines.
 constexpr float kLeastCosine = 0.15F;  // For tolerances of slopes.
 constexpr float kOnSurface = 1.35F;    // Spacings off the surface, across it.
 constexpr float kAveraged = 0.5F;      // Of that, behind the foremost piece.
+constexpr float kRim = 0.5F;           // Spacings that a disc may reach farther before a back.
+constexpr float kFarBehind = 2;        // Tolerances; nearer it is the same surface.
 constexpr int kPixelsAtOnce = 32;
 constexpr int kTilePixels = 16;
 constexpr std::size_t kFirstOf = 4;  // One disc in so many is drawn before the others.
+
+/// What a disc is at some pixels of a row.
+struct PieceRow {
+  std::size_t count = 0;
+  std::array<float, kPixelsAtOnce> z{}, with_rim{}, squared_radii{};
+};
 
 /// One disc as the raster sees it.
 class DrawnDisc {
@@ -34,7 +43,6 @@ class DrawnDisc {
   }
 
   float tolerance() const { return tolerance_; }
-  float spacing() const { return disc_.spacing; }
   /// No pixel of it is higher, and some room for rounding.
   float top() const {
     return disc_.centre[2] + 1.01F * disc_.radius + 1e-6F * std::abs(disc_.centre[2]);
@@ -45,15 +53,18 @@ class DrawnDisc {
   int lastCol() const { return pixelOf(disc_.centre[0] + half_width_); }
 
   /// Of the pixels of one row from `first` on: z of the disc in their middles, kNone beside the
-  /// disc; and how far from its centre that is, squared, in radii. Without a branch, for vectors.
-  void depths(int first, int row, std::span<float> z, std::span<float> squared_radii) const {
-    if (disc_.normal[2] <= kEdgeOn) return depthsOfLine(first, row, z, squared_radii);
+  /// disc; the same with its rim; and how far from its centre that is, squared, in radii. Without a
+  /// branch, for vectors.
+  void depths(int first, int row, PieceRow& out) const {
+    if (disc_.normal[2] <= kEdgeOn) return depthsOfLine(first, row, out);
     const SurfaceDisc disc = disc_;
     const float pixel = pixel_, limit = disc.radius * disc.radius;
-    const std::size_t count = z.size();
+    const std::size_t count = out.count;
     const float y = (static_cast<float>(row) + 0.5F) * pixel - disc.centre[1];
-    float* const out_z = z.data();
-    float* const out_squared = squared_radii.data();
+    const float rim = kRim * disc.spacing;
+    float* const out_z = out.z.data();
+    float* const out_with_rim = out.with_rim.data();
+    float* const out_squared = out.squared_radii.data();
     for (std::size_t i = 0; i < count; ++i) {
       const float x =
           (static_cast<float>(first + static_cast<int>(i)) + 0.5F) * pixel - disc.centre[0];
@@ -65,27 +76,31 @@ class DrawnDisc {
       const float e = (a - b) * 0.70710678F;
       const auto& reach = disc.reach;
       // What lies beyond the disc is above 0 in one of these.
-      float beyond = std::max(squared - limit, std::max(a - reach[0], -a - reach[1]));
+      float beyond = std::max(a - reach[0], -a - reach[1]);
       beyond = std::max(beyond, std::max(b - reach[2], -b - reach[3]));
       beyond = std::max(beyond, std::max(c - reach[4], -c - reach[5]));
       beyond = std::max(beyond, std::max(e - reach[6], -e - reach[7]));
       const float off_middle = std::max(std::abs(x), std::abs(y)) - pixel / 2;
       const float beside = off_middle <= 0 ? disc.centre[2] : kNone;
       const float on_disc = disc.centre[2] + rise, part = squared / limit;
-      out_z[i] = beyond <= 0 ? on_disc : beside;
-      out_squared[i] = beyond <= 0 ? part : 0.0F;
+      const bool is_round = squared <= limit, is_on = is_round && beyond <= 0;
+      const bool is_on_rim = is_round && beyond <= rim;
+      out_z[i] = is_on ? on_disc : beside;
+      out_with_rim[i] = is_on_rim ? on_disc : beside;
+      out_squared[i] = is_on_rim ? part : 0.0F;
     }
   }
 
  private:
-  void depthsOfLine(int first, int row, std::span<float> z, std::span<float> squared_radii) const {
+  void depthsOfLine(int first, int row, PieceRow& out) const {
     const float y = (static_cast<float>(row) + 0.5F) * pixel_ - disc_.centre[1];
-    for (std::size_t i = 0; i < z.size(); ++i) {
+    for (std::size_t i = 0; i < out.count; ++i) {
       const float x =
           (static_cast<float>(first + static_cast<int>(i)) + 0.5F) * pixel_ - disc_.centre[0];
       const bool is_middle = std::abs(x) <= pixel_ / 2 && std::abs(y) <= pixel_ / 2;
-      z[i] = is_middle || isOnLine(x, y) ? disc_.centre[2] : kNone;
-      squared_radii[i] = 0;
+      out.z[i] = is_middle || isOnLine(x, y) ? disc_.centre[2] : kNone;
+      out.with_rim[i] = out.z[i];
+      out.squared_radii[i] = 0;
     }
   }
 
@@ -167,13 +182,19 @@ bool isOf(Turn turn, std::size_t disc) {
   return turn == Turn::all || (turn == Turn::first) == (disc % kFirstOf == 0);
 }
 
-/// visit(pixel, z, squared_radii, number, disc) for all pixels of a band that discs cover, but not
-/// for discs all of which lies lower than the floors.
+/// What a disc is at one pixel.
+struct DiscAt {
+  float z, with_rim, squared_radii;
+  std::size_t number;
+};
+
+/// visit(pixel, piece) for all pixels of a band that discs cover with their rims, but not for discs
+/// all of which lies lower than the floors.
 template <class Visit>
 void forPixels(const std::vector<SurfaceDisc>& discs, Turn turn, GridSize size, float pixel,
                int first_row, int end_row, const TileFloors& floors, const Task& task,
                Visit&& visit) {
-  std::array<float, kPixelsAtOnce> z{}, squared_radii{};
+  PieceRow at;
   for (std::size_t i = 0; i < discs.size(); ++i) {
     if (i % 4096 == 0) task.check();
     if (!isOf(turn, i)) continue;
@@ -185,11 +206,12 @@ void forPixels(const std::vector<SurfaceDisc>& discs, Turn turn, GridSize size, 
     if (floors.areAbove(disc.top(), {top_row, last_row, left_col, last_col})) continue;
     for (int row = top_row; row <= last_row; ++row) {
       for (int col = left_col; col <= last_col; col += kPixelsAtOnce) {
-        const auto count = static_cast<std::size_t>(std::min(kPixelsAtOnce, last_col - col + 1));
-        disc.depths(col, row, {z.data(), count}, {squared_radii.data(), count});
+        at.count = static_cast<std::size_t>(std::min(kPixelsAtOnce, last_col - col + 1));
+        disc.depths(col, row, at);
         const std::size_t first = size.index({.col = col, .row = row});
-        for (std::size_t k = 0; k < count; ++k) {
-          if (z[k] != kNone) visit(first + k, z[k], squared_radii[k], i, disc);
+        for (std::size_t k = 0; k < at.count; ++k) {
+          if (at.with_rim[k] == kNone) continue;
+          visit(first + k, DiscAt{at.z[k], at.with_rim[k], at.squared_radii[k], i});
         }
       }
     }
@@ -199,10 +221,21 @@ void forPixels(const std::vector<SurfaceDisc>& discs, Turn turn, GridSize size, 
 void drawBand(const std::vector<SurfaceDisc>& discs, const DiscRaster& raster, HiddenDiscs hidden,
               int first_row, int end_row, const Task& task, std::vector<FrontPiece>& pieces) {
   const GridSize size = raster.size;
+  struct Foremost {
+    float z = kNone;
+    std::uint32_t disc = 0;
+
+    void add(float other, std::size_t number) {
+      if (!(other > z || (other == z && number < disc))) return;
+      z = other;
+      disc = static_cast<std::uint32_t>(number);
+    }
+  };
   struct Sum {
-    float front = kNone, tolerance = 0, spacing = 0;
+    Foremost front, with_rims;
+    float lowest = 0;         // Of the pieces that count.
     float weight = 0, z = 0;  // z from the front, so that the sum keeps its digits.
-    std::size_t disc = 0;
+    bool is_rim = false;
   };
   const std::size_t offset = size.index({.col = 0, .row = first_row});
   std::vector<Sum> sums(size.index({.col = 0, .row = end_row}) - offset);
@@ -211,40 +244,49 @@ void drawBand(const std::vector<SurfaceDisc>& discs, const DiscRaster& raster, H
   // Of pieces equally high the first disc's, whichever is drawn first.
   for (const Turn turn : {Turn::first, Turn::later}) {
     forPixels(discs, turn, size, pixel, first_row, end_row, floors, task,
-              [&](std::size_t at, float z, float, std::size_t number, const DrawnDisc& disc) {
+              [&](std::size_t at, const DiscAt& piece) {
                 Sum& sum = sums[at - offset];
-                if (!(z > sum.front || (z == sum.front && number < sum.disc))) return;
-                sum.front = z;
-                sum.tolerance = disc.tolerance();
-                sum.spacing = disc.spacing();
-                sum.disc = number;
+                sum.front.add(piece.z, piece.number);
+                sum.with_rims.add(piece.with_rim, piece.number);
               });
     if (hidden == HiddenDiscs::skipped) {
-      floors.measure([&](std::size_t at) { return sums[at].front; });
+      floors.measure([&](std::size_t at) { return sums[at].front.z; });
     }
+  }
+  // Between an edge and the last points before it chance leaves gaps, through which the back shows:
+  // rims close them. Where nothing lies behind they would only make the object wider.
+  const auto tolerance = [&](const Foremost& of) {
+    return DrawnDisc(discs[of.disc], pixel).tolerance();
+  };
+  for (Sum& sum : sums) {
+    if (sum.front.z == kNone) continue;
+    sum.is_rim = sum.with_rims.z != sum.front.z &&
+                 sum.with_rims.z > sum.front.z + kFarBehind * tolerance(sum.with_rims);
+    if (sum.is_rim) sum.front = sum.with_rims;
+    sum.lowest = sum.front.z - kAveraged * tolerance(sum.front);
   }
   // Pieces as near as the front's own tolerance are the same surface. No disc reaches a pixel that
   // none covers.
   if (hidden == HiddenDiscs::skipped) {
-    floors.measure([&](std::size_t at) {
-      const Sum& sum = sums[at];
-      return sum.front == kNone ? -kNone : sum.front - kAveraged * sum.tolerance;
-    });
+    floors.measure(
+        [&](std::size_t at) { return sums[at].front.z == kNone ? -kNone : sums[at].lowest; });
   }
   forPixels(discs, Turn::all, size, pixel, first_row, end_row, floors, task,
-            [&](std::size_t at, float z, float squared_radii, std::size_t, const DrawnDisc&) {
+            [&](std::size_t at, const DiscAt& piece) {
               Sum& sum = sums[at - offset];
-              if (z < sum.front - kAveraged * sum.tolerance) return;
+              const float z = sum.is_rim ? piece.with_rim : piece.z;
+              if (z == kNone || z < sum.lowest) return;
               // A Gaussian of half the radius: near pieces know best.
-              const float weight = std::exp(-2 * squared_radii);
+              const float weight = std::exp(-2 * piece.squared_radii);
               sum.weight += weight;
-              sum.z += weight * (z - sum.front);
+              sum.z += weight * (z - sum.front.z);
             });
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    if (sums[i].front == kNone) continue;
-    pieces[offset + i] = {.z = sums[i].front + sums[i].z / sums[i].weight,
-                          .tolerance = sums[i].tolerance,
-                          .spacing = sums[i].spacing};
+    const Foremost& front = sums[i].front;
+    if (front.z == kNone) continue;
+    pieces[offset + i] = {.z = front.z + sums[i].z / sums[i].weight,
+                          .tolerance = tolerance(front),
+                          .spacing = discs[front.disc].spacing};
   }
 }
 

@@ -18,7 +18,8 @@ constexpr double kPixelShare = 0.35;  // Of the spacing of the discs.
 constexpr double kMostPixels = 2048;  // Across the longer side.
 constexpr double kRough = 0.5;        // Thickness over width: noise hides the planes.
 constexpr int kSquarePixels = 4;
-constexpr float kLayerSpacings = 6;  // Farther apart, points behind are two layers.
+constexpr float kLayerSpacings = 6;            // Farther apart, points behind are two layers.
+constexpr double kDeviationOfMedian = 1.4826;  // Of normal errors.
 constexpr std::size_t kFewDiscs = 20'000;
 
 }  // namespace
@@ -44,7 +45,22 @@ FrontSurface::FrontSurface(const ViewBlocks& points, const ViewBox& box, std::ui
   pieces_ =
       drawDiscs(discs.discs, {.size = size_, .pixel_mm = pixel_mm_}, HiddenDiscs::skipped, task);
   closeVoids(pieces_, size_, pixel_mm_, discs.discs, task);
+  measureNoise(discs.discs);
   lookBehind(discs.discs);
+}
+
+void FrontSurface::measureNoise(const std::vector<SurfaceDisc>& discs) {
+  std::vector<float> off;
+  for (const SurfaceDisc& disc : discs) {
+    const ViewMm centre{static_cast<double>(disc.centre[0]), static_cast<double>(disc.centre[1]),
+                        static_cast<double>(disc.centre[2])};
+    if (sideOf(centre) != Side::front) continue;
+    off.push_back(std::abs(disc.centre[2] - depthAt(centre.x, centre.y)));
+  }
+  if (off.empty()) return;
+  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
+  std::nth_element(off.begin(), middle, off.end());
+  noise_mm_ = kDeviationOfMedian * static_cast<double>(*middle);
 }
 
 void FrontSurface::lookBehind(const std::vector<SurfaceDisc>& discs) {

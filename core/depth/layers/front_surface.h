@@ -46,17 +46,22 @@ class FrontSurface {
 
   std::size_t bytes() const noexcept { return pieces_.capacity() * sizeof(FrontPiece); }
   double spacingMm() const noexcept { return spacing_mm_; }  ///< Median of the discs.
-  double coveredMm2() const noexcept;                        ///< Of the view, by the surface.
+  /// How far the surface may be off along the view: standard deviation of its discs' middles about
+  /// it, from the median.
+  double noiseMm() const noexcept { return noise_mm_; }
+  double coveredMm2() const noexcept;  ///< Of the view, by the surface.
 
   static constexpr std::size_t kMostDiscs = 200'000;
 
  private:
+  void measureNoise(const std::vector<SurfaceDisc>& discs);
   void lookBehind(const std::vector<SurfaceDisc>& discs);
   const FrontPiece* pieceAt(double x_mm, double y_mm) const noexcept;
 
   GridSize size_;
   double pixel_mm_ = 0;
   double spacing_mm_ = 0;
+  double noise_mm_ = 0;
   Behind behind_;
   std::vector<FrontPiece> pieces_;
 };

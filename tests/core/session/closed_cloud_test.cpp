@@ -130,6 +130,56 @@ TEST(ClosedCloud, BearsNoiseUnevenDensityAndStrays) {
   EXPECT_GT(strayed.losses->flyers, 0U);
 }
 
+/// A capsule of 100 mm, 15 mm thick each way, that lies level and across the axes.
+constexpr double kCapsuleMm = 15;
+constexpr double kHalfAxisMm = 35;
+const std::array<double, 2> kCapsuleAxis{std::cos(0.4), std::sin(0.4)};
+
+Scan noisyCapsule(std::size_t count, double noise_mm) {
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::normal_distribution<double> normal(0, 1);
+  Scan scan;
+  while (scan.points.size() < count) {
+    std::array<double, 3> way{normal(random), normal(random), normal(random)};
+    // Both ends have as much surface as a ball, the part between them 70 of 30 times that.
+    const bool is_end = 100 * (unit(random) + 1) / 2 < 30;
+    if (!is_end) way[0] = 0;
+    const double length = std::hypot(way[0], way[1], way[2]);
+    for (double& value : way) value *= kCapsuleMm / length;
+    way[0] += is_end ? std::copysign(kHalfAxisMm, way[0]) : kHalfAxisMm * unit(random);
+    for (double& value : way) value += noise_mm * normal(random);
+    const auto& [c, s] = kCapsuleAxis;
+    scan.points.push_back({static_cast<float>(c * way[0] - s * way[1]),
+                           static_cast<float>(s * way[0] + c * way[1]),
+                           static_cast<float>(way[2])});
+  }
+  test::finishScan(scan);
+  return scan;
+}
+
+TEST(ClosedCloud, NoiseMakesNoCellSteep) {
+  const Surface surface = makeSurface(noisyCapsule(200'000, 0.2), seenFrom("top"), rasterize);
+  const GridFrame& frame = surface.map.frame;
+  int gentle = 0;
+  int steep = 0;
+  for (int row = 0; row < frame.size.rows; ++row) {
+    for (int col = 0; col < frame.size.cols; ++col) {
+      const double x = frame.xMm(col) - surface.view_from_file.m[3];
+      const double y = frame.yMm(row) - surface.view_from_file.m[7];
+      const double along = kCapsuleAxis[0] * x + kCapsuleAxis[1] * y;
+      const double across = kCapsuleAxis[0] * y - kCapsuleAxis[1] * x;
+      const double off = std::hypot(across, std::max(std::abs(along) - kHalfAxisMm, 0.0));
+      if (off > kCapsuleMm * std::sin(std::atan(5.0))) continue;  // Steeper than 79 degrees.
+      ++gentle;
+      const Origin origin = surface.map.origins[frame.size.index({.col = col, .row = row})];
+      steep += origin == Origin::steep ? 1 : 0;
+    }
+  }
+  ASSERT_GT(gentle, 3000);
+  EXPECT_LE(steep, gentle / 1000) << gentle;
+}
+
 TEST(ClosedCloud, TheGridIsThatOfThePointsThatAreSeen) {
   const Scan scan = sampledFigure(sphereFigure(), {}, 1);
   const Surface surface = makeSurface(scan, seenFrom("front"), rasterize);

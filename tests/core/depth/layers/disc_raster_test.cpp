@@ -91,6 +91,28 @@ TEST(DiscRaster, ShowsTheNearHalfOfABall) {
   }
 }
 
+TEST(DiscRaster, ARimHidesWhatLiesFarBehindAndMakesNothingWider) {
+  // Spacing 4 mm, cut 2 mm beyond its middle to the right; the back ends at 53.
+  SurfaceDisc cut = disc({50, 40, 40}, {0, 0, 1}, 4);
+  cut.reach[0] = 2;
+  SurfaceDisc back = disc({48, 40, 10}, {0, 0, 1}, 4);
+  back.reach[0] = 5;
+  const auto heightAt = [&](const std::vector<SurfaceDisc>& discs, double x) {
+    const int col = static_cast<int>(x / kRaster.pixel_mm);
+    return static_cast<double>(drawDiscs(discs, kRaster, HiddenDiscs::skipped,
+                                         {})[kRaster.size.index({.col = col, .row = 80})]
+                                   .z);
+  };
+  EXPECT_EQ(heightAt({cut, back}, 51.3), 40);
+  EXPECT_EQ(heightAt({cut, back}, 52.8), 40);  // The rim: half a spacing.
+  EXPECT_TRUE(std::isnan(heightAt({cut}, 52.8)));
+  EXPECT_TRUE(std::isnan(heightAt({cut, back}, 53.3)));  // With nothing behind the object ends.
+  back.reach[0] = 7;
+  EXPECT_EQ(heightAt({cut, back}, 54.3), 10);  // Beyond the rim.
+  back.centre[2] = 33;                         // Within two tolerances, 10.8 mm: the same surface.
+  EXPECT_EQ(heightAt({cut, back}, 52.8), 33);
+}
+
 TEST(DiscRaster, OfPiecesEquallyHighTheFirstOneSaysHowDenseThePointsAre) {
   std::vector<SurfaceDisc> discs;
   for (const float spacing : {4.0F, 8.0F, 2.0F, 6.0F, 3.0F}) {
