@@ -4,7 +4,9 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <iostream>
 
 #include "app/cli/json.h"
@@ -14,7 +16,9 @@
 #include "core/base/failure.h"
 #include "core/io/raster/colour_raster.h"
 #include "core/project/caption.h"
+#include "core/provenance/program.h"
 #include "core/region/smoothing.h"
+#include "core/session/input_names.h"
 #include "core/session/large/large_map.h"
 #include "core/session/large/tiled_surface.h"
 #include "core/tiles/level_files.h"
@@ -24,7 +28,8 @@
 namespace relievo::batch {
 namespace {
 
-/// Steps and percents on one line of a terminal, nothing into files and pipes.
+/// Steps, percents and how long a step still takes on one line of a terminal, nothing into files
+/// and pipes.
 class ProgressLine {
  public:
   explicit ProgressLine(bool shown) : shown_(shown) {}
@@ -36,9 +41,16 @@ class ProgressLine {
     if (!shown_) return;
     const int percent = static_cast<int>(100 * fraction);
     if (step == step_ && percent == percent_) return;
+    const auto now = std::chrono::steady_clock::now();
+    if (step != step_) {
+      began_ = now;
+      began_at_ = fraction;
+    }
     step_ = step;
     percent_ = percent;
-    std::cerr << "\r\033[Krelievo: " << step << ", " << percent << " %" << std::flush;
+    const double seconds = std::chrono::duration<double>(now - began_).count();
+    std::cerr << "\r\033[Krelievo: " << step << ", " << percent << " %"
+              << timeLeftWords(seconds, began_at_, fraction) << std::flush;
   }
   void clear() {
     if (shown_ && percent_ >= 0) std::cerr << "\r\033[K" << std::flush;
@@ -49,6 +61,8 @@ class ProgressLine {
   bool shown_;
   std::string step_;
   int percent_ = -1;
+  std::chrono::steady_clock::time_point began_;
+  double began_at_ = 0;
 };
 
 void sayView(const Surface& view) {
@@ -92,6 +106,11 @@ Json reportOf(const LargeMap& map, double factor) {
   json["intensity_file"] =
       map.has_intensities ? Json(intensityFileOf(map.file).string()) : Json(nullptr);
   json["spilled_bytes"] = map.spilled_bytes;
+  json["taken_over"] = map.taken_over ? Json{{"points", map.taken_over->points},
+                                             {"point_parts", map.taken_over->parts},
+                                             {"rows_of_tiles", map.taken_over->rows},
+                                             {"damaged", map.taken_over->damaged}}
+                                      : Json(nullptr);
   json["view"] = map.view_name;
   json["unit"] = name(map.unit);
   json["unit_source"] = name(map.unit_source);
@@ -104,9 +123,41 @@ Json reportOf(const LargeMap& map, double factor) {
   return json;
 }
 
+/// What makes the work what it is: another file, option or program would make other files.
+JobFacts jobFacts(const MapArguments& arguments, const ReadFiles& read) {
+  Provenance same;  // But for what is known only when it is made.
+  same.options = surfaceOptions(arguments);
+  same.accept_incomplete = arguments.scan.accept_incomplete;
+  same.scan = importOptions(arguments.scan).scan;
+  same.input = {.file = "-", .sha256 = {}};
+  const auto line = [](const InputFile& file) {
+    return file.sha256 + " " + std::to_string(file.bytes) + "\n";
+  };
+  std::string files = read.files.empty() ? line(read.input) : "";
+  for (const InputFile& file : read.files) files += line(file);
+  return {{"the program", std::string(programVersion()) + " " + std::string(programCommit())},
+          {"what the files hold", files},
+          {"an option", toJson(same, -1)}};
+}
+
 }  // namespace
 
+std::string timeLeftWords(double seconds, double began_at, double fraction) {
+  constexpr double kSoonS = 3, kMinuteS = 60, kHourS = 3600;
+  const double done = fraction - began_at;
+  if (seconds < kSoonS || !(done > 0.01) || !(fraction < 1)) return {};  // Nothing to judge by.
+  const double left = seconds * (1 - fraction) / done;
+  const auto about = [](double number, const char* unit) {
+    return ", about " + std::to_string(static_cast<long>(std::ceil(number))) + unit + " left of it";
+  };
+  if (left < kMinuteS) return about(5 * std::ceil(left / 5), " s");
+  return left < 2 * kHourS ? about(left / kMinuteS, " min") : about(left / kHourS, " h");
+}
+
 void addTileOptions(CLI::App& verb, TileArguments& tiles) {
+  verb.add_option("MORE", tiles.more,
+                  "With --memory: further files of the same scan; each name, also FILE, may be a "
+                  "folder, a pattern, a list or a tile index of LAS, LAZ or PLY files");
   takes(verb.add_option(
             "--memory", tiles.memory_mb,
             "Make the map by tiles within so many MB (LAS, LAZ, binary PLY, rasters); all "
@@ -116,13 +167,28 @@ void addTileOptions(CLI::App& verb, TileArguments& tiles) {
                         "With --memory: so many work at once (usually one for each core that this "
                         "process may use)"),
         {.low = 1, .high = kMostThreads});
+  verb.add_option("--job", tiles.job,
+                  "With --memory: keep what is finished in this folder, so that the same command "
+                  "goes on after it was stopped");
 }
 
 bool areGiven(const TileArguments& tiles) {
   if (tiles.threads && !tiles.memory_mb) {
     throw failure<MessageId::option_needs_other>("--threads", "--memory");
   }
+  if (!tiles.job.empty() && !tiles.memory_mb) {
+    throw failure<MessageId::option_needs_other>("--job", "--memory");
+  }
+  if (!tiles.more.empty() && !tiles.memory_mb) throw failure<MessageId::several_need_memory>();
   return tiles.memory_mb.has_value();
+}
+
+std::vector<std::filesystem::path> filesOf(const MapArguments& arguments,
+                                           const TileArguments& tiles) {
+  if (!tiles.memory_mb) return {arguments.file};
+  std::vector<std::filesystem::path> names{arguments.file};
+  names.insert(names.end(), tiles.more.begin(), tiles.more.end());
+  return filesNamed(names);
 }
 
 Outcome runByTiles(const MapArguments& arguments, const TileArguments& tiles,
@@ -132,10 +198,12 @@ Outcome runByTiles(const MapArguments& arguments, const TileArguments& tiles,
     throw failure<MessageId::option_memory>();
   }
   const ImportOptions import = importOptions(arguments.scan);
+  const std::vector<std::filesystem::path> files = filesOf(arguments, tiles);
   ProgressLine line(::isatty(STDERR_FILENO) != 0);
   const Task shown{.stop = task.stop, .progress = [&](std::string_view step, double fraction) {
                      line.show(step, fraction);
                    }};
+  std::optional<ReadFiles> read;
   LargeMapOptions large{.file = finest,
                         .memory_bytes = static_cast<std::uint64_t>(memory_mb * 1e6),
                         .threads = tiles.threads.value_or(0),
@@ -146,10 +214,15 @@ Outcome runByTiles(const MapArguments& arguments, const TileArguments& tiles,
                             },
                         .state =
                             [&](const LargeMap& map) {
-                              return toJson(provenanceOfVerb(arguments, map, finest, task), -1);
-                            }};
-  const LargeMap map =
-      makeLargeMap(arguments.file, surfaceOptions(arguments), large, import, shown);
+                              if (!read) read = readFilesOf(arguments, files, finest, task);
+                              return toJson(provenanceOfVerb(arguments, map, *read), -1);
+                            },
+                        .job = {}};
+  if (!tiles.job.empty()) {
+    read = readFilesOf(arguments, files, finest, shown);
+    large.job = {.folder = tiles.job, .facts = jobFacts(arguments, *read)};
+  }
+  const LargeMap map = makeLargeMap(files, surfaceOptions(arguments), large, import, shown);
   line.clear();
   for (const std::string& message : map.messages) tell(message);
   for (const std::string& left : map.not_done) tell(left);

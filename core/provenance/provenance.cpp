@@ -81,6 +81,9 @@ Provenance provenanceFrom(const Json& json) {
   p.version = json.at("program").at("version").get<std::string>();
   p.commit = json.at("program").at("commit").get<std::string>();
   p.input = inputFrom(json.at("input"));
+  if (json.at("input").contains("files")) {
+    for (const Json& file : json.at("input").at("files")) p.files.push_back(inputFrom(file));
+  }
   p.accept_incomplete = json.at("input").value("incomplete", false);
   p.scan = scanChoicesFrom(json.at("input"));
   p.options = optionsFrom(json.at("depth_map"));
@@ -143,6 +146,7 @@ std::string toJson(const Provenance& p, int indent) {
   json["program"] = {{"name", "relievo"}, {"version", p.version}, {"commit", p.commit}};
   json["input"] = jsonOf(p.input);
   json["input"]["incomplete"] = p.accept_incomplete;
+  for (const InputFile& file : p.files) json["input"]["files"].push_back(jsonOf(file));
   putScanChoices(p.scan, json["input"]);
   json["depth_map"] = jsonOf(p.options);
   if (p.view) json["view"] = jsonOf(*p.view);

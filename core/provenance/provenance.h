@@ -54,6 +54,9 @@ struct PictureChoice {
 struct Provenance {
   std::string version, commit;  ///< Of the program that made the result.
   InputFile input;
+  /// The files that `input` stands for, in the order in which their points are counted, if it is
+  /// several (inputOf).
+  std::vector<InputFile> files;
   SurfaceOptions options;          ///< What was chosen for people is written out.
   bool accept_incomplete = false;  ///< The complete records of a cut file were taken.
   ScanChoices scan;                ///< What of the file was read, and by whom.

@@ -54,4 +54,16 @@ InputFile inputFile(const std::filesystem::path& file, const std::filesystem::pa
   return input;
 }
 
+InputFile togetherOf(const std::filesystem::path& name, const std::filesystem::path& from,
+                     const std::vector<InputFile>& files) {
+  InputFile all{.file = relativePath(name, from), .sha256 = {}};
+  std::string sums;
+  for (const InputFile& file : files) {
+    sums += file.sha256 + '\n';
+    all.bytes += file.bytes;
+  }
+  all.sha256 = sha256OfText(sums);
+  return all;
+}
+
 }  // namespace relievo

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/base/task.h"
 #include "core/hash/sha256.h"
@@ -30,5 +31,10 @@ struct InputFile {
 /// @throw FileError, Cancelled
 InputFile inputFile(const std::filesystem::path& file, const std::filesystem::path& from,
                     const Task& task = {});
+
+/// What several files are together: `name` with the checksum of their checksums, one a line in
+/// their order, and all their bytes.
+InputFile togetherOf(const std::filesystem::path& name, const std::filesystem::path& from,
+                     const std::vector<InputFile>& files);
 
 }  // namespace relievo

@@ -345,6 +345,26 @@ LeftOut scatterIntoTiles(const PointSource& source, const ViewFromFile& view_fro
   return left_out;
 }
 
+std::vector<TilePoint> placedPoints(const PointSource& source, const ViewFromFile& view_from_file,
+                                    const GridFrame& frame, const PointRange& range, int threads,
+                                    LeftOut& left_out, const FrontSurface* front) {
+  const TileFromPoint tile_from_point(view_from_file, frame, front);
+  std::vector<TilePart> parts(static_cast<std::size_t>(threads));
+  inParts(range.first, range.first + range.count, threads,
+          [&](int part, std::uint64_t first, std::uint64_t last) {
+            parts[static_cast<std::size_t>(part)] = readPart(source, tile_from_point, first, last);
+          });
+  std::vector<TilePoint> placed;
+  placed.reserve(range.count);
+  for (const TilePart& part : parts) {
+    placed.insert(placed.end(), part.points.begin(), part.points.end());
+    left_out.hidden += part.left_out.hidden;
+    left_out.strays += part.left_out.strays;
+    left_out.on_front += part.left_out.on_front;
+  }
+  return placed;
+}
+
 namespace {
 
 /// What one thread makes of its share of points with values.
@@ -422,48 +442,70 @@ double pointNoise(const TileStore& store, double spacing_mm, const Task& task) {
   return middleNoise(std::move(noises));
 }
 
+struct DepthMaker::Impl {
+  const TileStore& store;
+  Gridding gridding;
+  int workers;
+  TileEdges edges;
+  DepthRows band;
+  std::vector<TileLosses> losses;
+};
+
+DepthMaker::DepthMaker(const TileStore& store, PointRule rule, double spacing_mm,
+                       const GriddingRoom& room, const Task& task)
+    : impl_(new Impl{
+          .store = store,
+          .gridding = {.store = store,
+                       .layout = store.layout(),
+                       .rule = rule,
+                       .spacing_mm = spacing_mm,
+                       .noise_mm =
+                           rule == PointRule::quadratic ? pointNoise(store, spacing_mm, task) : 0,
+                       .points_at_once = room.points_at_once},
+          .workers = room.workers > 0 ? room.workers : store.threads(),
+          .edges = TileEdges(store),
+          .band = {},
+          .losses = std::vector<TileLosses>(static_cast<std::size_t>(store.layout().across()))}) {}
+
+DepthMaker::~DepthMaker() = default;
+
+const DepthRows& DepthMaker::row(int y, const Task& task) {
+  const TileStore& store = impl_->store;
+  const TileLayout& layout = store.layout();
+  DepthRows& band = impl_->band;
+  task.check();
+  task.report("Heights of cells", static_cast<double>(y) / layout.down());
+  if (!store.merges()) impl_->edges.centre(y, impl_->workers);
+  band.first_row = y * kTileSide;
+  band.rows = layout.sizeOf(y * layout.across()).rows;
+  const GridSize size{.cols = layout.map.cols, .rows = band.rows};
+  band.front.resize(size.count());
+  if (looksAround(impl_->gridding.rule)) band.between.resize(size.count());
+  if (!store.merges()) {
+    band.steep.resize(size.count());
+    band.points.resize(size.count());
+  }
+  inParts(0, static_cast<std::uint64_t>(layout.across()), impl_->workers,
+          [&](int, std::uint64_t first, std::uint64_t end) {
+            for (int x = static_cast<int>(first); x < static_cast<int>(end); ++x) {
+              task.check();
+              const int tile = y * layout.across() + x;
+              if (store.merges()) {
+                depthsFromStates(impl_->gridding, store, tile, band);
+              } else {
+                impl_->losses[static_cast<std::size_t>(x)] =
+                    depthsByRule(impl_->gridding, impl_->edges, tile, band);
+              }
+            }
+          });
+  if (!store.merges()) sum(impl_->losses, band);
+  return band;
+}
+
 void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const TakeDepths& take,
                 const Task& task, const GriddingRoom& room) {
-  const TileLayout& layout = store.layout();
-  const int workers = room.workers > 0 ? room.workers : store.threads();
-  const Gridding gridding{
-      .store = store,
-      .layout = layout,
-      .rule = rule,
-      .spacing_mm = spacing_mm,
-      .noise_mm = rule == PointRule::quadratic ? pointNoise(store, spacing_mm, task) : 0,
-      .points_at_once = room.points_at_once};
-  TileEdges edges(store);
-  DepthRows band;
-  std::vector<TileLosses> losses(static_cast<std::size_t>(layout.across()));
-  for (int y = 0; y < layout.down(); ++y) {
-    task.check();
-    task.report("Heights of cells", static_cast<double>(y) / layout.down());
-    if (!store.merges()) edges.centre(y, workers);
-    band.first_row = y * kTileSide;
-    band.rows = layout.sizeOf(y * layout.across()).rows;
-    const GridSize size{.cols = layout.map.cols, .rows = band.rows};
-    band.front.resize(size.count());
-    if (looksAround(rule)) band.between.resize(size.count());
-    if (!store.merges()) {
-      band.steep.resize(size.count());
-      band.points.resize(size.count());
-    }
-    inParts(0, static_cast<std::uint64_t>(layout.across()), workers,
-            [&](int, std::uint64_t first, std::uint64_t end) {
-              for (int x = static_cast<int>(first); x < static_cast<int>(end); ++x) {
-                task.check();
-                const int tile = y * layout.across() + x;
-                if (store.merges()) {
-                  depthsFromStates(gridding, store, tile, band);
-                } else {
-                  losses[static_cast<std::size_t>(x)] = depthsByRule(gridding, edges, tile, band);
-                }
-              }
-            });
-    if (!store.merges()) sum(losses, band);
-    take(band);
-  }
+  DepthMaker maker(store, rule, spacing_mm, room, task);
+  for (int y = 0; y < store.layout().down(); ++y) take(maker.row(y, task));
 }
 
 }  // namespace relievo

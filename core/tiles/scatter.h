@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "core/depth/depth_request.h"
 #include "core/depth/layers/front_surface.h"
 #include "core/depth/rules/point_rule.h"
+#include "core/io/las/laz_points.h"
 #include "core/tiles/point_source.h"
 #include "core/tiles/tile_store.h"
 
@@ -35,6 +37,11 @@ struct LeftOut {
 LeftOut scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_file,
                          const GridFrame& frame, TileStore& store, const Task& task,
                          const FrontSurface* front = nullptr);
+
+/// What it does with some of the points, which stay in their order. [worker]
+std::vector<TilePoint> placedPoints(const PointSource& source, const ViewFromFile& view_from_file,
+                                    const GridFrame& frame, const PointRange& range, int threads,
+                                    LeftOut& left_out, const FrontSurface* front);
 
 /// The same with what the scan says of the points, for BandColours; all points, wherever they lie
 /// behind each other. [worker]
@@ -81,6 +88,24 @@ struct GriddingRoom {
   /// Each looks at no more points of a tile than that, if rows can be cut so (RowCuts).
   std::size_t points_at_once = std::numeric_limits<std::size_t>::max();
 };
+/// makeDepths row of tiles after row of tiles, lowest first; rows may be left out.
+class DepthMaker {
+ public:
+  /// @param store  stays as it is as long as this lives [worker] @throw Cancelled, WriteError
+  DepthMaker(const TileStore& store, PointRule rule, double spacing_mm, const GriddingRoom& room,
+             const Task& task);
+  ~DepthMaker();
+  DepthMaker(const DepthMaker&) = delete;
+  DepthMaker& operator=(const DepthMaker&) = delete;
+
+  /// The row's depths, until the next is asked for. [worker] @throw Cancelled, WriteError
+  const DepthRows& row(int tile_row, const Task& task);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
 void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const TakeDepths& take,
                 const Task& task, const GriddingRoom& room = {});
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/bands.h"
+#include "core/tiles/job_folder.h"
 #include "core/tiles/threads.h"
 
 namespace relievo {
@@ -86,6 +87,47 @@ void TileStoreOf<Point>::add(std::span<const Placed> points) {
   for (const Share& share : shares) {
     Tile& tile = tiles_[share.tile];
     if (!tile.states.empty() && !tile.blocks.empty()) giveBack(tile);
+  }
+}
+
+template <class Point>
+void TileStoreOf<Point>::adopt(std::filesystem::path file, std::span<const TileRun> runs) {
+  adopted_.push_back(std::move(file));
+  const auto number = static_cast<std::uint32_t>(adopted_.size());
+  for (const TileRun& run : runs) {
+    Tile& tile = tiles_[run.tile];
+    tile.runs.push_back({.at = run.at, .count = run.points, .states = false, .file = number});
+    tile.at_edge += run.at_edge;
+    point_count_ += run.points;
+  }
+}
+
+template <class Point>
+std::vector<TileRun> TileStoreOf<Point>::sorted(std::span<const Placed> points,
+                                                std::vector<Point>& out) {
+  std::vector<TileRun> runs;
+  out.clear();
+  out.reserve(points.size());
+  for (const Share& share : sortByTile(points)) {
+    TileRun run{.tile = share.tile,
+                .points = static_cast<std::uint32_t>(share.points.size()),
+                .at = out.size()};
+    for (const Placed& point : share.points) {
+      out.push_back(point.point);
+      run.at_edge += isAtEdge(static_cast<int>(share.tile), point.point.cell) ? 1U : 0U;
+    }
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+template <class Point>
+void TileStoreOf<Point>::readRun(const Run& run, std::size_t done, std::span<Point> points) const {
+  const std::uint64_t at = run.at + done * sizeof(Point);
+  if (run.file == 0) {
+    spill_.read(at, std::as_writable_bytes(points));
+  } else {
+    readPart(adopted_[run.file - 1], at, std::as_writable_bytes(points));
   }
 }
 
@@ -280,7 +322,7 @@ void TileStoreOf<Point>::mergeRun(const Run& run, std::vector<CellState>& states
     std::vector<Point> stored;
     for (std::size_t done = 0; done < run.count; done += stored.size()) {
       stored.resize(std::min(run.count - done, kPiecePoints));
-      spill_.read(run.at + done * sizeof(Point), std::as_writable_bytes(std::span(stored)));
+      readRun(run, done, stored);
       for (const Point& p : stored) mergeInto(states, p);
     }
   }
@@ -305,7 +347,7 @@ void TileStoreOf<Point>::forEachPiece(
   for (const Run& run : tile.runs) {
     for (std::size_t done = 0; done < run.count; done += piece.size()) {
       piece.resize(std::min(run.count - done, kPiecePoints));
-      spill_.read(run.at + done * sizeof(Point), std::as_writable_bytes(std::span(piece)));
+      readRun(run, done, piece);
       take(piece);
     }
   }

@@ -31,6 +31,14 @@ struct TileStoreOptions {
 /// The largest resolution at which `points` heights of at most `most_mm` add up without overflow.
 double sumUnit(std::uint64_t points, double most_mm);
 
+/// Points of one tile that lie in a file one after the other.
+struct TileRun {
+  std::uint32_t tile = 0, points = 0;
+  std::uint32_t at_edge = 0;   ///< Of these, within `edge_cells` of the tile's edge.
+  std::uint32_t reserved = 0;  ///< 0: the file is the same from the same points.
+  std::uint64_t at = 0;        ///< Of the first.
+};
+
 /// The points of a map that is larger than memory, tile by tile: places (CellPoint), or what the
 /// scan says of them (ValuePoint). A tile begins as a list of points
 /// and, where the rule allows, becomes an array of states once that is smaller. Above the memory
@@ -49,6 +57,11 @@ class TileStoreOf {
 
   /// Adds some points. They cost 40 bytes each for a while. [owner] @throw WriteError
   void add(std::span<const Placed> points);
+
+  /// Adds points that lie in a file, which stays as it is as long as this lives. [owner]
+  void adopt(std::filesystem::path file, std::span<const TileRun> runs);
+  /// The points by tile, for such a file; `at` counts points. [owner]
+  std::vector<TileRun> sorted(std::span<const Placed> points, std::vector<Point>& out);
 
   const TileLayout& layout() const noexcept { return layout_; }
   double sumUnitMm() const noexcept { return options_.sum_unit_mm; }
@@ -89,11 +102,12 @@ class TileStoreOf {
  private:
   static constexpr std::size_t kBlockPoints = 1024;
   using Block = std::array<Point, kBlockPoints>;
-  /// Part of a tile in the spill file.
+  /// Part of a tile in the spill file, or in one that was adopted.
   struct Run {
     std::uint64_t at = 0;
     std::uint32_t count = 0;
     bool states = false;
+    std::uint32_t file = 0;  ///< Of the adopted ones, from 1; 0: the spill file.
   };
   struct Tile {
     std::vector<std::unique_ptr<Block>> blocks;
@@ -116,6 +130,8 @@ class TileStoreOf {
   void makeRoom(std::size_t needed);
   void prepare(const Share& share);
   void take(const Share& share);
+  /// Points `done`, `done` + 1, ... of a run.
+  void readRun(const Run& run, std::size_t done, std::span<Point> points) const;
   void mergeInto(std::vector<CellState>& states, const Point& point) const;
   void mergeBlocks(const Tile& tile, std::vector<CellState>& states) const;
   void mergeRun(const Run& run, std::vector<CellState>& states) const;
@@ -138,6 +154,7 @@ class TileStoreOf {
   std::uint64_t adds_ = 0;
   std::uint64_t point_count_ = 0;
   SpillFile spill_;
+  std::vector<std::filesystem::path> adopted_;
 };
 
 using TileStore = TileStoreOf<CellPoint>;

@@ -5037,6 +5037,62 @@
         <translation>%1: Nur Wolken in LAS, LAZ und binärem PLY sowie Raster werden in Blöcken gelesen. Nichts wurde gemacht. Wandeln Sie die Datei in LAS um, oder lassen Sie --memory weg.</translation>
     </message>
     <message>
+        <source>%1 and %2 are not of one unit (%3 and %4), so they are no single scan. Nothing was made. Convert one of them, or make a map of each.</source>
+        <translation>%1 und %2 haben nicht eine Einheit (%3 und %4) und sind deshalb kein einzelner Scan. Nichts wurde gemacht. Wandeln Sie eine davon um, oder machen Sie von jeder eine Karte.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have different reference systems, so they are no single scan. Nothing was made. Convert one of them, or make a map of each.</source>
+        <translation>%1 und %2 haben verschiedene Bezugssysteme und sind deshalb kein einzelner Scan. Nichts wurde gemacht. Wandeln Sie eine davon um, oder machen Sie von jeder eine Karte.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be listed: %2. Nothing was made. Check its permissions.</source>
+        <translation>%1 kann nicht gelesen werden: %2. Nichts wurde gemacht. Prüfen Sie die Rechte des Ordners.</translation>
+    </message>
+    <message>
+        <source>%1 names or holds no LAS, LAZ or PLY file. Nothing was made. Choose another folder or list.</source>
+        <translation>%1 nennt oder enthält keine Datei LAS, LAZ oder PLY. Nichts wurde gemacht. Wählen Sie einen anderen Ordner oder eine andere Liste.</translation>
+    </message>
+    <message>
+        <source>No file fits %1. Nothing was made. Check the pattern.</source>
+        <translation>Keine Datei passt zu %1. Nichts wurde gemacht. Prüfen Sie das Muster.</translation>
+    </message>
+    <message>
+        <source>%1 names %2, and there is no such file. Nothing was made. Correct the list.</source>
+        <translation>%1 nennt %2, und eine solche Datei gibt es nicht. Nichts wurde gemacht. Berichtigen Sie die Liste.</translation>
+    </message>
+    <message>
+        <source>%1 is longer than lists of files are (64 MB). Nothing was made. Divide it, or name a folder.</source>
+        <translation>%1 ist länger, als Listen von Dateien sind (64 MB). Nichts wurde gemacht. Teilen Sie sie, oder nennen Sie einen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a tile index: it is damaged, or one of its features names no file. Nothing was made. Make it anew, or name a folder.</source>
+        <translation>%1 ist als Kachelverzeichnis nicht lesbar: Es ist beschädigt, oder ein Eintrag nennt keine Datei. Nichts wurde gemacht. Erzeugen Sie es neu, oder nennen Sie einen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 names %2, which is no file of this computer. Nothing was made. Fetch the files first.</source>
+        <translation>%1 nennt %2, und das ist keine Datei dieses Rechners. Nichts wurde gemacht. Holen Sie die Dateien zuerst.</translation>
+    </message>
+    <message>
+        <source>Several files become one map by tiles only. Nothing was made. Give --memory as well, or join them with relievo prepare.</source>
+        <translation>Mehrere Dateien werden nur in Kacheln zu einer Karte. Nichts wurde gemacht. Geben Sie auch --memory an, oder fügen Sie sie mit relievo prepare zusammen.</translation>
+    </message>
+    <message>
+        <source>%1 holds work on another map: %2 differs. Nothing was made. Give the same files and options as then, or another folder with --job.</source>
+        <translation>%1 enthält die Arbeit an einer anderen Karte: %2 ist anders. Nichts wurde gemacht. Geben Sie dieselben Dateien und Optionen wie damals an, oder mit --job einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Another process works in %1. Nothing was made. Wait until it ends, or give another folder with --job.</source>
+        <translation>In %1 arbeitet ein anderer Prozess. Nichts wurde gemacht. Warten Sie, bis er endet, oder geben Sie mit --job einen anderen Ordner an.</translation>
+    </message>
+    <message>
+        <source>%1 is not empty and holds no work of this program. Nothing was made. Give an empty or a new folder with --job.</source>
+        <translation>%1 ist nicht leer und enthält keine Arbeit dieses Programms. Nichts wurde gemacht. Geben Sie mit --job einen leeren oder neuen Ordner an.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. What was finished before stays in its folder. Free some space, and give the same command again.</source>
+        <translation>%1 kann nicht geschrieben werden: %2. Was vorher fertig war, bleibt in seinem Ordner. Schaffen Sie Platz, und geben Sie denselben Befehl noch einmal.</translation>
+    </message>
+    <message>
         <source>%1: none of its points that were looked at is finite. Nothing was made.</source>
         <translation>%1: Keiner der angesehenen Punkte ist endlich. Nichts wurde gemacht.</translation>
     </message>

@@ -5037,6 +5037,62 @@
         <translation>%1: खंडों में केवल LAS, LAZ और बाइनरी PLY के बिंदु-समूह और रास्टर पढ़े जाते हैं। कुछ नहीं बना। इसे LAS में बदलें, या --memory छोड़ें।</translation>
     </message>
     <message>
+        <source>%1 and %2 are not of one unit (%3 and %4), so they are no single scan. Nothing was made. Convert one of them, or make a map of each.</source>
+        <translation>%1 और %2 एक ही इकाई में नहीं हैं (%3 और %4), इसलिए वे एक स्कैन नहीं हैं। कुछ नहीं बनाया गया। उनमें से एक को बदलें, या हर एक का अलग नक्शा बनाएँ।</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have different reference systems, so they are no single scan. Nothing was made. Convert one of them, or make a map of each.</source>
+        <translation>%1 और %2 के संदर्भ तंत्र अलग हैं, इसलिए वे एक स्कैन नहीं हैं। कुछ नहीं बनाया गया। उनमें से एक को बदलें, या हर एक का अलग नक्शा बनाएँ।</translation>
+    </message>
+    <message>
+        <source>%1 cannot be listed: %2. Nothing was made. Check its permissions.</source>
+        <translation>%1 की सूची नहीं बन सकी: %2। कुछ नहीं बनाया गया। उसकी अनुमतियाँ जाँचें।</translation>
+    </message>
+    <message>
+        <source>%1 names or holds no LAS, LAZ or PLY file. Nothing was made. Choose another folder or list.</source>
+        <translation>%1 में कोई LAS, LAZ या PLY फ़ाइल नहीं है। कुछ नहीं बनाया गया। कोई दूसरा फ़ोल्डर या सूची चुनें।</translation>
+    </message>
+    <message>
+        <source>No file fits %1. Nothing was made. Check the pattern.</source>
+        <translation>%1 से कोई फ़ाइल मेल नहीं खाती। कुछ नहीं बनाया गया। पैटर्न जाँचें।</translation>
+    </message>
+    <message>
+        <source>%1 names %2, and there is no such file. Nothing was made. Correct the list.</source>
+        <translation>%1 में %2 का नाम है, पर ऐसी कोई फ़ाइल नहीं है। कुछ नहीं बनाया गया। सूची ठीक करें।</translation>
+    </message>
+    <message>
+        <source>%1 is longer than lists of files are (64 MB). Nothing was made. Divide it, or name a folder.</source>
+        <translation>%1 फ़ाइलों की सूचियों की सीमा (64 MB) से लंबी है। कुछ नहीं बनाया गया। उसे बाँटें, या कोई फ़ोल्डर दें।</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a tile index: it is damaged, or one of its features names no file. Nothing was made. Make it anew, or name a folder.</source>
+        <translation>%1 को टाइल-सूची के रूप में नहीं पढ़ा जा सका: वह ख़राब है, या उसकी कोई प्रविष्टि फ़ाइल का नाम नहीं देती। कुछ नहीं बनाया गया। उसे फिर से बनाएँ, या कोई फ़ोल्डर दें।</translation>
+    </message>
+    <message>
+        <source>%1 names %2, which is no file of this computer. Nothing was made. Fetch the files first.</source>
+        <translation>%1 में %2 का नाम है, जो इस कंप्यूटर की फ़ाइल नहीं है। कुछ नहीं बनाया गया। पहले फ़ाइलें ले आएँ।</translation>
+    </message>
+    <message>
+        <source>Several files become one map by tiles only. Nothing was made. Give --memory as well, or join them with relievo prepare.</source>
+        <translation>कई फ़ाइलें केवल टाइलों से ही एक नक्शा बनती हैं। कुछ नहीं बनाया गया। --memory भी दें, या उन्हें relievo prepare से जोड़ें।</translation>
+    </message>
+    <message>
+        <source>%1 holds work on another map: %2 differs. Nothing was made. Give the same files and options as then, or another folder with --job.</source>
+        <translation>%1 में किसी दूसरे नक्शे का काम है: %2 अलग है। कुछ नहीं बनाया गया। तब जैसी ही फ़ाइलें और विकल्प दें, या --job से कोई दूसरा फ़ोल्डर।</translation>
+    </message>
+    <message>
+        <source>Another process works in %1. Nothing was made. Wait until it ends, or give another folder with --job.</source>
+        <translation>%1 में कोई दूसरी प्रक्रिया काम कर रही है। कुछ नहीं बनाया गया। उसके समाप्त होने तक रुकें, या --job से कोई दूसरा फ़ोल्डर दें।</translation>
+    </message>
+    <message>
+        <source>%1 is not empty and holds no work of this program. Nothing was made. Give an empty or a new folder with --job.</source>
+        <translation>%1 ख़ाली नहीं है और उसमें इस प्रोग्राम का कोई काम नहीं है। कुछ नहीं बनाया गया। --job से कोई ख़ाली या नया फ़ोल्डर दें।</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. What was finished before stays in its folder. Free some space, and give the same command again.</source>
+        <translation>%1 नहीं लिखा जा सका: %2। जो पहले पूरा हुआ था, वह अपने फ़ोल्डर में रहता है। जगह ख़ाली करें, और वही कमांड फिर दें।</translation>
+    </message>
+    <message>
         <source>%1: none of its points that were looked at is finite. Nothing was made.</source>
         <translation>%1: देखे गए बिंदुओं में से कोई परिमित नहीं है। कुछ नहीं बना।</translation>
     </message>

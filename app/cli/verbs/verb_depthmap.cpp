@@ -172,7 +172,7 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
 
 VerbFiles filesOf(const DepthmapArguments& a) {
   VerbFiles files;
-  files.reads(a.map.file);
+  for (const std::filesystem::path& file : filesOf(a.map, a.tiles)) files.reads(file);
   if (a.tiles.memory_mb) {
     files.writesLevels(a.out);
   } else {

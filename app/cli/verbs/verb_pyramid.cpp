@@ -90,7 +90,7 @@ Outcome runPyramid(const PyramidArguments& a, const Task& task) {
 
 VerbFiles filesOf(const PyramidArguments& a) {
   VerbFiles files;
-  files.reads(a.map.file);
+  for (const std::filesystem::path& file : filesOf(a.map, a.tiles)) files.reads(file);
   files.writesLevels(levelFile(a.out, 0));
   return files;
 }

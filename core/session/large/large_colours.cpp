@@ -79,9 +79,9 @@ bool StreamedValues::isDecided(const Seen& seen) const {
   return colours_known && intensities_known;
 }
 
-StreamedValues::StreamedValues(const std::filesystem::path& file, const ImportOptions& options,
-                               int threads, const Task& task)
-    : stream_(std::make_shared<PointStream>(file, options, task, StreamedParts::values)) {
+StreamedValues::StreamedValues(const std::vector<std::filesystem::path>& files,
+                               const ImportOptions& options, int threads, const Task& task)
+    : stream_(std::make_shared<PointFiles>(files, options, task, StreamedParts::values)) {
   const bool colours = stream_->colourType().has_value();
   const bool intensities = stream_->intensityType().has_value();
   if (!colours && !intensities) return;

@@ -12,7 +12,7 @@
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
 #include "core/io/import.h"
-#include "core/io/point_stream.h"
+#include "core/io/point_files.h"
 #include "core/io/point_values.h"
 #include "core/tiles/point_source.h"
 
@@ -22,10 +22,10 @@ namespace relievo {
 /// the whole: what the numbers mean is said by all of them. Immutable after construction.
 class StreamedValues {
  public:
-  /// Looks at the file's points until it is known what their numbers mean; often that is soon.
+  /// Looks at the files' points until it is known what their numbers mean; often that is soon.
   /// @param threads  0: as many as there are cores, at most 4 [worker] @throw FileError, Cancelled
-  StreamedValues(const std::filesystem::path& file, const ImportOptions& options, int threads,
-                 const Task& task);
+  StreamedValues(const std::vector<std::filesystem::path>& files, const ImportOptions& options,
+                 int threads, const Task& task);
 
   bool hasColours() const noexcept { return has_colours_; }
   bool hasIntensities() const noexcept { return has_intensities_; }
@@ -50,7 +50,7 @@ class StreamedValues {
   bool isDecided(const Seen& seen) const;
   void findMiddle(int threads, const Task& task);
 
-  std::shared_ptr<const PointStream> stream_;
+  std::shared_ptr<const PointFiles> stream_;
   ColourScale colour_;
   IntensityScale intensity_;
   bool has_colours_ = false, has_intensities_ = false;

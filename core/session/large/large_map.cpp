@@ -16,7 +16,7 @@
 #include "core/depth/rules/rasterize.h"
 #include "core/io/file_check.h"
 #include "core/io/input_facts.h"
-#include "core/io/point_stream.h"
+#include "core/io/point_files.h"
 #include "core/io/raster/raster_rows.h"
 #include "core/io/scan_builder.h"
 #include "core/session/choices.h"
@@ -24,11 +24,13 @@
 #include "core/session/colours/cloud_colours.h"
 #include "core/session/large/large_colours.h"
 #include "core/session/large/large_memory.h"
+#include "core/session/large/large_points.h"
 #include "core/session/loss_words.h"
 #include "core/session/source/raster_in_use.h"
 #include "core/session/source/source_in_use.h"
 #include "core/tiles/band_fill.h"
 #include "core/tiles/colours/colour_files.h"
+#include "core/tiles/job_parts.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/scatter.h"
 
@@ -51,16 +53,9 @@ void requireStreamable(const std::filesystem::path& file, const InputFacts& fact
   if (facts.has_faces) throw failure<MessageId::mesh_in_blocks>(shownName(file));
 }
 
-PointSource sourceOf(const PointStream& stream) {
-  return {.count = stream.info().points,
-          .read = [&stream](std::uint64_t first, std::span<FilePoint> block) {
-            return stream.read(first, block);
-          }};
-}
-
 /// About `wanted` points in short runs at even distances: scans are often stored line by line, and
 /// single points would each cost a page of the disk.
-std::vector<PointRange> evenRuns(const PointStream& stream, std::uint64_t wanted) {
+std::vector<PointRange> evenRuns(const PointFiles& stream, std::uint64_t wanted) {
   constexpr std::uint64_t kRun = 256;
   const std::uint64_t count = stream.info().points;
   const std::uint64_t runs = std::max<std::uint64_t>(1, wanted / kRun);
@@ -75,12 +70,12 @@ std::vector<PointRange> evenRuns(const PointStream& stream, std::uint64_t wanted
 }
 
 /// Points for a look, as soon as they can be had: packed files cost where they are opened.
-std::vector<PointRange> firstRuns(const PointStream& stream, std::uint64_t wanted) {
+std::vector<PointRange> firstRuns(const PointFiles& stream, std::uint64_t wanted) {
   const std::vector<PointRange> cheap = stream.cheapSample(wanted);
   return cheap.empty() ? evenRuns(stream, wanted) : cheap;
 }
 
-Scan sampleOf(const PointStream& stream, const std::vector<PointRange>& ranges, const Task& task) {
+Scan sampleOf(const PointFiles& stream, const std::vector<PointRange>& ranges, const Task& task) {
   constexpr std::uint64_t kAtOnce = 16384;
   ScanBuilder builder(stream.info().file, std::numeric_limits<std::uint64_t>::max());
   std::vector<FilePoint> block(kAtOnce);
@@ -241,226 +236,11 @@ void fillAndWrite(LargeMap& map, const DepthSource& source, const SurfaceOptions
                colour_files.get());
 }
 
-/// The cloud's frame, its view and what the points are mapped with, z from the lowest point.
-struct Placed {
-  GridFrame frame;
-  ViewFromFile view_from_file;
-  NamedRotation rotation;
-  double lowest_mm = 0, range_mm = 0;
-  SourceInUse points;
-  std::optional<FrontSurface> front;  ///< Of a cloud that lies behind itself.
-};
-
-/// The points in the view, from the lower corner of their box.
-ViewBlocks blocksOf(const PointSource& source, const ViewFromFile& view_from_file,
-                    const ViewMm& corner) {
-  return [&source, view_from_file, corner](const auto& take) {
-    std::vector<ViewMm> moved;
-    forEachBlock(source, 0, source.count, [&](std::span<const FilePoint> block) {
-      moved.clear();
-      for (const FilePoint& p : block) moved.push_back(view_from_file(p) - corner);
-      take(moved);
-    });
-  };
-}
-
-/// Decides in 3-D what is seen, as for clouds in memory.
-void findFront(Placed& placed, const Scan& sample, const ViewFromFile& view_from_file,
-               const Task& task) {
-  const SourceBounds& bounds = placed.points.bounds;
-  std::vector<ViewMm> seen;
-  const ViewBox box{.min = {}, .max = bounds.max - bounds.min};
-  for (std::size_t i = 0; i < sample.points.size(); ++i) {
-    seen.push_back(view_from_file(sample.point(i)) - bounds.min);
-  }
-  placed.front = frontOf(blocksOf(placed.points.source, view_from_file, bounds.min), seen, box,
-                         bounds.finite_points, task);
-}
-
-/// How fine a grid the points on the front carry, by a sample of them.
-CellProposal cellsByFront(const FrontSurface& front, const Scan& sample,
-                          const ViewFromFile& view_from_file, const SourceBounds& bounds) {
-  std::vector<ViewMm> on_front;
-  for (std::size_t i = 0; i < sample.points.size(); ++i) {
-    const ViewMm p = view_from_file(sample.point(i)) - bounds.min;
-    if (front.sideOf(p) == FrontSurface::Side::front) on_front.push_back(p);
-  }
-  const double share = static_cast<double>(on_front.size()) /
-                       static_cast<double>(std::max<std::size_t>(sample.points.size(), 1));
-  const double noise_mm =
-      noiseOnFront(front, on_front.size(), [&](std::size_t i) { return on_front[i]; });
-  return cellsOf(front, {.min = bounds.min, .max = bounds.max},
-                 static_cast<std::uint64_t>(share * static_cast<double>(bounds.finite_points)),
-                 noise_mm);
-}
-
-/// @param sample  without strays
-Placed place(Surface& facts, const PointStream& stream, const Scan& sample,
-             const SurfaceOptions& options, const LargeMapOptions& large, const Task& task) {
-  Placed placed;
-  facts.info.bounds = sample.info.bounds;
-  chooseUnit(facts, options);
-  placed.rotation = chosenRotation(
-      sample, options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
-  if (!placed.rotation.note.empty()) facts.messages.push_back(placed.rotation.note);
-  const double mm = mmPer(facts.unit);
-  const ViewFromFile turned = viewFromFile(placed.rotation.rotation, mm, 0, 0, 0);
-  placed.points = sourceInUse(sourceOf(stream), sample, placed.rotation.rotation, turned, options,
-                              large.threads, task);
-  const SourceBounds& bounds = placed.points.bounds;
-  facts.info.finite_points = bounds.finite_points;
-  facts.info.bounds = bounds.file;
-  const RotatedBounds box{.min = bounds.min, .max = bounds.max};
-  findFront(placed, sample, turned, task);
-  placed.frame = chooseFrame(
-      facts, options, box,
-      [&] {
-        return placed.front ? cellsByFront(*placed.front, sample, turned, bounds)
-                            : proposeCells(sample, placed.rotation.rotation, bounds.finite_points);
-      },
-      MapPlace::tiles);
-  placed.lowest_mm = bounds.min.z;
-  placed.range_mm = bounds.max.z - bounds.min.z;
-  placed.view_from_file =
-      viewFromFile(placed.rotation.rotation, mm, placed.frame.first_x_mm - bounds.min.x,
-                   placed.frame.first_y_mm - bounds.min.y, -bounds.min.z);
-  facts.view_name = placed.rotation.name;
-  return placed;
-}
-
-void sayRule(LargeMap& map, const RuleProposal& rule, bool merges) {
-  map.rule = rule.reason + ": " + std::string(describe(rule.rule));
-  map.messages.push_back("Heights: " + map.rule + ".");
-  if (merges) {
-    map.messages.emplace_back("The points were merged as they came; flyers were not looked for.");
-  }
-}
-
-/// Depths of all cells, on disk.
-struct StoredDepths {
-  RowStore front;
-  std::unique_ptr<RowStore> between, points;
-  BitRows steep;
-  bool one_layer = false;
-  std::optional<HiddenSurface> hidden;
-  std::size_t flyers = 0;
-  LeftOut left_out;
-
-  /// Writes rows where there are any; the first ones decide.
-  static void keep(std::unique_ptr<RowStore>& store, const DepthRows& rows,
-                   const std::vector<float>& values, GridSize size,
-                   const std::filesystem::path& folder) {
-    if (values.empty()) return;
-    if (!store) store = std::make_unique<RowStore>(size, 0, folder);
-    store->write(rows.first_row, rows.rows, values.data());
-  }
-
-  BandDepths rows() const {
-    const auto of = [](const RowStore& store) {
-      return [&store](int first, int rows, float* out) { store.read(first, rows, out); };
-    };
-    return {.front = of(front),
-            .between = between ? of(*between) : RowsOf{},
-            .steep = &steep,
-            .one_layer = one_layer,
-            .points = points ? of(*points) : RowsOf{}};
-  }
-};
-
-/// A band of rows as the surface in front says.
-DepthRows withFront(const FrontSurface& front, const GridFrame& frame, DepthRows rows) {
-  rows.between.resize(rows.front.size(), std::numeric_limits<float>::quiet_NaN());
-  addFront(front, frame,
-           {.rows = {.first = rows.first_row, .end = rows.first_row + rows.rows},
-            .depths = rows.front.data(),
-            .between = rows.between.data(),
-            .steep = rows.steep.empty() ? nullptr : rows.steep.data()});
-  return rows;
-}
-
-void sayLeftOut(Surface& facts, const SourceInUse& points, const PointStream& stream,
-                const SurfaceOptions& options) {
-  if (points.missing > 0) {
-    facts.messages.push_back(missingWords(points.missing, *options.nodata->value));
-  }
-  for (std::string words : {strayWords(points.strays), groupWords(points.strays)}) {
-    if (!words.empty()) facts.messages.push_back(std::move(words));
-  }
-  const FileBounds& box = points.bounds.file;
-  if (options.nodata || !(isUsualNodata(box.min.z) || isUsualNodata(box.max.z))) return;
-  if (const auto suspect = suspectHeight(sourceOf(stream))) {
-    facts.messages.push_back(suspectWords(*suspect));
-  }
-}
-
-std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& stream,
-                                         const Placed& placed, const SurfaceOptions& options,
-                                         const LargeMapOptions& large, const MemoryPlan& plan,
-                                         const Task& task) {
-  TileStore store(placed.frame.size, {.merges = options.rule && isMergeable(*options.rule),
-                                      .memory_bytes = plan.points_bytes,
-                                      .spill_folder = spillFolder(large),
-                                      .sum_unit_mm = sumUnit(stream.info().points, placed.range_mm),
-                                      .edge_cells = kRuleReach,
-                                      .threads = large.threads});
-  const FrontSurface* front = placed.front ? &*placed.front : nullptr;
-  const LeftOut left_out = scatterIntoTiles(placed.points.source, placed.view_from_file,
-                                            placed.frame, store, task, front);
-  if (!options.rule) {
-    store.keepWithin(samplingBytes(plan, placed.frame, large, samplePoints(store)));
-  }
-  const RuleProposal rule = options.rule
-                                ? RuleProposal{.rule = *options.rule, .reason = "as chosen"}
-                                : proposeRule(store, placed.frame.spacing_mm, task);
-  sayRule(map, rule, store.merges());
-  GriddingRoom room;
-  if (!store.merges()) {
-    const GriddingMemory memory = griddingMemory(
-        plan, placed.frame, large, griddingNeeds(store, rule.rule, amplePoints(plan)));
-    store.keepWithin(memory.store_bytes);
-    room = memory.room;
-  }
-  map.spilled_bytes = store.spilledBytes();
-  // The store has its memory; depths go to the disk.
-  const GridSize size = placed.frame.size;
-  std::unique_ptr<StoredDepths> depths(new StoredDepths{.front = {size, 0, spillFolder(large)},
-                                                        .between = {},
-                                                        .points = {},
-                                                        .steep = BitRows(size),
-                                                        .hidden = {},
-                                                        .left_out = {}});
-  depths->one_layer = !options.rule && isForOneLayer(rule.rule);
-  makeDepths(
-      store, rule.rule, placed.frame.spacing_mm,
-      [&](const DepthRows& found) {
-        const DepthRows seen =
-            front != nullptr ? withFront(*front, placed.frame, found) : DepthRows{};
-        const DepthRows& rows = front != nullptr ? seen : found;
-        depths->front.write(rows.first_row, rows.rows, rows.front.data());
-        StoredDepths::keep(depths->between, rows, rows.between, size, spillFolder(large));
-        // What shows through gaps is looked for in clouds of several layers only.
-        if (!depths->one_layer) {
-          StoredDepths::keep(depths->points, rows, rows.points, size, spillFolder(large));
-        }
-        if (rows.hidden) depths->hidden = depths->hidden.value_or(HiddenSurface{}) + *rows.hidden;
-        depths->flyers += rows.flyers;
-        depths->steep.setRows(rows.first_row, rows.steep);
-      },
-      task, room);
-  depths->left_out = left_out;
-  depths->flyers += left_out.strays;
-  // Where points are merged as they come, what is behind was never put in.
-  if (front != nullptr && store.merges()) {
-    depths->hidden = HiddenSurface{.hidden = 0, .all = static_cast<double>(left_out.on_front)};
-  }
-  return depths;
-}
-
 /// What is in memory beside the tiles as long as points are read: the surface in front, and what of
 /// a packed file is unpacked, once for the places and once for what is stored beside them.
-std::uint64_t heldBytes(const PointStream& stream, const Placed& placed, int threads) {
+std::uint64_t heldBytes(const PointFiles& stream, const Placed& placed, int threads) {
   return (placed.front ? placed.front->bytes() : 0) +
-         2 * static_cast<std::uint64_t>(threads) * stream.keptBytes();
+         2 * static_cast<std::uint64_t>(stream.keptBytes(threads));
 }
 
 /// What the work may take, asked before it; and the options with the number of threads in them.
@@ -473,20 +253,25 @@ MemoryPlan planWork(const GridFrame& frame, const SurfaceOptions& options, Large
   const std::filesystem::path folder = spillFolder(large);
   std::error_code unknown;
   const auto space = std::filesystem::space(folder, unknown);
-  requireDisk(frame, folder, diskBytes(PyramidRows::frames(frame, options.pyramid), points, plan),
+  MemoryPlan of_disk = plan;
+  if (!large.job.folder.empty()) of_disk.points_bytes = 0;  // They all lie there.
+  requireDisk(frame, folder,
+              diskBytes(PyramidRows::frames(frame, options.pyramid), points, of_disk),
               unknown ? std::nullopt : std::optional<std::uint64_t>(space.available));
   return plan;
 }
 
-LargeMap fromPoints(const std::filesystem::path& file, const InputFacts& facts,
-                    const SurfaceOptions& options, const LargeMapOptions& asked,
-                    const ImportOptions& import, const Task& task) {
+LargeMap fromPoints(const std::vector<std::filesystem::path>& inputs, const SurfaceOptions& options,
+                    const LargeMapOptions& asked, const ImportOptions& import, const Task& task) {
   const auto start = Clock::now();
-  requireStreamable(file, facts);
   if (options.engine != "cpu") {
     throw failure<MessageId::tiles_by_cpu_only>();
   }
-  const PointStream stream(file, import, task);
+  std::unique_ptr<JobFolder> job;
+  if (!asked.job.folder.empty()) {
+    job = std::make_unique<JobFolder>(asked.job.folder, asked.job.facts);
+  }
+  const PointFiles stream(inputs, import, task);
   LargeMap map;
   if (asked.on_view) {
     const Scan sample = sampleOf(stream, firstRuns(stream, kFirstSample), task);
@@ -513,13 +298,15 @@ LargeMap fromPoints(const std::filesystem::path& file, const InputFacts& facts,
   sample = {};
   copyFacts(made, map);
   map.engine = "cpu";
-  const StreamedValues values(file, import, large.threads, task);
+  const StreamedValues values(inputs, import, large.threads, task);
   const bool with_values = takeValues(map, values, plan);
   if (with_values) requireFreeNames(PyramidRows::frames(placed.frame, options.pyramid), large.file);
   map.seconds.read = secondsSince(start);
 
   const auto grid_start = Clock::now();
-  const auto depths = gridPoints(map, stream, placed, options, large, plan, task);
+  const auto depths = gridPoints(map, stream, placed, options, large, plan, job.get(), task);
+  // All heights are there: the points are not needed again.
+  if (job) job->remove("points");
   map.seconds.grid = secondsSince(grid_start);
   fillAndWrite(
       map,
@@ -539,6 +326,7 @@ LargeMap fromPoints(const std::filesystem::path& file, const InputFacts& facts,
         return view;
       },
       task);
+  if (job) job->finish();
   return map;
 }
 
@@ -637,20 +425,34 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
 
 }  // namespace
 
-LargeMap makeLargeMap(const std::filesystem::path& file, const SurfaceOptions& options,
-                      const LargeMapOptions& large, const ImportOptions& import, const Task& task) {
-  const InputFacts facts = inputFacts(file, task);
-  LargeMap map = facts.kind == InputKind::scan
-                     ? fromPoints(file, facts, options, large, import, task)
-                     : fromRaster(file, options, large, import, task);
+LargeMap makeLargeMap(const std::vector<std::filesystem::path>& inputs,
+                      const SurfaceOptions& options, const LargeMapOptions& large,
+                      const ImportOptions& import, const Task& task) {
+  // Of several each must be a cloud; of one it may be a raster.
+  const bool are_several = inputs.size() > 1;
+  bool is_raster = false;
+  std::vector<std::optional<InputFacts>> known(inputs.size());
+  if (are_several) known = inputFacts(inputs, task);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const InputFacts facts = known[i] ? *known[i] : inputFacts(inputs[i], task);
+    is_raster = !are_several && facts.kind != InputKind::scan;
+    if (!is_raster) requireStreamable(inputs[i], facts);
+  }
+  LargeMap map = is_raster ? fromRaster(inputs.front(), options, large, import, task)
+                           : fromPoints(inputs, options, large, import, task);
   map.file = large.file;
   return map;
+}
+
+LargeMap makeLargeMap(const std::filesystem::path& file, const SurfaceOptions& options,
+                      const LargeMapOptions& large, const ImportOptions& import, const Task& task) {
+  return makeLargeMap(std::vector{file}, options, large, import, task);
 }
 
 Surface sampleSurface(const std::filesystem::path& file, const SurfaceOptions& options,
                       std::uint64_t points, const ImportOptions& import, const Task& task) {
   requireStreamable(file, inputFacts(file, task));
-  const PointStream stream(file, import, task);
+  const PointFiles stream({file}, import, task);
   return viewOf(sampleOf(stream, firstRuns(stream, points), task), options, kSecondViewCells, task);
 }
 

@@ -13,6 +13,7 @@
 #include "core/base/task.h"
 #include "core/io/import.h"
 #include "core/session/surface.h"
+#include "core/tiles/job_folder.h"
 
 namespace relievo {
 
@@ -29,6 +30,20 @@ struct LargeMapOptions {
   /// What every level's file says inside of where it comes from (ASCII); asked once, when all but
   /// the files is there. Null: nothing. [worker]
   std::function<std::string(const LargeMap& map)> state = {};
+  /// Where what is finished of a cloud's map is kept, for who makes the same map after this process
+  /// was stopped; no folder: nowhere. When the map is made the folder goes.
+  struct Job {
+    std::filesystem::path folder = {};
+    JobFacts facts = {};                                  ///< Those of the same map are the same.
+    std::uint64_t part_points = std::uint64_t{1} << 19U;  ///< Read and kept together.
+  } job = {};
+};
+
+/// What an earlier process had finished.
+struct TakenOver {
+  std::uint64_t points = 0, parts = 0;  ///< Sorted into tiles, and in how many files.
+  int rows = 0;                         ///< Of tiles that had their heights.
+  int damaged = 0;                      ///< Files that were not whole and were made anew.
 };
 
 /// A map made by tiles and what is known of it; its heights are in files only (TiledMap).
@@ -52,13 +67,19 @@ struct LargeMap {
   StageSeconds seconds;
   double first_view_s = 0;  ///< From the call to the first on_view; 0: none.
   std::uint64_t spilled_bytes = 0;
+  std::optional<TakenOver> taken_over;  ///< If there was a folder for it.
 };
 
-/// Makes the map of a LAS, LAZ or binary PLY cloud or of a raster by tiles, within a memory budget,
-/// and writes all levels (core/tiles/level_files.h): grid, rule, holes, base plane and levels as
-/// makeSurface chooses them, for any budget the same bytes. [worker]
+/// Makes the map of LAS, LAZ or binary PLY clouds, which are one scan in several files, or of one
+/// raster by tiles, within a memory budget, and writes all levels (core/tiles/level_files.h): grid,
+/// rule, holes, base plane and levels as makeSurface chooses them, for any budget the same bytes.
+/// [worker]
+/// @param inputs  in the order in which their points are counted (filesNamed); at least one
 /// @throw FileError  also for meshes and files that cannot be read in blocks
 /// @throw ArgumentError  E102 if the budget is too small for this map; WriteError, Cancelled
+LargeMap makeLargeMap(const std::vector<std::filesystem::path>& inputs,
+                      const SurfaceOptions& options, const LargeMapOptions& large,
+                      const ImportOptions& import = {}, const Task& task = {});
 LargeMap makeLargeMap(const std::filesystem::path& file, const SurfaceOptions& options,
                       const LargeMapOptions& large, const ImportOptions& import = {},
                       const Task& task = {});

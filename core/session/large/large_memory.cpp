@@ -122,7 +122,11 @@ std::size_t samplingBytes(const MemoryPlan& plan, const GridFrame& frame,
 GriddingMemory griddingMemory(const MemoryPlan& plan, const GridFrame& frame,
                               const LargeMapOptions& large, const GriddingNeeds& needs) {
   const std::uint64_t least = TileStore::leastMemoryBytes(frame.size);
-  const std::uint64_t edges = sizeof(CellPoint) * needs.edge_points;
+  // A row of tiles with its heights, once more while it is kept or completed; steep cells, a bit
+  // each.
+  constexpr std::uint64_t kRowBytes = 26;
+  const std::uint64_t edges = sizeof(CellPoint) * needs.edge_points + frame.size.count() / 8 +
+                              kRowBytes * kTileSide * static_cast<std::uint64_t>(frame.size.cols);
   const auto needed = [&](int workers, std::size_t at_once) {
     return edges + static_cast<std::uint64_t>(workers) *
                        (kTileBytes + kWorkBytes * (at_once + needs.around));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Maps by tiles by the command line, tried from outside: the same as maps in memory.
+#include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "core/io/raster/raster.h"
@@ -81,6 +83,83 @@ TEST_F(TiledVerbs, ThreadsAreOfMapsByTilesAlone) {
         << number;
   }
   EXPECT_FALSE(fs::exists(path("a.tif")));
+}
+
+TEST_F(TiledVerbs, TakeSeveralFilesAndNameThemAll) {
+  // A PLY of three pieces: numbers of 24 bytes, as the sample has them or not.
+  const auto piece = [&](const std::string& name, int first, int end) {
+    std::ofstream out(path(name), std::ios::binary);
+    out << "ply\nformat binary_little_endian 1.0\nelement vertex " << end - first
+        << "\nproperty double x\nproperty double y\nproperty double z\nend_header\n";
+    for (int i = first; i < end; ++i) {
+      const double p[] = {(i % 200) * 0.5, (i / 200) * 0.5, std::sin(i * 0.01)};
+      out.write(reinterpret_cast<const char*>(p), sizeof(p));
+    }
+  };
+  fs::create_directories(path("site"));
+  piece("site/a.ply", 0, 7'000);
+  piece("site/b.ply", 7'000, 30'000);
+  piece("whole.ply", 0, 30'000);
+  const auto made = [&](const std::vector<std::string>& inputs, const std::string& map) {
+    std::vector<std::string> words{"depthmap"};
+    words.insert(words.end(), inputs.begin(), inputs.end());
+    for (const char* word : {"--unit", "mm", "--view", "top", "--spacing", "0.5", "--memory", "300",
+                             "--report", "json", "-o"}) {
+      words.emplace_back(word);
+    }
+    words.push_back(path(map));
+    const CommandResult result = runRelievo(words);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return readRaster(path(map)).values;
+  };
+  const std::vector<float> whole = made({path("whole.ply")}, "one.tif");
+  const auto is_whole = [&](const std::vector<float>& values) {  // NaN is no number's equal.
+    return values.size() == whole.size() &&
+           std::memcmp(values.data(), whole.data(), 4 * whole.size()) == 0;
+  };
+  EXPECT_GT(whole.size(), 20'000U);
+  EXPECT_TRUE(is_whole(made({path("site")}, "folder.tif")));
+  EXPECT_TRUE(is_whole(made({path("site/b.ply"), path("site/a.ply")}, "names.tif")));
+  EXPECT_TRUE(is_whole(made({path("site/*.ply")}, "pattern.tif")));
+  const std::string tiff = test::bytesOf(path("folder.tif"));
+  for (const char* name : {"a.ply", "b.ply"}) {
+    EXPECT_NE(tiff.find(std::string("site/") + name), std::string::npos) << name;
+  }
+  EXPECT_NE(tiff.find("\"files\":["), std::string::npos);
+  const CommandResult without =
+      runRelievo({"depthmap", path("site/a.ply"), path("site/b.ply"), "-o", path("no.tif")});
+  EXPECT_EQ(without.exit_code, 1);
+  EXPECT_NE(without.err.find("--memory"), std::string::npos) << without.err;
+  EXPECT_EQ(
+      runRelievo({"depthmap", path("site"), "--memory", "300", "-o", path("site/a.ply")}).exit_code,
+      1)
+      << "an input is no output";
+}
+
+TEST_F(TiledVerbs, KeepWhatIsFinishedForTheSameCommand) {
+  const std::vector<std::string> words{"depthmap", test::kReliefF, "--unit", "mm",       "--view",
+                                       "top",      "--cells",      "1500",   "--memory", "400",
+                                       "--job",    path("job"),    "-o"};
+  const auto run = [&](std::vector<std::string> more) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), more.begin(), more.end());
+    return runRelievo(all);
+  };
+  const CommandResult made = run({path("kept.tif"), "--report", "json"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(json::parse(made.out)["taken_over"]["rows_of_tiles"], 0);
+  EXPECT_FALSE(fs::exists(path("job"))) << "the work is done";
+  EXPECT_EQ(test::bytesOf(path("kept.L1.tif")), test::bytesOf(path("map.L1.tif")));
+  fs::create_directories(path("job"));
+  std::ofstream(path("job/work.txt")) << "relievo work 1\nan option\t0\n";
+  const CommandResult other = run({path("other.tif")});
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_NE(other.err.find("differs"), std::string::npos) << other.err;
+  EXPECT_FALSE(fs::exists(path("other.tif")));
+  const CommandResult alone =
+      runRelievo({"depthmap", test::kReliefF, "--job", path("job"), "-o", path("other.tif")});
+  EXPECT_EQ(alone.exit_code, 1);
+  EXPECT_NE(alone.err.find("--memory"), std::string::npos) << alone.err;
 }
 
 TEST_F(TiledVerbs, MeasureTheSameWithoutReadingThemWhole) {

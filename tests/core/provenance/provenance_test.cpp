@@ -24,6 +24,8 @@ Provenance fullRecord() {
   p.version = "1.2.3";
   p.commit = "0123456789abcdef0123456789abcdef01234567";
   p.input = {.file = "../scans/M\u00fcnze \"1\".ply", .sha256 = sha256OfText("x"), .bytes = 1};
+  p.files = {{.file = "../scans/a.las", .sha256 = sha256OfText("y"), .bytes = 2},
+             {.file = "../scans/b.las", .sha256 = sha256OfText("z"), .bytes = 3}};
   p.accept_incomplete = true;
   p.options.unit = LengthUnit::us_ft;
   p.options.unit_source = UnitSource::remembered;
@@ -67,6 +69,7 @@ TEST(Provenance, ComesBackFromItsTextBitByBit) {
     EXPECT_EQ(toJson(after, indent), text);
     EXPECT_EQ(after.version, before.version);
     EXPECT_EQ(after.input, before.input);
+    EXPECT_EQ(after.files, before.files);
     EXPECT_EQ(after.options.spacing_mm, before.options.spacing_mm);
     EXPECT_EQ(after.options.unit, LengthUnit::us_ft);
     EXPECT_EQ(after.options.unit_source, UnitSource::remembered);

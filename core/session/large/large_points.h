@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/grid.h"
+#include "core/base/task.h"
+#include "core/cloud/scan.h"
+#include "core/depth/layers/front_surface.h"
+#include "core/depth/view.h"
+#include "core/io/point_files.h"
+#include "core/session/large/large_map.h"
+#include "core/session/large/large_memory.h"
+#include "core/session/source_in_use.h"
+#include "core/session/surface.h"
+#include "core/tiles/band_fill.h"
+#include "core/tiles/job_folder.h"
+#include "core/tiles/row_store.h"
+#include "core/tiles/scatter.h"
+
+namespace relievo {
+
+// The part of makeLargeMap that knows points: from a source of them to depths of cells.
+
+/// The cloud's frame, its view and what the points are mapped with, z from the lowest point.
+struct Placed {
+  GridFrame frame;
+  ViewFromFile view_from_file;
+  NamedRotation rotation;
+  double lowest_mm = 0, range_mm = 0;
+  SourceInUse points;
+  std::optional<FrontSurface> front;  ///< Of a cloud that lies behind itself.
+};
+
+/// Chooses unit, view and frame by a look at all points, and says so in `facts`. [worker]
+/// @param sample  without strays @throw FileError, ArgumentError, Cancelled
+Placed place(Surface& facts, const PointFiles& stream, const Scan& sample,
+             const SurfaceOptions& options, const LargeMapOptions& large, const Task& task);
+
+/// Says which points were left out. [worker]
+void sayLeftOut(Surface& facts, const SourceInUse& points, const PointFiles& stream,
+                const SurfaceOptions& options);
+
+/// Depths of all cells, on disk.
+struct StoredDepths {
+  RowStore front;
+  std::unique_ptr<RowStore> between, points;
+  BitRows steep;
+  bool one_layer = false;
+  std::optional<HiddenSurface> hidden;
+  std::size_t flyers = 0;
+  LeftOut left_out;
+
+  /// Writes rows where there are any; the first ones decide.
+  static void keep(std::unique_ptr<RowStore>& store, const DepthRows& rows,
+                   const std::vector<float>& values, GridSize size,
+                   const std::filesystem::path& folder) {
+    if (values.empty()) return;
+    if (!store) store = std::make_unique<RowStore>(size, 0, folder);
+    store->write(rows.first_row, rows.rows, values.data());
+  }
+
+  BandDepths rows() const {
+    const auto of = [](const RowStore& store) {
+      return [&store](int first, int rows, float* out) { store.read(first, rows, out); };
+    };
+    return {.front = of(front),
+            .between = between ? of(*between) : RowsOf{},
+            .steep = &steep,
+            .one_layer = one_layer,
+            .points = points ? of(*points) : RowsOf{}};
+  }
+};
+
+/// @param job  where finished parts lie; null: nowhere [worker]
+/// @throw FileError, WriteError, Cancelled; ArgumentError  E102 where points lie too dense
+std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointFiles& stream,
+                                         const Placed& placed, const SurfaceOptions& options,
+                                         const LargeMapOptions& large, const MemoryPlan& plan,
+                                         JobFolder* job, const Task& task);
+
+}  // namespace relievo
