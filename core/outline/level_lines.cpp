@@ -122,7 +122,8 @@ class Lines {
     const double part =
         (level_ - samples_.values[from]) / (samples_.values[to] - samples_.values[from]);
     const auto cols = static_cast<std::size_t>(samples_.cols);
-    const auto col = static_cast<double>(from % cols), row = static_cast<double>(from / cols);
+    const std::size_t cell_row = from / cols;
+    const auto col = static_cast<double>(from % cols), row = static_cast<double>(cell_row);
     return up ? SamplePlace{col, row + part} : SamplePlace{col + part, row};
   }
 

@@ -107,7 +107,7 @@ double heightAt(const RegionWindow& window, const SamplePlace& place) {
   double sum = 0, weights = 0;
   for (int k = 0; k < 4; ++k) {
     const int dc = k % 2, dr = k / 2;  // NOLINT: two by two.
-    const auto i = static_cast<std::size_t>((r + dr) * kSide + c + dc);
+    const auto i = static_cast<std::size_t>(r + dr) * kSide + static_cast<std::size_t>(c + dc);
     if (window.origins[i] == Origin::outside) continue;
     // A place on the border has weight on the object's side alone.
     const double weight =
@@ -118,12 +118,30 @@ double heightAt(const RegionWindow& window, const SamplePlace& place) {
   return weights > 0 ? sum / weights : 0;
 }
 
-Outline outlineFrom(const RegionWindow& window, const Line& line, double tolerance_mm) {
+/// The heights along a line, each the mean of some beside it: at a wall one sample more or less is
+/// all of its height.
+std::vector<double> smoothHeights(const RegionWindow& window, const Line& line) {
+  constexpr std::size_t kBeside = 4;
+  std::vector<double> heights(line.size()), means(line.size());
+  std::transform(line.begin(), line.end(), heights.begin(),
+                 [&](const SamplePlace& place) { return heightAt(window, place); });
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    double sum = 0;
+    for (std::size_t k = 0; k <= 2 * kBeside; ++k) {
+      sum += heights[(i + k + line.size() - kBeside % line.size()) % line.size()];
+    }
+    means[i] = sum / (2 * kBeside + 1);
+  }
+  return means;
+}
+
+Outline outlineFrom(const RegionWindow& window, const Line& line,
+                    const std::vector<double>& heights_mm, double tolerance_mm) {
   const double step_mm = window.spacingMm();
   std::vector<ViewMm> points;
-  for (const SamplePlace& place : line) {
-    points.push_back({window.region.x_mm + (place.col + 0.5) * step_mm,
-                      window.region.y_mm + (place.row + 0.5) * step_mm, heightAt(window, place)});
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    points.push_back({window.region.x_mm + (line[i].col + 0.5) * step_mm,
+                      window.region.y_mm + (line[i].row + 0.5) * step_mm, heights_mm[i]});
   }
   Outline outline;
   for (const std::size_t i : lineCorners(std::span<const ViewMm>(points), true, tolerance_mm)) {
@@ -173,7 +191,9 @@ std::vector<Outline> raisedOutlines(const RegionWindow& window, double tolerance
   }
   std::vector<Outline> outlines;
   for (const Line& line : lines) {
-    Outline outline = outlineFrom(window, line, tolerance_mm);
+    // A level line has one height; that of the samples beside it at a wall is anything.
+    Outline outline =
+        outlineFrom(window, line, std::vector<double>(line.size(), level_mm), tolerance_mm);
     outline.of = signedArea(line) > 0 ? OutlineOf::raised : OutlineOf::sunk;
     outline.level_mm = level_mm;
     outlines.push_back(std::move(outline));
@@ -201,14 +221,15 @@ std::vector<Outline> objectOutlines(const RegionWindow& window, std::uint8_t edg
   for (int row = 0; row < kSide; ++row) {
     for (int col = 0; col < kSide; ++col) {
       const bool is_outside =
-          window.origins[static_cast<std::size_t>(row * kSide + col)] == Origin::outside;
+          window.origins[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(col)] ==
+          Origin::outside;
       samples.values[samples.at(col + 1, row + 1)] = is_outside ? 0 : 1;
     }
   }
   std::vector<Outline> outlines;
   for (Line& line : linesAt(samples, 0.5)) {
     for (SamplePlace& place : line) place = {place.col - 1, place.row - 1};
-    Outline outline = outlineFrom(window, line, tolerance_mm);
+    Outline outline = outlineFrom(window, line, smoothHeights(window, line), tolerance_mm);
     outline.of = OutlineOf::object;
     outlines.push_back(std::move(outline));
   }

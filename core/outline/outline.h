@@ -19,9 +19,10 @@ enum class OutlineOf : std::uint8_t {
 /// A closed line on a relief that a hand can be led along.
 struct Outline {
   OutlineOf of = OutlineOf::raised;
-  std::vector<ViewMm> corners;  ///< View mm, on the surface; the first is not said again.
-  double level_mm = 0;          ///< Height of the level line; of the object: 0.
-  double share = 0;             ///< Of the window's square that it encloses.
+  /// View mm; the first is not said again. On the level; of the object on its smoothed border.
+  std::vector<ViewMm> corners;
+  double level_mm = 0;  ///< Height of the level line; of the object: 0.
+  double share = 0;     ///< Of the window's square that it encloses.
 
   double lengthMm() const;
 };
@@ -35,8 +36,9 @@ inline constexpr double kOutlineToleranceMm = 0.3;
 /// the means of 3 x 3 samples. Of 23 levels between the 5th and the 98th of a hundred heights, with
 /// as many closed lines as Otsu's threshold (two_groups.h) has, it is the one whose lines run where
 /// the relief is steepest. Nothing if there are more than five, or another number a tenth of the
-/// span above or below the threshold: then it depends on where one looks. A line that meets the window's border or ground that was not measured is
-/// not closed and is none: an edge is told only where it was seen all round.
+/// span above or below the threshold: then it depends on where one looks. A line that meets the
+/// window's border or ground that was not measured is not closed and is none: an edge is told only
+/// where it was seen all round.
 /// @param tolerance_mm  view mm, > 0 (kOutlineToleranceMm at the scale of the hand)
 std::vector<Outline> raisedOutlines(const RegionWindow& window, double tolerance_mm);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "core/message/catalogue.h"
@@ -22,39 +23,42 @@ struct Word {
   std::string_view name;
   MessageId words;
 };
-constexpr std::array<Word, 25> kWords{{{"", MessageId::command_none},
-                                       {"finer", MessageId::command_finer},
-                                       {"coarser", MessageId::command_coarser},
-                                       {"whole", MessageId::command_whole},
-                                       {"sayDetail", MessageId::command_say_detail},
-                                       {"whereAmI", MessageId::command_where_am_i},
-                                       {"whereAmILong", MessageId::command_where_am_i_long},
-                                       {"forces", MessageId::command_toggle_forces},
-                                       {"forcesOff", MessageId::command_stop_forces},
-                                       {"moveMode", MessageId::command_begin_move},
-                                       {"moveDone", MessageId::command_confirm_move},
-                                       {"moveBack", MessageId::command_cancel_move},
-                                       {"move_left", MessageId::command_move_left},
-                                       {"move_right", MessageId::command_move_right},
-                                       {"move_up", MessageId::command_move_up},
-                                       {"move_down", MessageId::command_move_down},
-                                       {"next_place", MessageId::command_next_place},
-                                       {"previous_place", MessageId::command_previous_place},
-                                       {"beacon", MessageId::command_toggle_beacon},
-                                       {"pointer_switch", MessageId::command_switch_pointer},
-                                       {"buttonHelp", MessageId::command_help},
-                                       {"introduction", MessageId::command_restart_introduction},
-                                       {"repeatSpeech", MessageId::command_repeat},
-                                       {"louderSpeech", MessageId::command_louder},
-                                       {"softerSpeech", MessageId::command_softer}}};
+constexpr std::array<Word, 26> kWords{
+    {{"", MessageId::command_none},
+     {"finer", MessageId::command_finer},
+     {"coarser", MessageId::command_coarser},
+     {"whole", MessageId::command_whole},
+     {"sayDetail", MessageId::command_say_detail},
+     {"whereAmI", MessageId::command_where_am_i},
+     {"whereAmILong", MessageId::command_where_am_i_long},
+     {"forces", MessageId::command_toggle_forces},
+     {"forcesOff", MessageId::command_stop_forces},
+     {"moveMode", MessageId::command_begin_move},
+     {"moveDone", MessageId::command_confirm_move},
+     {"moveBack", MessageId::command_cancel_move},
+     {"move_left", MessageId::command_move_left},
+     {"move_right", MessageId::command_move_right},
+     {"move_up", MessageId::command_move_up},
+     {"move_down", MessageId::command_move_down},
+     {"next_place", MessageId::command_next_place},
+     {"previous_place", MessageId::command_previous_place},
+     {"beacon", MessageId::command_toggle_beacon},
+     {"pointer_switch", MessageId::command_switch_pointer},
+     {"buttonHelp", MessageId::command_help},
+     {"touchIntroduction", MessageId::command_restart_introduction},
+     {"repeatSpeech", MessageId::command_repeat},
+     {"louderSpeech", MessageId::command_louder},
+     {"softerSpeech", MessageId::command_softer},
+     {"guide", MessageId::command_guide}}};
 
 /// One-button scanning goes round in these: what is touched, then what is said (EN 301
 /// 549, 5.1.3.4, 5.1.3.11 and 5.9: repeat and volume by hand, and nothing that needs two buttons at
 /// once).
-constexpr std::array<ButtonCommand, 9> kScan{
-    ButtonCommand::where_am_i, ButtonCommand::finer,         ButtonCommand::coarser,
-    ButtonCommand::begin_move, ButtonCommand::toggle_forces, ButtonCommand::repeat,
-    ButtonCommand::louder,     ButtonCommand::softer,        ButtonCommand::help};
+constexpr std::array<ButtonCommand, 10> kScan{
+    ButtonCommand::where_am_i, ButtonCommand::finer,  ButtonCommand::coarser,
+    ButtonCommand::begin_move, ButtonCommand::guide,  ButtonCommand::toggle_forces,
+    ButtonCommand::repeat,     ButtonCommand::louder, ButtonCommand::softer,
+    ButtonCommand::help};
 /// The same in Move mode.
 constexpr std::array<ButtonCommand, 9> kScanMoving{
     ButtonCommand::confirm_move, ButtonCommand::next_place,    ButtonCommand::previous_place,
@@ -179,8 +183,12 @@ void ButtonCommands::longPress(std::size_t index) {
   constexpr std::array<ButtonCommand, kButtons> kLong{
       ButtonCommand::say_detail, ButtonCommand::toggle_beacon, ButtonCommand::toggle_forces,
       ButtonCommand::whole};
-  // In Move mode only stopping the forces has a long press.
   if (index == kCentre && forces_on_at_press_) return run(ButtonCommand::stop_forces);
+  // In Move mode only stopping the forces has a long press, and Forward, which leaves it.
+  if (moving_ && index == kForward) {
+    toggleMoving();
+    return run(ButtonCommand::guide);
+  }
   if (!moving_ || index == kCentre) run(kLong[index]);
 }
 
@@ -212,14 +220,16 @@ void ButtonCommands::heldTogether(double held_s) {
 }
 
 ButtonCommand ButtonCommands::offer(int index) const {
-  const auto& all = moving_ ? kScanMoving : kScan;
+  const std::span<const ButtonCommand> all =
+      moving_ ? std::span<const ButtonCommand>(kScanMoving) : std::span<const ButtonCommand>(kScan);
   return index + 1 == offers() ? all.back() : all[static_cast<std::size_t>(index)];
 }
 
 /// The three of the voice stand before the last.
 int ButtonCommands::offers() const {
   constexpr std::size_t kOfVoice = 3;
-  return static_cast<int>(kScan.size() - (has_voice_ ? 0 : kOfVoice));
+  const std::size_t all = moving_ ? kScanMoving.size() : kScan.size();
+  return static_cast<int>(all - (has_voice_ ? 0 : kOfVoice));
 }
 
 bool ButtonCommands::anyDown() const {

@@ -40,6 +40,7 @@ enum class ButtonCommand : std::uint8_t {
   repeat,
   louder,
   softer,
+  guide,
 };
 /// Object name of the window's command: "finer", "whereAmI".
 std::string_view commandName(ButtonCommand command) noexcept;

@@ -293,7 +293,7 @@ GuideStep HapticCore::lead(const HapticOptions& options, const GuidePath* path,
                          .scene_id = scene_id_,
                          .forces_on = force.forces_on && !input.fault,
                          .gated = options.gate.on,
-                         .rise = force_.rise,
+                         .rise = force_.rise * force_.oscillation.factor,
                          .sent_most_n = std::min(most_n, norm(force_.last) + step_n),
                          .dt_s = input.dt_s};
   const GuideStep step = guided(options.guide, path, guide, guide_);

@@ -25,6 +25,7 @@ void HapticsPlugin::attach(Host& host) {
   surface_ = std::make_unique<TouchedSurface>(*parts_, *device_, *recording_);
   announcer_ = std::make_unique<LoopAnnouncer>(*parts_, *device_);
   buttons_ = std::make_unique<ButtonControl>(*parts_, *device_, button_settings_);
+  guide_ = std::make_unique<GuideControl>(*parts_, *device_, *recording_, *surface_, *buttons_);
   connectParts();
   connectActions();
   connectPanel();
@@ -44,6 +45,7 @@ void HapticsPlugin::detach() noexcept {
   sleep_.reset();
   if (device_) device_->stopLooking();
   if (recording_) recording_->end();
+  guide_.reset();
   buttons_.reset();
   announcer_.reset();
   surface_.reset();
@@ -56,6 +58,7 @@ void HapticsPlugin::detach() noexcept {
 void HapticsPlugin::connectParts() {
   connect(device_.get(), &HandDevice::forcesEnd, this, &HapticsPlugin::endForces);
   connect(device_.get(), &HandDevice::leaving, this, [this] {
+    guide_->end();
     buttons_->cancelMoving();
     recording_->end();
   });
@@ -63,6 +66,8 @@ void HapticsPlugin::connectParts() {
   connect(surface_.get(), &TouchedSurface::given, this, [this] { shown_ = {}; });
   connect(announcer_.get(), &LoopAnnouncer::forcesEnd, this, &HapticsPlugin::endForces);
   connect(buttons_.get(), &ButtonControl::changed, this, &HapticsPlugin::applySettings);
+  connect(guide_.get(), &GuideControl::changed, this, &HapticsPlugin::applySettings);
+  connect(guide_.get(), &GuideControl::forcesAsked, this, &HapticsPlugin::setForces);
   connect(&parts_->host.view, &ShownWindow::closing, device_.get(), [this] { setForces(false); });
 }
 
@@ -72,7 +77,7 @@ void HapticsPlugin::connectActions() {
   connect(actions.forces_off, &QAction::triggered, this, [this] { setForces(false); });
   connect(actions.stronger, &QAction::triggered, this, [this] { changeStrength(kStrengthStep); });
   connect(actions.weaker, &QAction::triggered, this, [this] { changeStrength(-kStrengthStep); });
-  connect(actions.record, &QAction::toggled, recording_.get(), &RecordingControl::setRecording);
+  connect(actions.record, &QAction::toggled, guide_.get(), &GuideControl::setRecording);
   connect(actions.note, &QAction::triggered, recording_.get(), &RecordingControl::askNote);
   connect(actions.setup, &QAction::triggered, device_.get(), &HandDevice::setUp);
 }
@@ -106,6 +111,7 @@ void HapticsPlugin::takeDevice() {
 
 void HapticsPlugin::setForces(bool on) {
   if (!session()) return;
+  if (!on && guide_) guide_->end();
   if (on && !session()->hasWindow()) {
     parts_->host.messages.announce(tr("Nothing to touch yet. Open a scan first."));
     on = false;
@@ -151,6 +157,7 @@ void HapticsPlugin::applySettings() {
   if (!session()) return;
   HapticOptions options = hapticOptions(settings_, parts_->forces_asked);
   if (buttons_) buttons_->addTo(options);
+  if (guide_) guide_->addTo(options);
   session()->setOptions(options);
 }
 
@@ -166,6 +173,7 @@ void HapticsPlugin::frame() {
   announcer_->follow(sample);
   recording_->watch();
   buttons_->follow(sample);
+  guide_->follow(sample);
   watchSleep(sample);
   constexpr int kFramesPerReadout = 8, kFramesPerStatus = 32;
   ++frames_;
@@ -176,6 +184,7 @@ void HapticsPlugin::frame() {
 
 void HapticsPlugin::showProbe(const HapticSample& sample) {
   if (!session()->hasWindow() || sample.window_id == 0) return;
+  if (guide_->isTraining()) return;  // What is shown is not what the hand touches.
   const Probe probe = probeOf(sample);
   if (looksTheSame(probe, shown_)) return;
   shown_ = probe;

@@ -9,6 +9,7 @@
 #include "plugins/api/plugin.h"
 #include "plugins/haptics/buttons/button_control.h"
 #include "plugins/haptics/device/hand_device.h"
+#include "plugins/haptics/guide/guide_control.h"
 #include "plugins/haptics/loop_announcer.h"
 #include "plugins/haptics/loop_session.h"
 #include "plugins/haptics/recording/recording_control.h"
@@ -64,6 +65,7 @@ class HapticsPlugin : public QObject, public Plugin {
   std::unique_ptr<TouchedSurface> surface_;
   std::unique_ptr<LoopAnnouncer> announcer_;
   std::unique_ptr<ButtonControl> buttons_;
+  std::unique_ptr<GuideControl> guide_;
   std::unique_ptr<SleepWatch> sleep_;
   QTimer timer_;
   SaidBecause forces_because_ = SaidBecause::asked;

@@ -131,6 +131,14 @@ void LoopSession::setOptions(const HapticOptions& options) {
   loop_->options().write(named);
 }
 
+std::uint64_t LoopSession::lead(GuidePath path) {
+  path.id = ++guide_id_;
+  path.scene_id = scene_id_;
+  notes_.addPath(guideLine(path), recorder_.running());
+  loop_->paths().write(path);
+  return path.id;
+}
+
 void LoopSession::startRecording(const std::string& file, const std::string& header) {
   if (!shown_ && filling_.valid()) {  // The very first: a few milliseconds.
     filling_.wait();

@@ -45,6 +45,7 @@ class LoopSession {
   void show(RegionWindow window, SurfaceKind kind, SceneMaps maps = {});
   /// There is a surface, or one is being prepared.
   bool hasWindow() const noexcept { return has_window_ || filling_.valid(); }
+  bool isPreparing() const noexcept { return filling_.valid(); }
   /// Why a surface could not be prepared, once; empty: nothing went wrong.
   std::string takeProblem() { return std::exchange(problem_, {}); }
   /// Where the pointer wants the hand, view mm of the shown window. Above the surface a mouse's
@@ -63,6 +64,15 @@ class LoopSession {
   void startRecording(const std::string& file, const std::string& header);
   /// @param footer  lines that end the file, with what a replay needs after them
   void stopRecording(const std::string& footer);
+  /// What the hand can be led along from now on, on the newest surface: GuideOptions name it.
+  /// @return its id
+  std::uint64_t lead(GuidePath path);
+  /// A simulated hand that is led gives way, as an arm does: what was wished follows it. Once a
+  /// frame; a device that a person holds does not care.
+  void giveWay(const HapticSample& sample) { hand_.giveWay(sample.hip); }
+  /// How the newest surface lies under the hand.
+  const HandMapping& mapping() const noexcept { return hand_.mapping(); }
+  const DeviceInfo& device() const noexcept { return loop_->device(); }
   /// In Move mode the window goes on below the hand: what is touched does not come along.
   void setMoving(bool moving) { moving_ = moving; }
 
@@ -106,7 +116,7 @@ class LoopSession {
   foreign::ForeignDevice* foreign_ = nullptr;  // Null: no plug-in drives it.
   haply::HaplyDevice* haply_ = nullptr;        // Likewise.
   std::unique_ptr<SampleDrain> drain_;
-  std::uint64_t scene_id_ = 0, options_id_ = 0;
+  std::uint64_t scene_id_ = 0, options_id_ = 0, guide_id_ = 0;
   ReplayNotes notes_;
   std::filesystem::path recording_folder_;
   bool has_window_ = false, moving_ = false;

@@ -40,6 +40,14 @@ void SteeredHand::moveTo(const RegionWindow& window, ViewMm target) {
   device_->moveTo(sent_);
 }
 
+void SteeredHand::giveWay(DeviceMm hip) {
+  if (device_ == nullptr) return;
+  constexpr double kPart = 0.08;  // Of the way in a frame: an arm that gives way in 0.2 s.
+  sent_ = sent_ + kPart * (hip - sent_);
+  hovers_ = false;
+  device_->moveTo(sent_);
+}
+
 void SteeredHand::push(DeviceMm by, DeviceMm hip) {
   if (device_ == nullptr) return;
   const double lead = norm(sent_ - hip);

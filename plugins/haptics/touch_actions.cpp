@@ -76,6 +76,37 @@ void makeButtonActions(TouchActions& actions) {
             QT_TRANSLATE_NOOP("relievo::TouchActions",
                               "How large the window is and what one millimetre of hand is.")},
            {QKeySequence(QStringLiteral("Ctrl+Shift+I"))}, false);
+  actions.guide =
+      made({"guide", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Guide along the outline"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Lead the hand along the nearest outline, or let go (Ctrl+Alt+G)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Of a raised or sunken area, or of the object; with 2 N at most. "
+                              "Push against it or press any button, and it lets go.")},
+           {QKeySequence(QStringLiteral("Ctrl+Alt+G"))}, true);
+  actions.guide_along =
+      made({"guideAlong", QT_TRANSLATE_NOOP("relievo::TouchActions", "Guide along a re&cording…"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Lead the hand as somebody's hand went in a recording or stroke"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "At that hand's own speed, 15 to 60 mm/s, and with its rests.")},
+           {}, false);
+  actions.training = made(
+      {"touchIntroduction", QT_TRANSLATE_NOOP("relievo::TouchActions", "I&ntroduction to touch"),
+       QT_TRANSLATE_NOOP("relievo::TouchActions",
+                         "Five shapes to find under the hand, in two minutes (Ctrl+Alt+U)"),
+       QT_TRANSLATE_NOOP("relievo::TouchActions",
+                         "A plate, a bump, a step, waves and a groove take the place of the "
+                         "relief; each task is said, and each can be passed over.")},
+      {QKeySequence(QStringLiteral("Ctrl+Alt+U"))}, true);
+  actions.next_shape =
+      made({"nextShape", QT_TRANSLATE_NOOP("relievo::TouchActions", "Ne&xt shape"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Go on to the introduction's next shape (Ctrl+Alt+N)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "The device's button Forward does the same in the introduction.")},
+           {QKeySequence(QStringLiteral("Ctrl+Alt+N"))}, false);
+  actions.next_shape->setEnabled(false);
   actions.button_help =
       made({"buttonHelp", QT_TRANSLATE_NOOP("relievo::TouchActions", "Button &help"),
             QT_TRANSLATE_NOOP("relievo::TouchActions", "Say what the device's buttons do now"),
@@ -139,7 +170,8 @@ TouchActions addTouchActions(Host& host) {
   for (QAction* action :
        {actions.forces, actions.forces_off, actions.stronger, actions.weaker, actions.setup,
         actions.use_mouse, actions.move_mode, actions.move_back, actions.where_am_i,
-        actions.where_am_i_long, actions.say_detail, actions.button_help}) {
+        actions.where_am_i_long, actions.say_detail, actions.guide, actions.guide_along,
+        actions.training, actions.next_shape, actions.button_help}) {
     host.controls.addAction(touch, action);
   }
   host.controls.addAction(record, actions.record);

@@ -20,6 +20,10 @@ struct TouchActions {
   QAction* where_am_i = nullptr;       ///< "whereAmI": Ctrl+I.
   QAction* where_am_i_long = nullptr;  ///< "whereAmILong": Ctrl+Alt+I.
   QAction* say_detail = nullptr;       ///< "sayDetail": detail, window and scale; Ctrl+Shift+I.
+  QAction* guide = nullptr;            ///< "guide": along the outline, or off; Ctrl+Alt+G.
+  QAction* guide_along = nullptr;      ///< "guideAlong": along a recorded way.
+  QAction* training = nullptr;         ///< "touchIntroduction": on and off; Ctrl+Alt+U.
+  QAction* next_shape = nullptr;       ///< "nextShape": of the introduction; Ctrl+Alt+N.
   QAction* button_help = nullptr;      ///< "buttonHelp": what the device's buttons do now.
   QAction* record = nullptr;           ///< "record": start and stop; Ctrl+R.
   QAction* note = nullptr;             ///< "addNote": into the running recording; Ctrl+Shift+N.

@@ -21,6 +21,11 @@ TouchedSurface::TouchedSurface(TouchParts& parts, HandDevice& device, RecordingC
           });
   connect(view, &ShownWindow::handMoved, this, [this](const HandTarget& target) {
     if (!device_.session()) return;
+    if (isTraining()) {
+      const auto shown = parts_.host.view.shownWindow();
+      if (shown) device_.session()->moveHand(training_->target(target, *shown));
+      return;
+    }
     showIfNew();
     device_.session()->moveHand(target.position);
   });
@@ -29,10 +34,18 @@ TouchedSurface::TouchedSurface(TouchParts& parts, HandDevice& device, RecordingC
 }
 
 void TouchedSurface::show(const RegionWindow& window) {
+  if (isTraining()) return;  // It comes once the introduction has ended.
   given_window_ = window.id;
   surface_ = parts_.settings.feel.surface;
   device_.session()->show(window, surface_, mapsUnder(window));
   recording_.addWindow(window);
+  Q_EMIT given();
+}
+
+void TouchedSurface::showTraining() {
+  surface_ = SurfaceKind::gated;
+  given_window_ = training_->window()->id;
+  device_.session()->show(*training_->window(), surface_);
   Q_EMIT given();
 }
 

@@ -13,6 +13,7 @@
 #include "plugins/haptics/loop_session.h"
 #include "plugins/haptics/recording/recording_control.h"
 #include "plugins/haptics/touch_parts.h"
+#include "plugins/haptics/training/touch_training.h"
 
 namespace relievo {
 
@@ -28,6 +29,11 @@ class TouchedSurface : public QObject {
   /// The same, if the settings ask for another kind of surface than the loop has.
   void applySettings();
 
+  /// Whose shapes lie under the hand while it is on, in place of what the host shows; null: none.
+  void setTraining(const TouchTraining* training) { training_ = training; }
+  /// Gives the loop the shape of the introduction. Precondition: that is on.
+  void showTraining();
+
   /// @param file  a raster that somebody has chosen; empty: the origins say where it is firm
   void chooseFirmness(const QString& file);
   /// Reads the raster that the settings name.
@@ -39,6 +45,7 @@ class TouchedSurface : public QObject {
  private:
   void show(const RegionWindow& window);
   void showIfNew();
+  bool isTraining() const { return training_ != nullptr && training_->isOn(); }
   SceneMaps mapsUnder(const RegionWindow& window);
   void takeFiner(quint64 window_id, const std::vector<float>& finer_mm, const QString& problem);
   void askFirmness(const QString& file, bool chosen_now);
@@ -49,6 +56,7 @@ class TouchedSurface : public QObject {
   TouchParts& parts_;
   HandDevice& device_;
   RecordingControl& recording_;
+  const TouchTraining* training_ = nullptr;
   std::uint64_t given_window_ = 0;            // To the loop, last.
   SurfaceKind surface_ = SurfaceKind::gated;  // Likewise.
   bool textured_ = false;

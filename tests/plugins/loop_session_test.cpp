@@ -7,7 +7,9 @@
 #include <QCoreApplication>
 #include <utility>
 
+#include "core/recording/log_table.h"
 #include "core/region/hand.h"
+#include "haptics/record/recorded_loop.h"
 #include "tests/plugins/plugin_fixture.h"
 
 namespace relievo {
@@ -135,6 +137,64 @@ TEST(LoopSession, WindowsThatComeUnderAHoveringHandAreNotPressed) {
     const ViewMm hip = session.update().hip_view;
     ASSERT_GT(hip.z, windowHeightMm(window, hip.x, hip.y)) << id;
   }
+}
+
+TEST(LoopSession, ARecordingThatBeginsWhileTheHandIsLedIsReplayedToTheLastBit) {
+  const test::PrivateHome home;
+  const RegionWindow window = flatWindow(7);
+  const std::string file = home.file("led.csv").toStdString();
+  {
+    LoopSession session("virtual:relaxed");
+    session.show(window, SurfaceKind::gated);
+    ASSERT_TRUE(eventually([&] { return session.update().window_id == 7; }));
+    HapticOptions options;
+    options.force.forces_on = true;
+    options.bound_by_rate = false;  // A busy computer makes the loop slow.
+    session.setOptions(options);
+    ASSERT_TRUE(eventually([&] { return session.update().engaged == EngagePhase::on; }));
+    std::vector<DeviceMm> circle;
+    for (int i = 0; i < 40; ++i) {
+      const double a = 2 * std::acos(-1.0) * i / 40;
+      circle.push_back({16 * std::cos(a), 16 * std::sin(a), 0});
+    }
+    const auto lead = [&] {
+      options.guide.path = session.lead(guidePath(circle, true, kMostRounds));
+      session.setOptions(options);
+    };
+    const auto until = [&](const std::function<bool(const HapticSample&)>& holds) {
+      return eventually([&] {
+        const HapticSample sample = session.update();
+        session.giveWay(sample);
+        return holds(sample);
+      });
+    };
+    lead();
+    ASSERT_TRUE(until([](const HapticSample& s) { return s.guide == GuidePhase::leading; }));
+    session.startRecording(file, "relievo recording, schema 1");
+    ASSERT_TRUE(until([&](const HapticSample&) { return session.recorder().samples() > 500; }));
+    lead();  // Anew, from where the hand is.
+    ASSERT_TRUE(until([&](const HapticSample& s) {
+      return s.guide_path == options.guide.path && s.guide == GuidePhase::leading;
+    }));
+    session.stopRecording("");
+    ASSERT_TRUE(eventually([&] { return session.recorder().ended().has_value(); }));
+  }
+  const LogTable log = readLog(file);
+  const auto loop = recordedLoop(log.footer);
+  ASSERT_TRUE(loop);
+  EXPECT_EQ(loop->guides.size(), 2U);
+  const auto space = std::make_unique<HapticSpace>();
+  const ReplayResult result = replayLoop(
+      *loop, log,
+      [&](const RecordedScene& scene) -> const HapticSpace& {
+        fill(*space, window, {1, 1}, scene.kind, scene.anchor);
+        space->scene_id = scene.id;
+        EXPECT_EQ(sceneChecksum(*space), scene.checksum);
+        return *space;
+      },
+      [](const HapticSample&, double) {});
+  EXPECT_GT(result.ticks, 500U);
+  EXPECT_EQ(result.different, 0U) << (result.first ? result.first->column : "");
 }
 
 TEST(LoopSession, ASurfaceThatCannotBePreparedIsTold) {

@@ -146,6 +146,36 @@ TEST(NoAllocation, AChangeOfSurfaceAllocatesNothing) {
   EXPECT_GT(changing, 100);
 }
 
+TEST(NoAllocation, AHandThatIsLedAllocatesNothing) {
+  const auto space = test::spaceOf(80, [](double, double) { return 0.0; });
+  std::vector<DeviceMm> star;
+  for (int i = 0; i < 10; ++i) {
+    const double a = std::acos(-1.0) * i / 5, r = i % 2 == 0 ? 30 : 14;
+    star.push_back({r * std::cos(a), r * std::sin(a), 0});
+  }
+  GuidePath path = guidePath(star, true, 3);
+  path.id = 1;
+  HapticOptions options;
+  options.force.forces_on = true;
+  options.guide.path = 1;
+  HapticCore core;
+  int led = 0;
+  DeviceMm hand{10, 10, 5};
+  const long count = allocationsIn([&] {
+    for (int i = 0; i < 20000; ++i) {
+      DeviceReading reading;
+      reading.time_ns = i * 1'000'000LL;
+      reading.position = hand;
+      const HapticSample sample = core.tick(*space, options, reading, reading.time_ns, &path);
+      hand = hand + 0.05 * DeviceMm{sample.force.x, sample.force.y, sample.force.z};
+      led += sample.guide != GuidePhase::off ? 1 : 0;
+      if (sample.guide == GuidePhase::off) ++options.guide.path, ++path.id;
+    }
+  });
+  EXPECT_EQ(count, 0);
+  EXPECT_GT(led, 15000);
+}
+
 TEST(NoAllocation, BuffersRingsAndTheMouseAllocateNothing) {
   MouseDevice mouse;
   const auto ring = std::make_unique<SampleRing>();

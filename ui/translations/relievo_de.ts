@@ -6017,10 +6017,6 @@
         <translation>Einführung</translation>
     </message>
     <message>
-        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
-        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächster Ort. Minus: voriger Ort. Vorwärts: fertig. Mitte: zurück; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
-    </message>
-    <message>
         <source>The Falcon is not in use.</source>
         <translation>Der Falcon wird nicht benutzt.</translation>
     </message>
@@ -7789,10 +7785,6 @@
         <translation>Jetzt, für 20 Sekunden: Plus: lauter. Minus: leiser. Mitte: noch einmal sagen. Vorwärts: zurück.</translation>
     </message>
     <message>
-        <source>One button. Press: I offer where am I, finer, coarser, move, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
-        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, verschieben, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
-    </message>
-    <message>
         <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces, say it again, louder, softer, help. Press again to take it. Hold for a second and a half: forces off.</source>
         <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächster Ort, voriger Ort, zurück, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt es. Anderthalb Sekunden halten: Kräfte aus.</translation>
     </message>
@@ -7939,6 +7931,162 @@
     <message>
         <source>Cannot read %1: it is %2; this version reads scans as %3, and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Convert it to one of these, or choose another file.</source>
         <translation>%1 kann nicht gelesen werden: Es ist %2; diese Version liest Scans als %3 und Raster als GeoTIFF, TIFF, PNG oder ESRI-ASCII-Gitter. Wandeln Sie die Datei in eines davon um oder wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>A way that a hand is led along needs two different places, three of a closed one, in the order of their times.</source>
+        <translation>Ein Weg, auf dem eine Hand geführt wird, braucht zwei verschiedene Orte, ein geschlossener drei, in der Reihenfolge ihrer Zeiten.</translation>
+    </message>
+    <message>
+        <source>The way that the hand was led along is damaged in this recording: it cannot be replayed.</source>
+        <translation>Der Weg, auf dem die Hand geführt wurde, ist in dieser Aufnahme beschädigt: Sie kann nicht wiederholt werden.</translation>
+    </message>
+    <message>
+        <source>--guide leads a hand. Give one that can be led, with --device virtual:light, virtual:relaxed or virtual:firm, and leave --safety on.</source>
+        <translation>--guide führt eine Hand. Geben Sie eine an, die sich führen lässt, mit --device virtual:light, virtual:relaxed oder virtual:firm, und lassen Sie --safety an.</translation>
+    </message>
+    <message>
+        <source>There is no outline in this window to be led along: none that was measured all round. Choose another region, or give --guide a stroke.</source>
+        <translation>In diesem Ausschnitt gibt es keinen Umriss zum Führen: keinen, der ringsum gemessen wurde. Wählen Sie einen anderen Bereich oder geben Sie --guide einen Handweg.</translation>
+    </message>
+    <message>
+        <source>There is nothing to touch along. Give --stroke FILE.csv, or --guide.</source>
+        <translation>Es gibt nichts, woran entlang gefühlt wird. Geben Sie --stroke DATEI.csv oder --guide an.</translation>
+    </message>
+    <message>
+        <source>Guiding along %1. You lead: push against it, or press a button, and it lets go.</source>
+        <translation>Ich führe Sie %1 entlang. Sie bestimmen: Drücken Sie dagegen oder drücken Sie einen Knopf, dann lasse ich los.</translation>
+    </message>
+    <message>
+        <source>Guiding along %1, you lead.</source>
+        <translation>Ich führe Sie %1 entlang, Sie bestimmen.</translation>
+    </message>
+    <message>
+        <source>the outline of a raised area</source>
+        <translation>am Umriss einer Erhebung</translation>
+    </message>
+    <message>
+        <source>the outline of a sunken area</source>
+        <translation>am Umriss einer Vertiefung</translation>
+    </message>
+    <message>
+        <source>the border of the object</source>
+        <translation>am Rand des Objekts</translation>
+    </message>
+    <message>
+        <source>a recorded way</source>
+        <translation>einen aufgezeichneten Weg</translation>
+    </message>
+    <message>
+        <source>You lead.</source>
+        <translation>Sie führen.</translation>
+    </message>
+    <message>
+        <source>The guide has arrived.</source>
+        <translation>Die Führung ist am Ziel.</translation>
+    </message>
+    <message>
+        <source>The guide is off.</source>
+        <translation>Die Führung ist aus.</translation>
+    </message>
+    <message>
+        <source>The guide is off: the window is another one.</source>
+        <translation>Die Führung ist aus: Der Ausschnitt ist ein anderer.</translation>
+    </message>
+    <message>
+        <source>There is no outline here to be led along.</source>
+        <translation>Hier gibt es keinen Umriss zum Führen.</translation>
+    </message>
+    <message>
+        <source>The guide needs the forces. Press F5 to switch them on, then ask for it again.</source>
+        <translation>Die Führung braucht die Kräfte. Schalten Sie sie mit F5 ein und verlangen Sie sie dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>The guide needs the forces. Switch them on first.</source>
+        <translation>Die Führung braucht die Kräfte. Schalten Sie sie zuerst ein.</translation>
+    </message>
+    <message>
+        <source>The guide needs a device that can move the hand.</source>
+        <translation>Die Führung braucht ein Gerät, das die Hand bewegen kann.</translation>
+    </message>
+    <message>
+        <source>Guide along the outline</source>
+        <translation>Am Umriss entlangführen</translation>
+    </message>
+    <message>
+        <source>Introduction: five shapes under the hand, one after the other. Next shape (Ctrl+Alt+N) or the button Forward goes on at once, Introduction again ends it.</source>
+        <translation>Einführung: fünf Formen unter der Hand, eine nach der anderen. Nächste Form (Strg+Alt+N) oder der Knopf Vorwärts geht sofort weiter, Einführung noch einmal beendet sie.</translation>
+    </message>
+    <message>
+        <source>Introduction: five shapes. The button Forward goes on.</source>
+        <translation>Einführung: fünf Formen. Der Knopf Vorwärts geht weiter.</translation>
+    </message>
+    <message>
+        <source>I switch the forces on now. They start softly.</source>
+        <translation>Ich schalte jetzt die Kräfte ein. Sie beginnen sanft.</translation>
+    </message>
+    <message>
+        <source>There is a flat plate. Push towards it and slide.</source>
+        <translation>Da ist eine flache Platte. Drücken Sie darauf und gleiten Sie.</translation>
+    </message>
+    <message>
+        <source>Now there is a bump. Find it.</source>
+        <translation>Jetzt ist da ein Buckel. Finden Sie ihn.</translation>
+    </message>
+    <message>
+        <source>Now there is a step. Go over its edge.</source>
+        <translation>Jetzt ist da eine Stufe. Gehen Sie über ihre Kante.</translation>
+    </message>
+    <message>
+        <source>Now there are waves. Stroke across them.</source>
+        <translation>Jetzt sind da Wellen. Streichen Sie quer darüber.</translation>
+    </message>
+    <message>
+        <source>Now there is a groove. Find it and follow it.</source>
+        <translation>Jetzt ist da eine Rille. Finden Sie sie und folgen Sie ihr.</translation>
+    </message>
+    <message>
+        <source>The bump is a little right and above the middle.</source>
+        <translation>Der Buckel ist etwas rechts und über der Mitte.</translation>
+    </message>
+    <message>
+        <source>The edge is in the middle. Go from left to right.</source>
+        <translation>Die Kante ist in der Mitte. Gehen Sie von links nach rechts.</translation>
+    </message>
+    <message>
+        <source>Go from left to right while you touch.</source>
+        <translation>Gehen Sie beim Fühlen von links nach rechts.</translation>
+    </message>
+    <message>
+        <source>The groove runs from left to right, above the middle.</source>
+        <translation>Die Rille verläuft von links nach rechts, über der Mitte.</translation>
+    </message>
+    <message>
+        <source>Push the grip away from you until it meets the plate.</source>
+        <translation>Drücken Sie den Griff von sich weg, bis er auf die Platte trifft.</translation>
+    </message>
+    <message>
+        <source>Yes.</source>
+        <translation>Ja.</translation>
+    </message>
+    <message>
+        <source>Let us go on.</source>
+        <translation>Gehen wir weiter.</translation>
+    </message>
+    <message>
+        <source>The introduction has ended. The relief is under the hand again.</source>
+        <translation>Die Einführung ist zu Ende. Das Relief ist wieder unter der Hand.</translation>
+    </message>
+    <message>
+        <source>The introduction is off. The relief is under the hand again.</source>
+        <translation>Die Einführung ist aus. Das Relief ist wieder unter der Hand.</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done; long: guide along the outline. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
+        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächster Ort. Minus: voriger Ort. Vorwärts: fertig; lang: am Umriss entlangführen. Mitte: zurück; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
+        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, verschieben, führen, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
     </message>
 </context>
 <context>
@@ -10782,6 +10930,54 @@
         <source>Also the distances from the object&apos;s edges, and how fine the shown samples are.</source>
         <translation>Auch die Abstände von den Rändern des Objekts, und wie fein die gezeigten Abtastwerte sind.</translation>
     </message>
+    <message>
+        <source>&amp;Guide along the outline</source>
+        <translation>Am Um&amp;riss entlangführen</translation>
+    </message>
+    <message>
+        <source>Lead the hand along the nearest outline, or let go (Ctrl+Alt+G)</source>
+        <translation>Die Hand am nächsten Umriss entlangführen oder loslassen (Strg+Alt+G)</translation>
+    </message>
+    <message>
+        <source>Of a raised or sunken area, or of the object; with 2 N at most. Push against it or press any button, and it lets go.</source>
+        <translation>Einer Erhebung, einer Vertiefung oder des Objekts; mit höchstens 2 N. Drücken Sie dagegen oder drücken Sie einen Knopf, und sie lässt los.</translation>
+    </message>
+    <message>
+        <source>Guide along a re&amp;cording…</source>
+        <translation>Wie in einer Auf&amp;nahme führen…</translation>
+    </message>
+    <message>
+        <source>Lead the hand as somebody&apos;s hand went in a recording or stroke</source>
+        <translation>Die Hand so führen, wie eine Hand in einer Aufnahme oder einem Handweg ging</translation>
+    </message>
+    <message>
+        <source>At that hand&apos;s own speed, 15 to 60 mm/s, and with its rests.</source>
+        <translation>Mit der Geschwindigkeit jener Hand, 15 bis 60 mm/s, und mit ihren Pausen.</translation>
+    </message>
+    <message>
+        <source>Five shapes to find under the hand, in two minutes (Ctrl+Alt+U)</source>
+        <translation>Fünf Formen unter der Hand finden, in zwei Minuten (Strg+Alt+U)</translation>
+    </message>
+    <message>
+        <source>A plate, a bump, a step, waves and a groove take the place of the relief; each task is said, and each can be passed over.</source>
+        <translation>Eine Platte, ein Buckel, eine Stufe, Wellen und eine Rille kommen an die Stelle des Reliefs; jede Aufgabe wird gesagt, und jede kann übergangen werden.</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt shape</source>
+        <translation>Nä&amp;chste Form</translation>
+    </message>
+    <message>
+        <source>Go on to the introduction&apos;s next shape (Ctrl+Alt+N)</source>
+        <translation>Zur nächsten Form der Einführung weitergehen (Strg+Alt+N)</translation>
+    </message>
+    <message>
+        <source>The device&apos;s button Forward does the same in the introduction.</source>
+        <translation>Der Knopf Vorwärts des Geräts tut in der Einführung dasselbe.</translation>
+    </message>
+    <message>
+        <source>I&amp;ntroduction to touch</source>
+        <translation>E&amp;inführung ins Fühlen</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TouchController</name>
@@ -11382,6 +11578,32 @@
     <message>
         <source>hand scale 1 : %1</source>
         <translation>Maßstab der Hand 1 : %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::TouchGuide</name>
+    <message>
+        <source>The recorded way leaves the shown window. Go to where it was recorded.</source>
+        <translation>Der aufgezeichnete Weg verlässt den gezeigten Ausschnitt. Gehen Sie dorthin, wo er aufgezeichnet wurde.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::GuideControl</name>
+    <message>
+        <source>Guide along a recording</source>
+        <translation>Wie in einer Aufnahme führen</translation>
+    </message>
+    <message>
+        <source>Recordings and strokes (*.csv *.h5 *.hdf5)</source>
+        <translation>Aufnahmen und Handwege (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>A recording is running. The introduction lays shapes under the hand that are not of this relief. End the recording first.</source>
+        <translation>Es läuft eine Aufnahme. Die Einführung legt Formen unter die Hand, die nicht zu diesem Relief gehören. Beenden Sie zuerst die Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The introduction is not recorded. End it first.</source>
+        <translation>Die Einführung wird nicht aufgezeichnet. Beenden Sie sie zuerst.</translation>
     </message>
 </context>
 </TS>

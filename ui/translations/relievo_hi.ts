@@ -6017,10 +6017,6 @@
         <translation>परिचय</translation>
     </message>
     <message>
-        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
-        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला स्थान। माइनस: पिछला स्थान। आगे: पूरा। बीच: वापस; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
-    </message>
-    <message>
         <source>The Falcon is not in use.</source>
         <translation>Falcon उपयोग में नहीं है।</translation>
     </message>
@@ -7789,10 +7785,6 @@
         <translation>अब 20 सेकंड तक: प्लस: और तेज़। माइनस: और धीमा। बीच: फिर से कहें। आगे: वापस।</translation>
     </message>
     <message>
-        <source>One button. Press: I offer where am I, finer, coarser, move, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
-        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, खिसकाना, बल, फिर से कहें, और तेज़, और धीमा, सहायता। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
-    </message>
-    <message>
         <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces, say it again, louder, softer, help. Press again to take it. Hold for a second and a half: forces off.</source>
         <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला स्थान, पिछला स्थान, वापस, बल, फिर से कहें, और तेज़, और धीमा, सहायता। उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
     </message>
@@ -7939,6 +7931,162 @@
     <message>
         <source>Cannot read %1: it is %2; this version reads scans as %3, and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Convert it to one of these, or choose another file.</source>
         <translation>%1 पढ़ी नहीं जा सकती: यह %2 है; यह संस्करण स्कैन %3 के रूप में और रास्टर GeoTIFF, TIFF, PNG या ESRI ASCII ग्रिड के रूप में पढ़ता है। इसे इनमें से किसी में बदलें या दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>A way that a hand is led along needs two different places, three of a closed one, in the order of their times.</source>
+        <translation>जिस रास्ते पर हाथ को ले चला जाए उसमें दो अलग स्थान चाहिए, बंद रास्ते में तीन, समय के क्रम में।</translation>
+    </message>
+    <message>
+        <source>The way that the hand was led along is damaged in this recording: it cannot be replayed.</source>
+        <translation>जिस रास्ते पर हाथ को ले चला गया था वह इस रिकॉर्डिंग में बिगड़ा हुआ है: इसे दोहराया नहीं जा सकता।</translation>
+    </message>
+    <message>
+        <source>--guide leads a hand. Give one that can be led, with --device virtual:light, virtual:relaxed or virtual:firm, and leave --safety on.</source>
+        <translation>--guide हाथ को ले चलता है। ऐसा हाथ दें जिसे ले चला जा सके, --device virtual:light, virtual:relaxed या virtual:firm से, और --safety चालू रहने दें।</translation>
+    </message>
+    <message>
+        <source>There is no outline in this window to be led along: none that was measured all round. Choose another region, or give --guide a stroke.</source>
+        <translation>इस विंडो में ले चलने के लिए कोई रूपरेखा नहीं है: कोई भी चारों ओर से मापी नहीं गई। दूसरा क्षेत्र चुनें, या --guide को हाथ का रास्ता दें।</translation>
+    </message>
+    <message>
+        <source>There is nothing to touch along. Give --stroke FILE.csv, or --guide.</source>
+        <translation>स्पर्श करने का कोई रास्ता नहीं है। --stroke FILE.csv या --guide दें।</translation>
+    </message>
+    <message>
+        <source>Guiding along %1. You lead: push against it, or press a button, and it lets go.</source>
+        <translation>%1 के साथ-साथ ले चल रहा हूँ। आप तय करते हैं: विरोध में धकेलें या कोई बटन दबाएँ, तो मैं छोड़ दूँगा।</translation>
+    </message>
+    <message>
+        <source>Guiding along %1, you lead.</source>
+        <translation>%1 के साथ-साथ ले चल रहा हूँ, आप तय करते हैं।</translation>
+    </message>
+    <message>
+        <source>the outline of a raised area</source>
+        <translation>एक उभरे भाग की रूपरेखा</translation>
+    </message>
+    <message>
+        <source>the outline of a sunken area</source>
+        <translation>एक धँसे भाग की रूपरेखा</translation>
+    </message>
+    <message>
+        <source>the border of the object</source>
+        <translation>वस्तु के किनारे</translation>
+    </message>
+    <message>
+        <source>a recorded way</source>
+        <translation>एक रिकॉर्ड किए रास्ते</translation>
+    </message>
+    <message>
+        <source>You lead.</source>
+        <translation>अब आप ले चलें।</translation>
+    </message>
+    <message>
+        <source>The guide has arrived.</source>
+        <translation>मार्गदर्शन पूरा हुआ।</translation>
+    </message>
+    <message>
+        <source>The guide is off.</source>
+        <translation>मार्गदर्शन बंद है।</translation>
+    </message>
+    <message>
+        <source>The guide is off: the window is another one.</source>
+        <translation>मार्गदर्शन बंद है: विंडो दूसरी है।</translation>
+    </message>
+    <message>
+        <source>There is no outline here to be led along.</source>
+        <translation>यहाँ ले चलने के लिए कोई रूपरेखा नहीं है।</translation>
+    </message>
+    <message>
+        <source>The guide needs the forces. Press F5 to switch them on, then ask for it again.</source>
+        <translation>मार्गदर्शन के लिए बल चाहिए। F5 से उन्हें चालू करें, फिर उसे दोबारा माँगें।</translation>
+    </message>
+    <message>
+        <source>The guide needs the forces. Switch them on first.</source>
+        <translation>मार्गदर्शन के लिए बल चाहिए। पहले उन्हें चालू करें।</translation>
+    </message>
+    <message>
+        <source>The guide needs a device that can move the hand.</source>
+        <translation>मार्गदर्शन के लिए ऐसा उपकरण चाहिए जो हाथ को हिला सके।</translation>
+    </message>
+    <message>
+        <source>Guide along the outline</source>
+        <translation>रूपरेखा के साथ ले चलना</translation>
+    </message>
+    <message>
+        <source>Introduction: five shapes under the hand, one after the other. Next shape (Ctrl+Alt+N) or the button Forward goes on at once, Introduction again ends it.</source>
+        <translation>परिचय: हाथ के नीचे एक के बाद एक पाँच आकार। अगला आकार (Ctrl+Alt+N) या बटन आगे तुरंत बढ़ाता है, परिचय दोबारा चुनना उसे समाप्त करता है।</translation>
+    </message>
+    <message>
+        <source>Introduction: five shapes. The button Forward goes on.</source>
+        <translation>परिचय: पाँच आकार। बटन आगे अगले पर ले जाता है।</translation>
+    </message>
+    <message>
+        <source>I switch the forces on now. They start softly.</source>
+        <translation>अब मैं बल चालू करता हूँ। वे धीरे से शुरू होते हैं।</translation>
+    </message>
+    <message>
+        <source>There is a flat plate. Push towards it and slide.</source>
+        <translation>एक सपाट पट्टी है। उस पर दबाएँ और फिसलाएँ।</translation>
+    </message>
+    <message>
+        <source>Now there is a bump. Find it.</source>
+        <translation>अब एक उभार है। उसे खोजें।</translation>
+    </message>
+    <message>
+        <source>Now there is a step. Go over its edge.</source>
+        <translation>अब एक सीढ़ी है। उसके किनारे के पार जाएँ।</translation>
+    </message>
+    <message>
+        <source>Now there are waves. Stroke across them.</source>
+        <translation>अब लहरें हैं। उनके आर-पार हाथ फेरें।</translation>
+    </message>
+    <message>
+        <source>Now there is a groove. Find it and follow it.</source>
+        <translation>अब एक खाँचा है। उसे खोजें और उसके साथ चलें।</translation>
+    </message>
+    <message>
+        <source>The bump is a little right and above the middle.</source>
+        <translation>उभार बीच से थोड़ा दाएँ और ऊपर है।</translation>
+    </message>
+    <message>
+        <source>The edge is in the middle. Go from left to right.</source>
+        <translation>किनारा बीच में है। बाएँ से दाएँ जाएँ।</translation>
+    </message>
+    <message>
+        <source>Go from left to right while you touch.</source>
+        <translation>स्पर्श करते हुए बाएँ से दाएँ जाएँ।</translation>
+    </message>
+    <message>
+        <source>The groove runs from left to right, above the middle.</source>
+        <translation>खाँचा बीच से ऊपर, बाएँ से दाएँ जाता है।</translation>
+    </message>
+    <message>
+        <source>Push the grip away from you until it meets the plate.</source>
+        <translation>ग्रिप को अपने से दूर धकेलें, जब तक वह पट्टी से न लगे।</translation>
+    </message>
+    <message>
+        <source>Yes.</source>
+        <translation>हाँ।</translation>
+    </message>
+    <message>
+        <source>Let us go on.</source>
+        <translation>आगे चलते हैं।</translation>
+    </message>
+    <message>
+        <source>The introduction has ended. The relief is under the hand again.</source>
+        <translation>परिचय समाप्त हुआ। उभार फिर से हाथ के नीचे है।</translation>
+    </message>
+    <message>
+        <source>The introduction is off. The relief is under the hand again.</source>
+        <translation>परिचय बंद है। उभार फिर से हाथ के नीचे है।</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done; long: guide along the outline. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
+        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला स्थान। माइनस: पिछला स्थान। आगे: पूरा; देर तक: रूपरेखा के साथ ले चलना। बीच: वापस; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
+        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, खिसकाना, ले चलना, बल, फिर से कहें, और तेज़, और धीमा, सहायता। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
     </message>
 </context>
 <context>
@@ -10782,6 +10930,54 @@
         <source>Also the distances from the object&apos;s edges, and how fine the shown samples are.</source>
         <translation>वस्तु के किनारों से दूरियाँ भी, और दिखाए गए नमूने कितने सूक्ष्म हैं।</translation>
     </message>
+    <message>
+        <source>&amp;Guide along the outline</source>
+        <translation>रूपरेखा के साथ ले चलना (&amp;G)</translation>
+    </message>
+    <message>
+        <source>Lead the hand along the nearest outline, or let go (Ctrl+Alt+G)</source>
+        <translation>हाथ को सबसे पास की रूपरेखा के साथ ले चलें, या छोड़ दें (Ctrl+Alt+G)</translation>
+    </message>
+    <message>
+        <source>Of a raised or sunken area, or of the object; with 2 N at most. Push against it or press any button, and it lets go.</source>
+        <translation>किसी उभरे या धँसे भाग की, या वस्तु की; अधिक से अधिक 2 N से। विरोध में धकेलें या कोई बटन दबाएँ, तो वह छोड़ देता है।</translation>
+    </message>
+    <message>
+        <source>Guide along a re&amp;cording…</source>
+        <translation>रिकॉर्डिंग के साथ ले चलना (&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Lead the hand as somebody&apos;s hand went in a recording or stroke</source>
+        <translation>हाथ को वैसे ले चलें जैसे किसी का हाथ रिकॉर्डिंग या रास्ते में गया था</translation>
+    </message>
+    <message>
+        <source>At that hand&apos;s own speed, 15 to 60 mm/s, and with its rests.</source>
+        <translation>उस हाथ की अपनी गति से, 15 से 60 mm/s, और उसके ठहरावों के साथ।</translation>
+    </message>
+    <message>
+        <source>Five shapes to find under the hand, in two minutes (Ctrl+Alt+U)</source>
+        <translation>हाथ के नीचे पाँच आकार खोजें, दो मिनट में (Ctrl+Alt+U)</translation>
+    </message>
+    <message>
+        <source>A plate, a bump, a step, waves and a groove take the place of the relief; each task is said, and each can be passed over.</source>
+        <translation>उभार की जगह एक पट्टी, एक उभार, एक सीढ़ी, लहरें और एक खाँचा आते हैं; हर काम बोला जाता है, और हर एक छोड़ा जा सकता है।</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt shape</source>
+        <translation>अगला आकार (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Go on to the introduction&apos;s next shape (Ctrl+Alt+N)</source>
+        <translation>परिचय के अगले आकार पर जाएँ (Ctrl+Alt+N)</translation>
+    </message>
+    <message>
+        <source>The device&apos;s button Forward does the same in the introduction.</source>
+        <translation>परिचय में उपकरण का बटन आगे भी यही करता है।</translation>
+    </message>
+    <message>
+        <source>I&amp;ntroduction to touch</source>
+        <translation>स्पर्श का परिचय (&amp;N)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TouchController</name>
@@ -11382,6 +11578,32 @@
     <message>
         <source>hand scale 1 : %1</source>
         <translation>हाथ का पैमाना 1 : %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::TouchGuide</name>
+    <message>
+        <source>The recorded way leaves the shown window. Go to where it was recorded.</source>
+        <translation>रिकॉर्ड किया रास्ता दिखाई गई विंडो से बाहर जाता है। वहाँ जाएँ जहाँ वह रिकॉर्ड हुआ था।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::GuideControl</name>
+    <message>
+        <source>Guide along a recording</source>
+        <translation>रिकॉर्डिंग के साथ ले चलना</translation>
+    </message>
+    <message>
+        <source>Recordings and strokes (*.csv *.h5 *.hdf5)</source>
+        <translation>रिकॉर्डिंग और हाथ के रास्ते (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>A recording is running. The introduction lays shapes under the hand that are not of this relief. End the recording first.</source>
+        <translation>रिकॉर्डिंग चल रही है। परिचय हाथ के नीचे ऐसे आकार रखता है जो इस उभार के नहीं हैं। पहले रिकॉर्डिंग समाप्त करें।</translation>
+    </message>
+    <message>
+        <source>The introduction is not recorded. End it first.</source>
+        <translation>परिचय रिकॉर्ड नहीं होता। पहले उसे समाप्त करें।</translation>
     </message>
 </context>
 </TS>

@@ -16,6 +16,7 @@
 #include "haptics/device/device.h"
 #include "haptics/loop/haptic_core.h"
 #include "haptics/loop/surface_preset.h"
+#include "haptics/record/guided_run.h"
 #include "haptics/record/sample_log.h"
 #include "haptics/record/stroke.h"
 
@@ -38,7 +39,7 @@ struct TouchArguments {
   std::string frame = "view";
   /// "outline", "object" or a file with a way: what the hand is led along; empty: it is not led.
   std::string guide;
-  std::uint32_t rounds = 1;  ///< Of a closed one.
+  std::optional<std::uint32_t> rounds;  ///< Of a closed one; nothing: once.
   /// As a recording has it; null: it is found anew.
   std::shared_ptr<const GuidePath> recorded_guide;
   std::optional<double> lift_n;  ///< As a recording had it; nothing: as the device's settings say.
@@ -76,8 +77,8 @@ struct TouchSetup {
   std::shared_ptr<const GuidePath> guide;
   std::string guide_of;  ///< In words, for reports.
   std::string device;    ///< Which one it is, for headers; "none".
-  HapticOptions core;   ///< The same for the core, within what the device can do.
-  std::string limited;  ///< What was asked for and is more than that, in a sentence; or empty.
+  HapticOptions core;    ///< The same for the core, within what the device can do.
+  std::string limited;   ///< What was asked for and is more than that, in a sentence; or empty.
 };
 /// @throw ArgumentError, FileError, DeviceError (no such device)
 TouchSetup prepareTouch(const TouchArguments& arguments, const Task& task);

@@ -153,6 +153,12 @@ std::string whyDifferent(const LogTable& log) {
          "; this is build " + buildId() + ".";
 }
 
+/// What the hand of a verb's log was led along; null: it was not led.
+std::shared_ptr<const GuidePath> guideIn(const LogTable& log) {
+  const auto guides = recordedGuides(log.footer);
+  return guides.empty() ? nullptr : std::make_shared<const GuidePath>(guides.begin()->second);
+}
+
 /// One recording of a package, made by a verb or in the window, on the package's input.
 /// @throw FileError  it says how it was made, but cannot be replayed here
 ReplayResult replayPacked(const LogTable& log, const std::string& recording,
@@ -165,6 +171,7 @@ ReplayResult replayPacked(const LogTable& log, const std::string& recording,
   touch.map.file = input;
   touch.lift_n = liftIn(log);
   touch.told = toldIn(log);
+  touch.recorded_guide = guideIn(log);
   if (const auto raster = firmnessOfCommand(log)) {
     touch.firmness = packedFile(folder, recording, raster->file, raster->sha256, task).string();
   }
@@ -304,6 +311,7 @@ ReplayResult replayed(const ReplayArguments& a, Json& json, const Task& task) {
     json["input"] = touch.map.file;
     touch.lift_n = liftIn(log);
     touch.told = toldIn(log);
+    touch.recorded_guide = guideIn(log);
     const TouchSetup setup = prepareTouch(touch, task);
     if (!a.out.empty()) out = openLog(a.out, log.header, setup.space.get());
     result = replay(*setup.space, setup.core, setup.options.chain, log, each, task);

@@ -8,8 +8,10 @@
 #include "app/cli/json.h"
 #include "app/cli/large.h"
 #include "app/cli/options/look_arguments.h"
+#include "app/cli/options/number_option.h"
 #include "app/cli/report_text.h"
 #include "app/cli/state.h"
+#include "app/cli/touch_guide.h"
 #include "app/cli/verb.h"
 #include "app/cli/verbs/devices/told_limits.h"
 #include "app/cli/verbs/force_plot.h"
@@ -31,6 +33,7 @@
 #include "haptics/proxy/texture.h"
 #include "haptics/record/events.h"
 #include "haptics/record/force_law.h"
+#include "haptics/record/recorded_loop.h"
 #include "haptics/record/sample_log.h"
 
 namespace relievo::batch {
@@ -132,6 +135,12 @@ std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const
     const InputFile firmness = inputFile(a.firmness, {}, task);
     touch["firmness"] = {{"file", textOfName(firmness.file)}, {"sha256", firmness.sha256}};
   }
+  if (isGuideFile(a.guide)) {
+    const InputFile guide = inputFile(a.guide, {}, task);
+    touch["guide"] = {{"file", textOfName(guide.file)}, {"sha256", guide.sha256}};
+  } else if (!a.guide.empty()) {
+    touch["guide"] = a.guide;
+  }
   touch["frame"] = a.frame;
   touch["device"] = a.device;
   touch["safety"] = safetyOf(a);
@@ -139,9 +148,77 @@ std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const
   return toJson(provenance, -1);
 }
 
+std::string_view wordOf(GuideEnd end) {
+  switch (end) {
+    case GuideEnd::none:
+      break;
+    case GuideEnd::arrived:
+      return "arrived";
+    case GuideEnd::you_lead:
+      return "the hand leads";
+    case GuideEnd::button:
+      return "button";
+    case GuideEnd::asked:
+      return "asked";
+    case GuideEnd::no_forces:
+      return "no forces";
+    case GuideEnd::surface:
+      return "another surface";
+  }
+  return "time is over";
+}
+
+Json jsonOfGuide(const TouchSetup& setup, const GuidedFindings& found) {
+  const GuidePath& path = *setup.guide;
+  std::uint32_t pauses = 0;
+  for (std::uint32_t i = 0; i < path.count; ++i) pauses += path.points[i].pause_s > 0 ? 1 : 0;
+  return {{"along", setup.guide_of},
+          {"closed", path.closed},
+          {"rounds", path.rounds},
+          {"length_mm", path.lengthMm()},
+          {"points", path.count},
+          {"pauses", pauses},
+          {"ended", wordOf(found.end)},
+          {"led_s", found.led_s},
+          {"rms_mm", found.rms_mm},
+          {"largest_force_n", found.largest_n},
+          {"largest_fed_mw", found.audit.largest_fed_mw},
+          {"violations", found.audit.violations()}};
+}
+
+std::string lineOfGuide(const TouchSetup& setup, const GuidedFindings& found) {
+  return "Led along the " + setup.guide_of + " for " + shortNumber(found.led_s) + " s, " +
+         shortNumber(setup.guide->lengthMm()) + " mm of hand a round, " +
+         shortNumber(found.rms_mm) + " mm off it (rms), with " + shortNumber(found.largest_n) +
+         " N at most; end: " + std::string(wordOf(found.end)) + ".";
+}
+
+/// Leads the hand from the middle of the window, or from where its stroke begins.
+GuidedFindings touchGuided(const std::optional<Stroke>& stroke, const TouchSetup& setup,
+                           SampleLog& log,
+                           const std::function<void(const HapticSample&, double t_s)>& each,
+                           const Task& task) {
+  const Region& region = setup.window.region;
+  GuidedRun run;
+  run.start = setup.space->deviceFromView(
+      handOver(setup.window, region.centreX(), region.centreY(), false, 0));
+  if (stroke) run.wish = &*stroke;
+  std::optional<HapticSample> before;
+  return runGuided(
+      *setup.space, setup.core, setup.options.frame, *setup.guide, *setup.options.device, run,
+      [&](const HapticSample& sample, double t_s) {
+        each(sample, t_s);
+        log.write(sample, t_s, before ? eventBetween(*before, sample) : eventAtStart(sample));
+        before = sample;
+      },
+      task);
+}
+
 Outcome runTouch(const TouchArguments& a, const Task& task) {
+  if (a.stroke.empty() && a.guide.empty()) throw failure<MessageId::touch_needs_stroke>();
   checkTouch(a);
-  const Stroke stroke = readStroke(a.stroke);
+  std::optional<Stroke> stroke;
+  if (!a.stroke.empty()) stroke = readStroke(a.stroke);
   TouchSetup setup = prepareTouch(a, task);
   const RegionWindow& window = setup.window;
   const Region& region = window.region;
@@ -154,6 +231,9 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
     if (setup.options.device == nullptr) {
       throw failure<MessageId::stroke_moves_no_hand>(a.device);
     }
+    if (setup.guide && !(device->info().max_force_n > 0)) {
+      throw failure<MessageId::guide_needs_a_hand>();
+    }
     device->open();
   }
 
@@ -163,19 +243,24 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   const ForceLimit limit = limitOf(device.get());
   StrokeFindings findings{window, *setup.space, limit.force_n};
   std::vector<ForcePoint> plot;
-  const std::uint64_t ticks = touchAlong(
-      stroke, setup, log.get(),
-      [&](const HapticSample& sample, double t_s) {
-        findings.add(sample);
-        if (!a.plot.empty()) plot.push_back(forcePoint(touchRow(sample, t_s)));
-      },
-      task);
+  const auto each = [&](const HapticSample& sample, double t_s) {
+    findings.add(sample);
+    if (!a.plot.empty()) plot.push_back(forcePoint(touchRow(sample, t_s)));
+  };
+  std::optional<GuidedFindings> led;
+  std::uint64_t ticks = 0;
+  if (setup.guide) {
+    led = touchGuided(stroke, setup, *log, each, task);
+    ticks = log->rows();
+  } else {
+    ticks = touchAlong(*stroke, setup, log.get(), each, task);
+  }
   if (!a.plot.empty()) {
     writeTextFile(beside.file(a.plot),
                   withState(forcePlotSvg(plot, touchTitle(a, setup.surface), limit),
                             headerLine(header, std::string(kStateKey) + " ")));
   }
-  log->close();
+  log->close(setup.guide ? guideLine(*setup.guide) : std::string());
   beside.commit();
 
   const HandMapping hand = handMapping(window);
@@ -206,7 +291,8 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   json["contact_ticks"] = findings.contact_ticks;
   json["proxy_off_surface_mm"] = findings.off_surface_mm;
   json["force_to_normal_deg"] = findings.force_to_normal_deg;
-  return {
+  json["guide"] = led ? jsonOfGuide(setup, *led) : Json();
+  Outcome outcome{
       .json = reportText(json),
       .lines = {a.out + ": " + std::to_string(ticks) + " ticks, largest force " +
                 shortNumber(findings.largest_force_n) + " N" +
@@ -215,11 +301,18 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
                            std::to_string(findings.beyond_ticks) + " ticks less than the log says)"
                      : std::string()) +
                 ", 1 mm of hand = " + shortNumber(hand.objectMmPerHandMm()) + " mm on the object"}};
+  if (led) outcome.lines.push_back(lineOfGuide(setup, *led));
+  return outcome;
 }
 
 }  // namespace
 
 void checkTouch(const TouchArguments& a) {
+  requireUse("--rounds", a.rounds.has_value(), !a.guide.empty() && !isGuideFile(a.guide),
+             "--guide outline");
+  if (!a.guide.empty() && (a.device.empty() || !safetyOf(a))) {
+    throw failure<MessageId::guide_needs_a_hand>();
+  }
   requireUse("--magnet-reach", a.magnet_reach_mm.has_value(), feelOf(a).fields.magnet_n > 0,
              "--magnet");
   if (a.stiffness_n_per_mm && !a.detail_stiffness_n_per_mm.empty()) {
@@ -278,6 +371,7 @@ void layUnderTheHand(TouchSetup& setup, const TouchArguments& a, const Surface& 
   if (setup.options.fields.texture_mm > 0) {
     fillTexture(*setup.space, finerHeights(surface, region, a.region.gain));
   }
+  findGuide(setup, a, surface, task);
 }
 
 }  // namespace
@@ -304,7 +398,7 @@ std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const 
                         const Task& task) {
   const std::string stroke =
       a.stroke.empty()
-          ? "by hand"
+          ? std::string(a.guide.empty() ? "by hand" : "led")
           : "stroke " + escapedName(std::filesystem::path(a.stroke).filename().string());
   Json parameters = Json::parse(feelJson(a));
   parameters["command"] = Json::array();
@@ -342,7 +436,15 @@ void addTouchOptions(CLI::App& verb, TouchArguments& arguments) {
 
 void declareTouch(CLI::App& verb, TouchArguments& arguments) {
   addTouchOptions(verb, arguments);
-  verb.add_option("--stroke", arguments.stroke, "CSV: t_s,x_mm,y_mm,z_mm")->required();
+  verb.add_option(
+      "--stroke", arguments.stroke,
+      "CSV: t_s,x_mm,y_mm,z_mm; with --guide what the hand wants instead of giving way");
+  verb.add_option(
+      "--guide", arguments.guide,
+      "Lead the hand: outline (of the largest raised area, else of the object), object, "
+      "or along the way of a recording or stroke, LOG.csv, LOG.h5");
+  takes(verb.add_option("--rounds", arguments.rounds, "So often round the outline, 1 to 3"),
+        {.low = 1, .high = kMostRounds});
   verb.add_option("-o,--output", arguments.out, "LOG.csv or LOG.h5")->required();
   verb.add_option("--plot", arguments.plot, "Also draw z and force against time, SVG");
   verb.add_option("--device", arguments.device,
@@ -356,6 +458,7 @@ VerbFiles filesOf(const TouchArguments& a) {
   files.reads(a.map.file);
   files.reads(a.stroke, "the stroke that is read");
   files.reads(a.firmness, "the raster of firm ground that is read");
+  if (isGuideFile(a.guide)) files.reads(a.guide, "the way that the hand is led along");
   files.writes(a.out);
   files.writes(a.plot);
   files.writesMap(a.region.window_out);

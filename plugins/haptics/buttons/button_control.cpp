@@ -32,6 +32,8 @@ void ButtonControl::connectButtons() {
     if (device_.session()) device_.session()->setMoving(moving);
     Q_EMIT changed();
   });
+  connect(buttons_.get(), &DeviceButtons::letGo, this, &ButtonControl::letGo);
+  connect(buttons_.get(), &DeviceButtons::taught, this, &ButtonControl::taught);
   connect(panel_, &ButtonsPanel::settingsChanged, this, [this] {
     settings_ = panel_->settings();
     buttons_->setSettings(settings_);
@@ -47,10 +49,20 @@ void ButtonControl::connectActions() {
     parts_.actions.move_mode->setChecked(buttons_->moving());
   });
   connect(actions.move_back, &QAction::triggered, this, [this] { buttons_->cancelMoving(); });
-  connect(actions.where_am_i, &QAction::triggered, this, [this] { buttons_->whereAmI(false); });
-  connect(actions.where_am_i_long, &QAction::triggered, this, [this] { buttons_->whereAmI(true); });
+  connect(actions.where_am_i, &QAction::triggered, this, [this] { whereAmI(false); });
+  connect(actions.where_am_i_long, &QAction::triggered, this, [this] { whereAmI(true); });
   connect(actions.say_detail, &QAction::triggered, this, [this] { buttons_->sayDetail(); });
   connect(actions.button_help, &QAction::triggered, this, [this] { buttons_->sayHelp(); });
+}
+
+void ButtonControl::whereAmI(bool in_full) {
+  if (taught_) return Q_EMIT taskAsked();
+  buttons_->whereAmI(in_full);
+}
+
+void ButtonControl::setTaught(bool taught) {
+  taught_ = taught;
+  buttons_->setTaught(taught);
 }
 
 void ButtonControl::showSettings() {

@@ -28,18 +28,27 @@ class ButtonControl : public QObject {
   /// Takes what was pressed. Once a frame, with the newest sample.
   void follow(const HapticSample& sample);
   void cancelMoving() { buttons_->cancelMoving(); }
+  /// The hand is being led: a button that goes down is told by letGo(), and does nothing else.
+  void setLed(bool led) { buttons_->setLed(led); }
+  /// The introduction runs: buttons are told by taught(), and Where am I by taskAsked().
+  void setTaught(bool taught);
 
  Q_SIGNALS:
   void changed();  ///< addTo() adds something else now.
+  void letGo();
+  void taught(quint8 button);
+  void taskAsked();
 
  private:
   void connectButtons();
   void connectActions();
+  void whereAmI(bool in_full);
 
   TouchParts& parts_;
   HandDevice& device_;
   ButtonSettings& settings_;
   std::unique_ptr<DeviceButtons> buttons_;
+  bool taught_ = false;           // The introduction runs.
   QPointer<ButtonsPanel> panel_;  // The host owns it, and may have deleted it.
 };
 

@@ -24,6 +24,16 @@ DeviceButtons::DeviceButtons(Host& host, std::unique_ptr<hid::HidDevices> hid)
 
 void DeviceButtons::press(std::uint8_t button, bool down, double time_s) {
   if (down) host_.messages.hush();
+  const std::uint32_t bit = button < 32 ? std::uint32_t{1} << button : 0;
+  if (down && (led_ || taught_)) {
+    let_go_ |= bit;
+    led_ ? Q_EMIT letGo() : Q_EMIT taught(button);
+    return;
+  }
+  if (!down && (let_go_ & bit) != 0) {
+    let_go_ &= ~bit;
+    return;
+  }
   commands_.press(button, down, time_s);
 }
 

@@ -30,6 +30,10 @@ class DeviceButtons : public QObject {
   /// What the hand feels in Move mode; off outside of it.
   const MoveGate& gate() const { return gate_; }
   bool moving() const { return gate_.on; }
+  /// The hand is being led: a button that goes down lets it go, and does nothing else.
+  void setLed(bool led) { led_ = led; }
+  /// The introduction runs: buttons that go down are told to it by taught(), and do nothing else.
+  void setTaught(bool taught) { taught_ = taught; }
 
   // The commands that menus and keys share with the buttons. Each says its result.
   void whereAmI(bool in_full);
@@ -43,6 +47,9 @@ class DeviceButtons : public QObject {
   void handPushed(relievo::DeviceMm by);
   /// A button is held long now: for the ear, nothing is done yet.
   void ticked();
+  /// A button went down while the hand was led.
+  void letGo();
+  void taught(quint8 button);
   /// Move mode began, moved or ended: gate() is another one.
   void gateChanged();
 
@@ -62,7 +69,9 @@ class DeviceButtons : public QObject {
   ButtonSettings settings_;
   HapticSample sample_;  // The newest.
   MoveGate gate_;
-  Region moved_from_;  // Where Move mode began.
+  bool led_ = false, taught_ = false;
+  std::uint32_t let_go_ = 0;  // Buttons whose press did something of these two; bits.
+  Region moved_from_;         // Where Move mode began.
   std::unique_ptr<hid::HidDevices> hid_;
   double scanned_s_ = -10, polled_s_ = 0;
 };

@@ -41,6 +41,12 @@ void ReplayNotes::addOptions(std::string line, bool recording) {
   options_lines_.push_back(std::move(line));
 }
 
+// A recording may begin while the hand is led.
+void ReplayNotes::addPath(std::string line, bool recording) {
+  if (!recording) guide_lines_.clear();
+  guide_lines_.push_back(std::move(line));
+}
+
 std::string ReplayNotes::lines(const std::filesystem::path& folder) const {
   std::string lines;
   std::set<std::uint64_t> maps;
@@ -54,6 +60,7 @@ std::string ReplayNotes::lines(const std::filesystem::path& folder) const {
     lines += firmnessLine(scene.firmness, foundFrom(folder, firmness_files_.at(scene.firmness)));
   }
   for (const std::string& line : options_lines_) lines += line;
+  for (const std::string& line : guide_lines_) lines += line;
   return lines;
 }
 

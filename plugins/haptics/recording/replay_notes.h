@@ -29,12 +29,14 @@ class ReplayNotes {
   void addScene(RecordedScene scene, const SceneMaps& maps, bool recording);
   /// Settings that it was given, as optionsLine() writes them.
   void addOptions(std::string line, bool recording);
+  /// What the hand may be led along, as guideLine() writes it.
+  void addPath(std::string line, bool recording);
   /// Lines for the end of a recording in a folder, from which files are named.
   std::string lines(const std::filesystem::path& folder) const;
 
  private:
   std::vector<RecordedScene> scenes_;
-  std::vector<std::string> options_lines_;
+  std::vector<std::string> options_lines_, guide_lines_;
   std::map<std::string, std::string> firmness_files_;  // By SHA-256.
   std::vector<std::string> map_states_;                // Map 1 is the first.
 };

@@ -97,6 +97,9 @@ TEST_F(Buttons, MoveModeGivesTheButtonsOtherMeanings) {
   EXPECT_THAT(hold(kForward, 0.2), ElementsAre(confirm_move));
   EXPECT_FALSE(buttons_.moving());
   hold(kForward, 0.2);
+  EXPECT_THAT(hold(kForward, 1), ElementsAre(confirm_move, guide)) << "done, and on by the guide";
+  EXPECT_FALSE(buttons_.moving());
+  hold(kForward, 0.2);
   EXPECT_THAT(hold(kCentre, 0.2), ElementsAre(cancel_move));
   EXPECT_FALSE(buttons_.moving());
   hold(kForward, 0.2);
@@ -228,8 +231,8 @@ TEST_F(OneButton, TakesRepeatAndVolumeInMoveModeToo) {
 TEST_F(OneButton, AScanThatNobodyTakesEnds) {
   hold(kPlus, 0.2);
   EXPECT_THAT(pass(20), IsEmpty());
-  EXPECT_THAT(offers_, ElementsAre(where_am_i, finer, coarser, begin_move, toggle_forces, repeat,
-                                   louder, softer, help))
+  EXPECT_THAT(offers_, ElementsAre(where_am_i, finer, coarser, begin_move, guide, toggle_forces,
+                                   repeat, louder, softer, help))
       << "all that four buttons do, and the voice's (EN 301 549, 5.9)";
 }
 
@@ -279,20 +282,21 @@ TEST_F(Buttons, HelpNamesEveryPressOfItsMode) {
        "Plus and Minus: look or touch; for two seconds: help; for five: introduction."});
   buttons_.toggleMoving();
   all(englishText(buttons_.help(now_)),
-      {"Plus: next place.", "Minus: previous place.", "Forward: done.",
-       "Centre: back; long: forces off or on.", "Plus and Minus for two seconds"});
+      {"Plus: next place.", "Minus: previous place.",
+       "Forward: done; long: guide along the outline.", "Centre: back; long: forces off or on.",
+       "Plus and Minus for two seconds"});
   buttons_.setOptions({.one_button = true});
   all(englishText(buttons_.help(now_)),
       {"next place, previous place", "Hold for a second and a half: forces off."});
 }
 
 TEST_F(Buttons, EveryCommandHasANameAndWords) {
-  for (int i = 1; i <= static_cast<int>(softer); ++i) {
+  for (int i = 1; i <= static_cast<int>(guide); ++i) {
     EXPECT_FALSE(commandName(static_cast<ButtonCommand>(i)).empty());
     EXPECT_FALSE(englishText(messageOf(static_cast<ButtonCommand>(i))).empty());
   }
   EXPECT_EQ(commandName(finer), "finer");
-  EXPECT_EQ(commandName(restart_introduction), "introduction");
+  EXPECT_EQ(commandName(restart_introduction), "touchIntroduction");
 }
 
 TEST_F(Buttons, RandomPressesAlwaysEndAtRest) {

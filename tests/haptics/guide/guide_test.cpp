@@ -199,11 +199,13 @@ TEST(Guide, AnotherSurfaceEndsItAndARunBeginsOnce) {
 }
 
 TEST(Guide, StrengthDoesNotChangeHowItLeadsAndZeroIsZero) {
-  const auto force = [](double strength) {
+  const auto ledWith = [](double strength) {
     LedHand hand({.hand = kHandPresets[1]}, guidePath(test::square(50), true), kArmS, strength);
-    return hand.run({25, 25, 0}, 60).rms_mm;
+    return hand.run({25, 25, 0}, 60);
   };
-  EXPECT_NEAR(force(0.4), force(1), 0.02);
+  const Led weak = ledWith(0.4), full = ledWith(1);
+  EXPECT_NEAR(weak.largest_n, full.largest_n, 0.01);
+  EXPECT_NEAR(weak.seconds, full.seconds, 0.1);
   LedHand off({.hand = kHandPresets[1]}, guidePath(test::square(50), true), kArmS, 0);
   EXPECT_EQ(off.run({25, 25, 0}, 5).largest_n, 0);
 }

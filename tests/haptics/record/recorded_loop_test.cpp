@@ -66,6 +66,15 @@ class Recorded {
         ++options.id;
         lines_ += optionsLine(options);
       }
+      if (tick == 1600 || tick == 2000) {  // Led for a while, twice; the second is another path.
+        path_ = guidePath(std::vector<DeviceMm>{{20, 15, 0}, {-20, 15, 1}, {-20, -15, 2}}, true);
+        path_.id = tick;
+        path_.scene_id = scenes_[now]->scene_id;
+        lines_ += guideLine(path_);
+        options.guide.path = tick;
+        ++options.id;
+        lines_ += optionsLine(options);
+      }
       if (tick == 1400) recorder_.start(file, "a recording");
       if (tick == 1500) {
         snapshots_.push({tick, core_, scenes_[now]->scene_id, scenes_[before]->scene_id, true});
@@ -77,7 +86,13 @@ class Recorded {
       const double t = 0.001 * static_cast<double>(tick);
       reading.position = {12 * std::sin(2 * t), 9 * std::cos(1.3 * t), t < 1.2 ? 8 : -1.5};
       if (tick >= 5500 && tick < 5600) reading.fault = DeviceFault::timeout;
-      batch.push_back(core_.tick(*scenes_[now], *scenes_[before], options, reading, now_ns));
+      HapticOptions with = options;
+      if (tick == 1900) {  // The path that is named was not there.
+        with.guide = {};
+        with.id |= kPathlessBit;
+      }
+      batch.push_back(core_.tick(*scenes_[now], *scenes_[before], with, reading, now_ns, &path_));
+      led_ticks += batch.back().guide != GuidePhase::off ? 1 : 0;
       if (batch.size() == 50) {
         recorder_.take(batch);
         batch.clear();
@@ -89,6 +104,7 @@ class Recorded {
     return readLog(file);
   }
 
+  int led_ticks = 0;
   /// Surfaces that the last replay asked for.
   mutable std::set<std::uint64_t> asked;
 
@@ -112,6 +128,7 @@ class Recorded {
   SnapshotRing snapshots_;
   Recorder recorder_;
   HapticCore core_;
+  GuidePath path_;
   std::string lines_;
 };
 
@@ -127,7 +144,23 @@ TEST(RecordedLoop, RepeatsLiveChangesToTheLastBitInEitherFormat) {
     const ReplayResult result = recorded.replay(log);
     EXPECT_EQ(result.ticks, 4500U);
     EXPECT_EQ(result.different, 0U) << name << " " << (result.first ? result.first->column : "");
+    EXPECT_GT(recorded.led_ticks, 300) << "and was led";
   }
+}
+
+TEST(RecordedLoop, WithoutThePathThatLedItIsNotReplayed) {
+  Recorded recorded;
+  LogTable log = recorded.record(temporary("unled.csv"));
+  const LogTable whole = log;
+  const std::size_t at = log.footer.find("replay guide 1600 ");
+  ASSERT_NE(at, std::string::npos);
+  log.footer.erase(at, log.footer.find('\n', at) - at);
+  EXPECT_THROW(recorded.replay(log), FileError);
+  log = whole;
+  const std::size_t corner = log.footer.find("[20.0,15.0,0.0", at);
+  ASSERT_NE(corner, std::string::npos);
+  log.footer[corner + 2] = '1';  // Altered: its checksum says so.
+  EXPECT_THROW(recorded.replay(log), FileError);
 }
 
 TEST(RecordedLoop, AsksForTheSurfaceBeforeOnlyWhereItIsFelt) {

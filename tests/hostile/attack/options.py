@@ -35,6 +35,7 @@ BASES = {
 WITH = {"eye-angle": ["--stereo", "half"], "zero-plane": ["--stereo", "half"],
         "soft": ["--preset", "smooth"], "tick": ["--preset", "smooth"],
         "magnet-reach": ["--magnet", "0.5"], "plate": ["--frame", "view"],
+        "rounds": ["--guide", "outline", "--device", "virtual"],
         "plane": ["--area", "10,10;20,10;20,20"]}
 # Texts, not numbers: any name is a good name.
 NAMES = {"output", "caption", "heights", "window-out", "profile-csv", "profile-svg", "section-csv",
