@@ -114,7 +114,8 @@ struct Rested {
   std::vector<double> t_s, rest_s;
 };
 
-/// Takes the rests out of a way: the hand stays at one place while it is slower than kRestMmPerS.
+/// Takes the rests out of a way: the hand stays at one place while it is within kRestWithinMm of
+/// it. What is too short for a rest is a part of the way.
 Rested withoutRests(std::span<const TimedPlace> way) {
   Rested result;
   double gone_s = 0;
@@ -122,10 +123,12 @@ Rested withoutRests(std::span<const TimedPlace> way) {
     if (i > 0) {
       const double dt = way[i].t_s - way[i - 1].t_s;
       if (!(dt > 0)) throw failure<MessageId::guide_without_way>();
-      if (norm(way[i].place - result.places.back()) < kRestMmPerS * dt) {
-        result.rest_s.back() += dt;
+      double& rest_s = result.rest_s.back();
+      if (norm(way[i].place - result.places.back()) < kRestWithinMm) {
+        rest_s += dt;
         continue;
       }
+      if (rest_s < kShortestRestS) gone_s += std::exchange(rest_s, 0);
       gone_s += dt;
     }
     result.places.push_back(way[i].place);

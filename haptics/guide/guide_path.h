@@ -54,7 +54,7 @@ inline constexpr double kGuideMmPerS = 40, kLeastRoundS = 6;
 inline constexpr double kCornerPauseS = 0.4, kCornerDegrees = 35, kCornerArmMm = 2;
 /// A person's own speed and rests are kept within these.
 inline constexpr double kSlowestStrokeMmPerS = 15, kFastestStrokeMmPerS = 60;
-inline constexpr double kRestMmPerS = 5, kShortestRestS = 0.2, kLongestRestS = 3;
+inline constexpr double kRestWithinMm = 0.3, kShortestRestS = 0.2, kLongestRestS = 3;
 
 /// Along a line of corners, with a pause at each that turns by more than kCornerDegrees on arms of
 /// kCornerArmMm.

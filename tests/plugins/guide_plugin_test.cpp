@@ -6,6 +6,7 @@
 #include <QComboBox>
 
 #include "core/region/hand.h"
+#include "plugins/haptics/device_setup_buttons.h"
 #include "tests/plugins/plugin_fixture.h"
 
 namespace relievo {
@@ -172,6 +173,57 @@ TEST_F(GuidePluginTest, ForcesOffEndsTheIntroductionAndARecordingForbidsIt) {
   introduction->trigger();
   EXPECT_FALSE(introduction->isChecked());
   EXPECT_TRUE(host_.announcements.back().startsWith("A recording is running."));
+}
+
+/// Of the device; what they ask for is run by the host.
+class LedButtonsTest : public ::testing::Test {
+ protected:
+  LedButtonsTest() {
+    QObject::connect(&buttons_, &DeviceButtons::letGo, [this] { ++let_go_; });
+    QObject::connect(&buttons_, &DeviceButtons::taught, [this](quint8 b) { taught_.push_back(b); });
+  }
+  void press(std::uint8_t button) {
+    buttons_.press(button, true, now_);
+    buttons_.press(button, false, now_ + 0.1);
+    now_ += 1;
+    buttons_.frame({}, now_);
+  }
+
+  test::TestHost host_;
+  DeviceButtons buttons_{host_, nullptr};
+  int let_go_ = 0;
+  std::vector<quint8> taught_;
+  double now_ = 1;
+};
+
+TEST_F(LedButtonsTest, APressThatLetsGoDoesNothingElse) {
+  press(ButtonCommands::kPlus);
+  EXPECT_EQ(host_.commands, QStringList{"finer"});
+  buttons_.setLed(true);
+  for (std::uint8_t button = 0; button < 4; ++button) press(button);
+  EXPECT_EQ(let_go_, 4);
+  EXPECT_EQ(host_.commands, QStringList{"finer"});
+  // Let go while the guide ends: the button that comes up is still that press.
+  buttons_.press(ButtonCommands::kMinus, true, now_);
+  buttons_.setLed(false);
+  buttons_.press(ButtonCommands::kMinus, false, now_ + 0.2);
+  buttons_.frame({}, now_ + 1);
+  EXPECT_EQ(host_.commands, QStringList{"finer"});
+  now_ += 2;
+  press(ButtonCommands::kMinus);
+  EXPECT_EQ(host_.commands, (QStringList{"finer", "coarser"}));
+}
+
+TEST_F(LedButtonsTest, InTheIntroductionPressesAreToldAndDoNothingElse) {
+  buttons_.setTaught(true);
+  press(ButtonCommands::kForward);
+  press(ButtonCommands::kCentre);
+  EXPECT_EQ(taught_, (std::vector<quint8>{ButtonCommands::kForward, ButtonCommands::kCentre}));
+  EXPECT_TRUE(host_.commands.isEmpty());
+  EXPECT_FALSE(buttons_.moving());
+  buttons_.setTaught(false);
+  press(ButtonCommands::kPlus);
+  EXPECT_EQ(host_.commands, QStringList{"finer"});
 }
 
 }  // namespace

@@ -87,6 +87,18 @@ TEST(GuidePath, AStrokeKeepsItsSpeedsAndItsRests) {
   EXPECT_NEAR(path.to_stop_mm[0], 40, 0.1);
 }
 
+TEST(GuidePath, SlowIsNoRest) {
+  // 4 mm/s, sampled often and seldom; led at the slowest speed, without a pause.
+  std::vector<TimedPlace> often;
+  for (int i = 0; i <= 4000; ++i) often.push_back({0.001 * i, {0.004 * i, 0, 0}});
+  const std::vector<TimedPlace> seldom{{0, {}}, {4, {16, 0, 0}}, {5, {16, 0, 0}}, {8, {16, 20, 0}}};
+  EXPECT_EQ(pausesOf(guideAlong(often)), 0U);
+  EXPECT_EQ(guideAlong(often).count, 2U);
+  const GuidePath path = guideAlong(seldom);
+  EXPECT_EQ(pausesOf(path), 1U);
+  EXPECT_DOUBLE_EQ(path.points[1].pause_s, 1);
+}
+
 TEST(GuidePath, AStrokeIsPlayedBackAtItsOwnSpeed) {
   std::vector<TimedPlace> way;
   for (int i = 0; i <= 2000; ++i) {
