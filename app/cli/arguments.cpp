@@ -11,6 +11,7 @@
 #include "app/cli/options/number_option.h"
 #include "core/base/failure.h"
 #include "core/depth/rules/point_rule.h"
+#include "core/io/format.h"
 #include "core/io/formats/lines.h"
 
 namespace relievo::batch {
@@ -123,8 +124,7 @@ ImportOptions importOptions(const ScanArguments& a) {
 
 void addMapOptions(CLI::App& verb, MapArguments& a) {
   verb.add_option("FILE", a.file,
-                  "Scan (PLY PCD OBJ STL 3DS LAS E57 PTX XYZ ASC PTS CSV), TIFF, PNG, ASCII grid "
-                  "or MAP.tif")
+                  "Scan (" + scanFormatList(" ") + "), TIFF, PNG, ASCII grid or MAP.tif")
       ->required();
   verb.add_option("--unit", a.unit, "Unit of the file's coordinates: mm cm m in ft us-ft");
   verb.add_option("--view", a.view,

@@ -31,15 +31,15 @@ constexpr auto kFormats = std::to_array<FormatFact>({
     {FileFormat::pcd, true, "a PCD file", "pcd"},
     {FileFormat::obj, true, "an OBJ file", "obj"},
     {FileFormat::stl, true, "an STL file", "stl"},
+    {FileFormat::three_ds, true, "a 3DS file", "3ds"},
+    {FileFormat::las, true, "a LAS file", "las"},
+    {FileFormat::laz, true, "a compressed LAS file (LAZ or COPC)", "laz"},
+    {FileFormat::e57, true, "an E57 file", "e57"},
+    {FileFormat::ptx, true, "a PTX file", "ptx"},
     {FileFormat::text, true, "a text file", "xyz asc pts csv txt"},
     {FileFormat::tiff, false, "a TIFF raster", "tif tiff"},
     {FileFormat::png, false, "a PNG raster", ""},
     {FileFormat::ascii_grid, false, "an ESRI ASCII grid", "asc"},
-    {FileFormat::las, true, "a LAS file", "las"},
-    {FileFormat::laz, true, "a compressed LAS file (LAZ or COPC)", "laz"},
-    {FileFormat::e57, true, "an E57 file", "e57"},
-    {FileFormat::three_ds, true, "a 3DS file", "3ds"},
-    {FileFormat::ptx, true, "a PTX file", "ptx"},
     {FileFormat::other_raster, false, "a raster of another kind", ""},
     {FileFormat::other, false, "no scan that this program knows", ""},
 });
@@ -87,6 +87,23 @@ constexpr auto kMagics = std::to_array<Magic>({
     {"\xFE\xFF"sv, FileFormat::other, "UTF-16 text; save it as UTF-8"},
     {"{"sv, FileFormat::other, "a JSON file"},
 });
+
+/// What files of some formats end in, each once.
+template <class Wanted>
+std::vector<std::string_view> endingsOf(const Wanted& wanted) {
+  std::vector<std::string_view> endings;
+  for (const FormatFact& fact : kFormats) {
+    if (!wanted(fact)) continue;
+    std::string_view rest = fact.endings;
+    while (!rest.empty()) {
+      const std::string_view ending = takeWord(rest);
+      if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
+        endings.push_back(ending);
+      }
+    }
+  }
+  return endings;
+}
 
 std::string nameOf(FileFormat format) {
   for (const FormatFact& fact : kFormats) {
@@ -230,17 +247,17 @@ FoundFormat findFormat(std::string_view head, const std::filesystem::path& file,
 }
 
 std::vector<std::string_view> offeredEndings() {
-  std::vector<std::string_view> endings;
-  for (const FormatFact& fact : kFormats) {
-    std::string_view rest = fact.endings;
-    while (!rest.empty()) {
-      const std::string_view ending = takeWord(rest);
-      if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
-        endings.push_back(ending);
-      }
-    }
+  return endingsOf([](const FormatFact&) { return true; });
+}
+
+std::string scanFormatList(std::string_view separator) {
+  std::string list;
+  for (std::string_view ending :
+       endingsOf([](const FormatFact& f) { return f.readable_as_scan; })) {
+    if (!list.empty()) list += separator;
+    for (char c : ending) list += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   }
-  return endings;
+  return list;
 }
 
 bool isReadableRaster(FileFormat format) noexcept {
@@ -261,7 +278,8 @@ void checkReadableAsScan(const FoundFormat& found_format, const std::filesystem:
   if (isReadableRaster(found_format.format)) {
     throw failure<MessageId::file_is_a_raster>(shownName(file), found_format.name);
   }
-  throw failure<MessageId::file_of_another_format>(shownName(file), found_format.name);
+  throw failure<MessageId::file_of_another_format>(shownName(file), found_format.name,
+                                                   scanFormatList());
 }
 
 }  // namespace relievo

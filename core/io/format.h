@@ -40,6 +40,10 @@ FoundFormat findFormat(std::string_view head, const std::filesystem::path& file,
 /// What names of scans and rasters end in, for lists of files to open: "ply", "las". Each once.
 std::vector<std::string_view> offeredEndings();
 
+/// The scans that are read, as people call them: "PLY, PCD, OBJ". Whatever names the formats takes
+/// them from here, so that another reader is named everywhere.
+std::string scanFormatList(std::string_view separator = ", ");
+
 /// Read by readRaster: TIFF, PNG, ESRI ASCII grid.
 bool isReadableRaster(FileFormat format) noexcept;
 

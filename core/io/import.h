@@ -33,8 +33,8 @@ struct ImportOptions {
   double max_cpu_s = 600;
 };
 
-/// Reads PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, COPC, E57, PTX or text (XYZ ASC PTS CSV TXT), chosen by
-/// content first, name second.
+/// Reads a scan of any format that scanFormatList() names (core/io/format.h), chosen by content
+/// first, name second.
 /// Header and sizes are checked here; the file is then read in a child process (relievo-import,
 /// installed with the program) with limits, in the C locale; the result is checked again. Acts on a
 /// stop request within 250 ms. [worker]

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/task.h"
-#include "core/io/raster/export_grid.h"
+#include "core/io/export/export_grid.h"
 #include "core/region/region.h"
 #include "core/session/surface.h"
 

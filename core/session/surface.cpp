@@ -17,7 +17,7 @@
 #include "core/session/colours/surface_colours.h"
 #include "core/session/large/memory_guard.h"
 #include "core/session/loss_words.h"
-#include "core/session/unit_guess.h"
+#include "core/session/source/unit_guess.h"
 
 namespace relievo {
 namespace {

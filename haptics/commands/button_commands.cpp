@@ -15,11 +15,15 @@ constexpr double kBounceS = 0.06, kShortS = 0.5, kLongS = 0.7, kLongCentreS = 1.
 constexpr double kHelpS = 2, kIntroductionS = 5, kAgainS = 5;
 constexpr double kStepMm = 20, kBackMm = 10;
 
+constexpr bool isOfPair(std::size_t button) {
+  return button == ButtonCommands::kPlus || button == ButtonCommands::kMinus;
+}
+
 struct Word {
   std::string_view name;
   MessageId words;
 };
-constexpr std::array<Word, 25> kWords{
+constexpr std::array<Word, 26> kWords{
     {{"", MessageId::command_none},
      {"finer", MessageId::command_finer},
      {"coarser", MessageId::command_coarser},
@@ -39,6 +43,7 @@ constexpr std::array<Word, 25> kWords{
      {"next_place", MessageId::command_next_place},
      {"previous_place", MessageId::command_previous_place},
      {"beacon", MessageId::command_toggle_beacon},
+     {"pointer_switch", MessageId::command_switch_pointer},
      {"buttonHelp", MessageId::command_help},
      {"touchIntroduction", MessageId::command_restart_introduction},
      {"repeatSpeech", MessageId::command_repeat},
@@ -120,6 +125,10 @@ void ButtonCommands::edge(std::size_t index, bool down, double time_s) {
     return;
   }
   if (!b.used) released(index, time_s - b.since_s);
+  // The first of the two to go up ends it. A SpaceMouse has no other two buttons.
+  if (together_ && buttons_[kPlus].down != buttons_[kMinus].down && isOfPair(index)) {
+    releasedTogether(time_s - std::max(buttons_[kPlus].since_s, buttons_[kMinus].since_s));
+  }
   if (!buttons_[kPlus].down && !buttons_[kMinus].down) together_ = false;
 }
 
@@ -127,6 +136,10 @@ void ButtonCommands::released(std::size_t index, double held_s) {
   // However slowly a finger leaves the button: all that is no stop is a press.
   if (options_.one_button) return scan(buttons_[index].edge_s);
   if (held_s <= kShortS) shortPress(index, buttons_[index].edge_s);
+}
+
+void ButtonCommands::releasedTogether(double held_s) {
+  if (together_said_ == 0 && held_s <= kShortS) run(ButtonCommand::switch_pointer);
 }
 
 void ButtonCommands::run(ButtonCommand command) {

@@ -34,6 +34,7 @@ enum class ButtonCommand : std::uint8_t {
   next_place,
   previous_place,
   toggle_beacon,
+  switch_pointer,
   help,
   restart_introduction,
   repeat,
@@ -60,8 +61,8 @@ struct ButtonOutcome {
 };
 
 /// Makes commands of presses: short (up to 0.5 s), long (from 0.7 s; centre 1.5 s), plus and minus
-/// together, Move mode, one-button scanning. Nothing is ever asked to be pressed twice quickly.
-/// No clock: time is an argument. [one thread]
+/// together (short, 2 s, 5 s), Move mode, one-button scanning. Nothing is ever asked to be pressed
+/// twice quickly. No clock: time is an argument. [one thread]
 class ButtonCommands {
  public:
   static constexpr std::size_t kButtons = 4;
@@ -108,6 +109,7 @@ class ButtonCommands {
   void released(std::size_t index, double held_s);
   void held(std::size_t index, double held_s);
   void heldTogether(double held_s);
+  void releasedTogether(double held_s);
   void shortPress(std::size_t index, double time_s);
   void voicePress(std::size_t index, double time_s);
   void longPress(std::size_t index);

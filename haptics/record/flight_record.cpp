@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "haptics/record/events.h"
-#include "haptics/record/log_writer.h"
+#include "haptics/record/log/log_writer.h"
 
 namespace relievo {
 

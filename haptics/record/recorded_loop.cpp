@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/base/failure.h"
-#include "haptics/record/named_json.h"
+#include "haptics/record/log/named_json.h"
 
 namespace relievo {
 

@@ -5,9 +5,9 @@
 
 #include "core/base/error.h"
 #include "core/recording/log_table.h"
-#include "haptics/record/hdf5_log.h"
-#include "haptics/record/log_place.h"
-#include "haptics/record/log_writer.h"
+#include "haptics/record/log/hdf5_log.h"
+#include "haptics/record/log/log_place.h"
+#include "haptics/record/log/log_writer.h"
 
 namespace relievo {
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <filesystem>
 #include <QFile>
-#include <set>
 #include <utility>
 
 #include "core/base/error.h"
@@ -15,20 +14,13 @@
 #include "haptics/loop/device_limits.h"
 #include "haptics/proxy/texture.h"
 #include "haptics/rt/build_id.h"
-#include "plugins/haptics/recording_file.h"
+#include "plugins/haptics/recording/recording_file.h"
 
 namespace relievo {
 
 namespace {
 bool on(EngagePhase phase) {
   return phase != EngagePhase::off;
-}
-
-/// How a file is found from a folder; recordings and rasters may be moved together.
-std::string foundFrom(const std::filesystem::path& folder, const std::filesystem::path& file) {
-  std::error_code error;
-  const std::filesystem::path relative = std::filesystem::relative(file, folder, error);
-  return (error || relative.empty() ? file : relative).generic_string();
 }
 }  // namespace
 
@@ -40,7 +32,7 @@ LoopSession::LoopSession(std::unique_ptr<Device> device, const std::string& devi
     : flight_(QFile::encodeName(flightFolder()).toStdString(),
               "relievo flight record, schema 1\ndevice " + device_id),
       plot_start_ns_(monotonicNs()) {
-  steered_ = dynamic_cast<SteeredDevice*>(device.get());
+  hand_ = SteeredHand(dynamic_cast<SteeredDevice*>(device.get()));
   falcon_ = dynamic_cast<falcon::FalconDevice*>(device.get());
   foreign_ = dynamic_cast<foreign::ForeignDevice*>(device.get());
   haply_ = dynamic_cast<haply::HaplyDevice*>(device.get());
@@ -110,53 +102,16 @@ void LoopSession::takePrepared() {
                       order.window.gain, order.kind,      order.touched};
   scene.textured = space.texture.present;
   scene.checksum = order.checksum;
-  keep(std::move(scene), order.maps);
+  notes_.addScene(std::move(scene), order.maps, recorder_.running());
   if (!shown_) shown_ = std::make_unique<HapticSpace>();
   *shown_ = space;
   loop_->spaces().publish();
-  mapping_ = mappingOf(order.window, order.touched);
+  const HandMapping mapping = mappingOf(order.window, order.touched);
   window_ = std::move(order.window);
   const bool first = !std::exchange(has_window_, true);
-  placeHand(loop_->latest().front(), first);
+  hand_.takeSurface(window_, mapping, loop_->latest().front(), first);
   if (hand_since_) moveHand(*hand_since_);
   prepareNext();
-}
-
-/// The hand keeps its place sideways, as far as that is over the window, and its depth.
-void LoopSession::placeHand(const HapticSample& last, bool first) {
-  if (steered_ == nullptr) return;
-  const Region& r = window_.region;
-  ViewMm over = mapping_.device_from_view.inverseOfSimilarity()(last.hip);
-  if (first) over = {r.centreX(), r.centreY(), 0};
-  over.x = std::clamp(over.x, r.x_mm, r.x_mm + r.side_mm);
-  over.y = std::clamp(over.y, r.y_mm, r.y_mm + r.side_mm);
-  const double depth = norm(last.proxy - last.hip);
-  const bool pressing = !first && !hovers_ && last.contact;
-  const ViewMm place = handOver(window_, over.x, over.y, pressing, depth);
-  sent_ = mapping_.device_from_view(place);
-  steered_->placeAt(sent_);
-  if (!pressing) hoverAt(place);
-}
-
-void LoopSession::hoverAt(ViewMm target) {
-  sent_ = mapping_.device_from_view(target);
-  steered_->hoverAt(sent_);
-  hovers_ = true;
-}
-
-void LoopSession::keep(RecordedScene scene, const SceneMaps& maps) {
-  if (maps.firmness_from) {
-    scene.firmness = maps.firmness_from->sha256;
-    firmness_files_[scene.firmness] = maps.firmness_from->file;
-  }
-  if (!maps.map_state.empty()) {
-    const auto known = std::find(map_states_.begin(), map_states_.end(), maps.map_state);
-    scene.map = static_cast<std::uint64_t>(known - map_states_.begin()) + 1;
-    if (known == map_states_.end()) map_states_.push_back(maps.map_state);
-  }
-  constexpr std::size_t kScenesInUse = 4;  // Of the loop, its change, the mailbox and this one.
-  if (!recorder_.running() && scenes_.size() >= kScenesInUse) scenes_.erase(scenes_.begin());
-  scenes_.push_back(std::move(scene));
 }
 
 void LoopSession::moveHand(ViewMm target) {
@@ -164,53 +119,26 @@ void LoopSession::moveHand(ViewMm target) {
     hand_since_ = target;
     return;
   }
-  if (!has_window_ || steered_ == nullptr) return;
-  const bool presses = target.z < windowHeightMm(window_, target.x, target.y);
-  if (!presses) return hoverAt(target);
-  if (hovers_) hoverAt(handOver(window_, target.x, target.y, false, 0));
-  hovers_ = false;
-  sent_ = mapping_.device_from_view(target);
-  steered_->moveTo(sent_);
+  if (has_window_) hand_.moveTo(window_, target);
 }
 
 void LoopSession::pushHand(DeviceMm by) {
-  if (!has_window_ || steered_ == nullptr) return;
-  const DeviceMm hip = update().hip;
-  const double lead = norm(sent_ - hip);
-  // A hand that a surface holds back is not pushed ever harder.
-  if (lead > kMostLeadMm) sent_ = hip + (kMostLeadMm / lead) * (sent_ - hip);
-  sent_ = sent_ + by;
-  hovers_ = false;
-  steered_->moveTo(sent_);
+  if (has_window_ && hand_.isSteered()) hand_.push(by, update().hip);
 }
 
 void LoopSession::setOptions(const HapticOptions& options) {
   HapticOptions named = withinDevice(options, loop_->device());
   named.id = ++options_id_;
-  // The loop may still work with the last but one.
-  if (!recorder_.running() && options_lines_.size() >= 3) {
-    options_lines_.erase(options_lines_.begin());
-  }
-  options_lines_.push_back(optionsLine(named));
+  notes_.addOptions(optionsLine(named), recorder_.running());
   loop_->options().write(named);
 }
 
 std::uint64_t LoopSession::lead(GuidePath path) {
   path.id = ++guide_id_;
   path.scene_id = scene_id_;
-  // A recording may begin while the hand is led.
-  if (!recorder_.running()) guide_lines_.clear();
-  guide_lines_.push_back(guideLine(path));
+  notes_.addPath(guideLine(path), recorder_.running());
   loop_->paths().write(path);
   return path.id;
-}
-
-void LoopSession::giveWay(const HapticSample& sample) {
-  if (steered_ == nullptr) return;
-  constexpr double kPart = 0.08;  // Of the way in a frame: an arm that gives way in 0.2 s.
-  sent_ = sent_ + kPart * (sample.hip - sent_);
-  hovers_ = false;
-  steered_->moveTo(sent_);
 }
 
 void LoopSession::startRecording(const std::string& file, const std::string& header) {
@@ -219,26 +147,12 @@ void LoopSession::startRecording(const std::string& file, const std::string& hea
     takePrepared();
   }
   recorder_.start(file, header, shown_.get());
-  recording_folder_ = std::filesystem::path(file).parent_path().string();
+  recording_folder_ = std::filesystem::path(file).parent_path();
   loop_->wantSnapshot();
 }
 
 void LoopSession::stopRecording(const std::string& footer) {
-  std::string lines = footer;
-  std::set<std::uint64_t> maps;
-  std::set<std::string> rasters;
-  for (const RecordedScene& scene : scenes_) {
-    lines += sceneLine(scene);
-    const bool new_map = scene.map > 0 && maps.insert(scene.map).second;
-    if (new_map) lines += mapLine(scene.map, map_states_[scene.map - 1]);
-    const bool new_raster = !scene.firmness.empty() && rasters.insert(scene.firmness).second;
-    if (!new_raster) continue;
-    lines += firmnessLine(scene.firmness,
-                          foundFrom(recording_folder_, firmness_files_.at(scene.firmness)));
-  }
-  for (const std::string& line : options_lines_) lines += line;
-  for (const std::string& line : guide_lines_) lines += line;
-  recorder_.stop(lines);
+  recorder_.stop(footer + notes_.lines(recording_folder_));
 }
 
 const HapticSample& LoopSession::update() {

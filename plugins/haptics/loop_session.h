@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <future>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,17 +22,10 @@
 #include "haptics/record/recorder.h"
 #include "haptics/record/sample_drain.h"
 #include "plugins/api/plugin.h"
+#include "plugins/haptics/recording/replay_notes.h"
+#include "plugins/haptics/steered_hand.h"
 
 namespace relievo {
-
-/// What a surface is made of besides its window.
-struct SceneMaps {
-  std::vector<float> finer_mm;  ///< See fillTexture(); empty: no texture.
-  std::vector<float> firmness;  ///< See fill(); empty: the window's origins say where it is firm.
-  // For recordings.
-  std::shared_ptr<const FirmnessMap> firmness_from;  ///< Null: as an empty `firmness`.
-  std::string map_state;                             ///< Host::mapState().
-};
 
 /// The running loop with one device, and the threads around it. All calls: GUI thread.
 class LoopSession {
@@ -64,9 +57,9 @@ class LoopSession {
   /// Carries the hand on from where it was last sent, not from where it is: pushes that come faster
   /// than the hand follows add up. It never runs ahead by more than `kMostLeadMm`.
   void pushHand(DeviceMm by);
-  static constexpr double kMostLeadMm = 6;
+  static constexpr double kMostLeadMm = SteeredHand::kMostLeadMm;
   /// Mouse and keys say where the hand is, and no person who holds the device.
-  bool isSteered() const noexcept { return steered_ != nullptr; }
+  bool isSteered() const noexcept { return hand_.isSteered(); }
   void setOptions(const HapticOptions& options);
   /// Begins with one of the next ticks; HDF5 gets the surface that is touched now.
   /// @throw as Recorder::start
@@ -78,9 +71,9 @@ class LoopSession {
   std::uint64_t lead(GuidePath path);
   /// A simulated hand that is led gives way, as an arm does: what was wished follows it. Once a
   /// frame; a device that a person holds does not care.
-  void giveWay(const HapticSample& sample);
+  void giveWay(const HapticSample& sample) { hand_.giveWay(sample.hip); }
   /// How the newest surface lies under the hand.
-  const HandMapping& mapping() const noexcept { return mapping_; }
+  const HandMapping& mapping() const noexcept { return hand_.mapping(); }
   const DeviceInfo& device() const noexcept { return loop_->device(); }
   /// In Move mode the window goes on below the hand: what is touched does not come along.
   void setMoving(bool moving) { moving_ = moving; }
@@ -111,9 +104,6 @@ class LoopSession {
   };
   void prepareNext();
   void takePrepared();
-  void placeHand(const HapticSample& last, bool first);
-  void hoverAt(ViewMm target);
-  void keep(RecordedScene scene, const SceneMaps& maps);
   void plotSink(std::span<const HapticSample> batch);  // [drain thread]
 
   // In this order: the drain goes first and still finds the recorder and the loop's ring.
@@ -123,24 +113,15 @@ class LoopSession {
   std::uint64_t plot_every_ = 5;
   std::int64_t plot_start_ns_ = 0;
   std::unique_ptr<HapticLoop> loop_;
-  // Owned by the loop. Null: a person holds the device; null: it is no Falcon.
-  SteeredDevice* steered_ = nullptr;
-  falcon::FalconDevice* falcon_ = nullptr;
+  SteeredHand hand_{nullptr};
+  falcon::FalconDevice* falcon_ = nullptr;     // Owned by the loop. Null: it is no Falcon.
   foreign::ForeignDevice* foreign_ = nullptr;  // Null: no plug-in drives it.
   haply::HaplyDevice* haply_ = nullptr;        // Likewise.
   std::unique_ptr<SampleDrain> drain_;
-  HandMapping mapping_;
-  DeviceMm sent_;  // Where the hand was last sent.
-  // What a replay needs: since a recording began, or of the present and the last scene.
-  std::uint64_t scene_id_ = 0, options_id_ = 0;
-  std::vector<RecordedScene> scenes_;
-  std::uint64_t guide_id_ = 0;
-  std::vector<std::string> options_lines_, guide_lines_;
-  std::map<std::string, std::string> firmness_files_;  // By SHA-256.
-  std::vector<std::string> map_states_;                // Map 1 is the first.
-  std::string recording_folder_;
+  std::uint64_t scene_id_ = 0, options_id_ = 0, guide_id_ = 0;
+  ReplayNotes notes_;
+  std::filesystem::path recording_folder_;
   bool has_window_ = false, moving_ = false;
-  bool hovers_ = true;                  // As the hand was last sent.
   RegionWindow window_;                 // The loop's newest; has_window_: there is one.
   std::unique_ptr<HapticSpace> shown_;  // The loop's newest; the loop's own cannot be read here.
   std::optional<Order> waiting_;        // The newest that was asked for.

@@ -16,7 +16,7 @@
 #include "core/io/import.h"
 #include "core/io/raster/raster.h"
 #include "tests/app/command.h"
-#include "tests/ui/prepare_fixture.h"
+#include "tests/ui/prepare/prepare_fixture.h"
 
 namespace relievo {
 namespace {

@@ -56,6 +56,15 @@ def statements(body):
     return [" ".join(s.split()) for s in flat.split(";") if s.strip()]
 
 
+def declared(statement):
+    """How many names one declaration of data has, by the commas outside of brackets."""
+    depth, names = 0, 1
+    for sign in statement:
+        depth += {"<": 1, "(": 1, ">": -1, ")": -1}.get(sign, 0)
+        names += sign == "," and depth == 0
+    return names
+
+
 def classes_of(text):
     """(name, members, methods) of every class, also of those within others."""
     text = without_comments(text)
@@ -76,8 +85,24 @@ def classes_of(text):
             if call and call.group(1) not in KEYWORDS:
                 methods += 1
             elif not one.startswith("static constexpr"):
-                members += 1 + re.sub(r"<[^<>]*>|\{\}", "", head).count(",")
+                members += declared(one)
         yield found.group(1), members, methods
+
+
+MOST_LINES = 60  # Of a function: about a screen.
+
+
+def long_functions(text):
+    """(lines, first line) of functions outside of classes that are longer than a screen."""
+    lines, start = text.split("\n"), None
+    for at, line in enumerate(lines):
+        begins = re.match(r"\S.*\{$", line) and "(" in lines[at - 1] + line
+        if begins and not re.match(r"namespace|struct|class|enum|constexpr|const |static const|inline constexpr", line):
+            start = at
+        if line == "}" and start is not None:
+            if at - start > MOST_LINES:
+                yield at - start, lines[start]
+            start = None
 
 
 def main():
@@ -97,6 +122,12 @@ def main():
     largest = sorted(found, key=lambda c: max(c[0] / 25, c[1] / 60), reverse=True)[:10]
     for members, methods, name, file in largest:
         print(f"  {members:4} {methods:4} {name} ({file})")
+
+    long = sorted(((lines, first, shown[f]) for f, text in product.items() if f.suffix == ".cpp"
+                   for lines, first in long_functions(text)), reverse=True)
+    print(f"Functions of more than {MOST_LINES} lines: {len(long)}")
+    for lines, first, file in long[:5]:
+        print(f"  {lines:4} {first[:60]} ({file})")
 
     print("Lines of ui/window/main_window.*:")
     for f, text in product.items():

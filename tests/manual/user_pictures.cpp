@@ -26,7 +26,7 @@
 #include "app/host.h"
 #include "app/plugin_loader.h"
 #include "core/project/project.h"
-#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/figure/figure_dialog.h"
 #include "ui/language/language.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/panels/places_panel.h"

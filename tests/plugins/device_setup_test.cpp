@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The assistant with the emulated Falcon on the computer's clock, by keyboard and text alone.
-#include "plugins/haptics/device_setup_dialog.h"
+#include "plugins/haptics/device/device_setup_dialog.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -24,8 +24,8 @@
 
 #include "haptics/device/falcon/firmware.h"
 #include "haptics/device/falcon/settings_file.h"
-#include "plugins/haptics/buttons_panel.h"
-#include "plugins/haptics/device_setup_buttons.h"
+#include "plugins/haptics/buttons/buttons_panel.h"
+#include "plugins/haptics/buttons/device_buttons.h"
 #include "tests/emulator/in_process.h"
 #include "tests/emulator/made_image.h"
 #include "tests/plugins/plugin_fixture.h"
@@ -430,6 +430,16 @@ TEST_F(DeviceButtonsTest, RunTheWindowsCommandsAndSayWhatTheyFind) {
   EXPECT_EQ(host_.hushed, 7) << "each press cuts what is being said";
   press(kPlus, 1.0);
   EXPECT_TRUE(last().startsWith("Detail 1 of 1, 8 centimetres wide."));
+}
+
+TEST_F(DeviceButtonsTest, PlusAndMinusTogetherAreTheWindowsSwitchOfLookAndTouch) {
+  buttons_.press(kPlus, true, now_s_);
+  buttons_.press(kMinus, true, now_s_);
+  pass(0.2);
+  buttons_.press(kPlus, false, now_s_);
+  buttons_.press(kMinus, false, now_s_);
+  pass(0.2);
+  EXPECT_EQ(host_.commands, QStringList{"pointer_switch"});
 }
 
 TEST_F(DeviceButtonsTest, MoveModePutsAGateUnderTheHandAndStepsTheWindow) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is said of a Falcon, and what stands on the screen.
-#include "plugins/haptics/falcon_news.h"
+#include "plugins/haptics/device/falcon_news.h"
 
 #include <gtest/gtest.h>
 

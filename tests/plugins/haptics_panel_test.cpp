@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the panel Touch says of samples that no real loop has to bring about.
-#include "plugins/haptics/haptics_panel.h"
+#include "plugins/haptics/panel/haptics_panel.h"
 
 #include <gtest/gtest.h>
 #include <QLabel>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/haptics/scope.h"
+#include "plugins/haptics/panel/scope.h"
 
 #include <gtest/gtest.h>
 

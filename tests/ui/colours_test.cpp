@@ -12,7 +12,7 @@
 #include "core/io/raster/colour_raster.h"
 #include "core/session/colours/surface_colours.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/figure/figure_dialog.h"
 
 namespace relievo {
 namespace {

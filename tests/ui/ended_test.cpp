@@ -10,7 +10,7 @@
 
 #include "core/project/package.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/figure/figure_dialog.h"
 #include "ui/dialogs/package_dialog.h"
 
 namespace relievo {

@@ -25,11 +25,11 @@
 #include "core/provenance/sha256.h"
 #include "core/session/map_facts.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/figure/figure_dialog.h"
 #include "ui/figure/figure.h"
 #include "ui/panels/measure_panel.h"
-#include "ui/views/colour_bar.h"
-#include "ui/views/grid_painter.h"
+#include "ui/views/overlays/colour_bar.h"
+#include "ui/views/overlays/grid_painter.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {

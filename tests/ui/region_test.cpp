@@ -15,7 +15,7 @@
 #include <QtTest/QTest>
 
 #include "tests/ui/gui_fixture.h"
-#include "ui/views/pink_overlay.h"
+#include "ui/views/overlays/pink_overlay.h"
 
 namespace relievo {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "core/relief/stereo.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/views/colour_bar.h"
+#include "ui/views/overlays/colour_bar.h"
 
 namespace relievo {
 namespace {

@@ -12,7 +12,7 @@
 #include "ui/panels/view_panel.h"
 #include "ui/style/text.h"
 #include "ui/views/detail_view.h"
-#include "ui/views/light_ball.h"
+#include "ui/views/overlays/light_ball.h"
 #include "ui/views/reference_view.h"
 
 namespace relievo {

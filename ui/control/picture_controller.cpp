@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "ui/control/foreign_files.h"
 #include "ui/control/replay_controller.h"
-#include "ui/dialogs/figure_dialog.h"
+#include "ui/dialogs/figure/figure_dialog.h"
 #include "ui/dialogs/image_dialog.h"
 #include "ui/language/spoken_error.h"
 #include "ui/views/detail_view.h"

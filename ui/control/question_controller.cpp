@@ -8,7 +8,7 @@
 #include <QPainter>
 
 #include "core/depth/rules/rasterize.h"
-#include "core/session/unit_guess.h"
+#include "core/session/source/unit_guess.h"
 #include "ui/dialogs/depth_map_preview.h"
 #include "ui/style/text.h"
 

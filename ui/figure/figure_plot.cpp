@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <limits>
 
 #include "core/base/axis.h"
+#include "core/recording/force_curves.h"
 
 namespace relievo {
 namespace {
@@ -150,25 +151,68 @@ std::pair<double, double> range(const std::vector<QPointF>& points) {
   return {low->y(), high->y()};
 }
 
-std::vector<QPointF> curveOf(const std::vector<ForcePoint>& rows,
-                             const std::function<double(const ForcePoint&)>& value) {
+std::vector<QPointF> curveOf(const std::vector<ForcePoint>& rows, double ForcePoint::*value) {
   std::vector<QPointF> curve;
   curve.reserve(rows.size());
-  for (const ForcePoint& row : rows) curve.emplace_back(row.t_s, value(row));
+  for (const ForcePoint& row : rows) curve.emplace_back(row.t_s, row.*value);
   return curve;
+}
+
+/// Lowest and highest value of a strip's curves.
+std::pair<double, double> rangeOf(const std::vector<ForcePoint>& rows, ForceStrip strip) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const ForceCurve& curve : kForceCurves) {
+    if (curve.strip != strip) continue;
+    for (const ForcePoint& row : rows) {
+      low = std::min(low, row.*curve.value);
+      high = std::max(high, row.*curve.value);
+    }
+  }
+  return {low, high};
+}
+
+/// Width and dashes tell the curves apart without colour, too.
+QPen penOf(const FigureInk& ink, const ForceCurve& curve) {
+  const auto pen = [&] {
+    switch (curve.ink) {
+      case CurveInk::hand:
+        return ink.pen(kHip, 0.9);
+      case CurveInk::proxy:
+        return ink.pen(kProxy, 1.4);
+      case CurveInk::force:
+        break;
+    }
+    return ink.pen(kInk, 1);
+  };
+  QPen chosen = pen();
+  if (curve.dashed) chosen.setDashPattern({4, 2});
+  return chosen;
+}
+
+/// Curves, and their names if a strip has several.
+void drawStrip(const FigureInk& ink, Plot& plot, const std::vector<ForcePoint>& rows,
+               ForceStrip strip) {
+  for (std::size_t i = kForceCurves.size(); i-- > 0;) {
+    const ForceCurve& curve = kForceCurves[i];
+    if (curve.strip == strip) plot.curve(curveOf(rows, curve.value), penOf(ink, curve));
+  }
+  double lines_down = 0;
+  for (std::size_t i = kForceCurves.size(); i-- > 0;) {
+    const ForceCurve& curve = kForceCurves[i];
+    if (curve.strip != strip || curvesIn(strip) < 2) continue;
+    const QString name =
+        QString::fromLatin1(curve.paper_name.data(), static_cast<int>(curve.paper_name.size()));
+    plot.name(name, penOf(ink, curve), lines_down++);
+  }
 }
 
 }  // namespace
 
 ForcePlots drawForcePlots(FigureInk& ink, const std::vector<ForcePoint>& rows,
                           const ForcePlots& papers) {
-  const auto hip = curveOf(rows, [](const ForcePoint& r) { return r.hip_z_mm; });
-  const auto proxy = curveOf(rows, [](const ForcePoint& r) { return r.proxy_z_mm; });
-  const auto force = curveOf(rows, [](const ForcePoint& r) { return r.force_n; });
-  const auto [hip_low, hip_high] = range(hip);
-  const auto [proxy_low, proxy_high] = range(proxy);
-  const Axis z = axisFor(std::min(hip_low, proxy_low), std::max(hip_high, proxy_high), kMostSteps);
-  const Axis n = axisFor(0, range(force).second, kMostSteps);
+  const auto [lowest, highest] = rangeOf(rows, ForceStrip::heights);
+  const Axis z = axisFor(lowest, highest, kMostSteps);
+  const Axis n = axisFor(0, rangeOf(rows, ForceStrip::forces).second, kMostSteps);
   const double left = std::max(titlePx(ink, z), titlePx(ink, n)) + kRoomEm * ink.pt(ink.textPt());
   const Axis time =
       timeAxis(ink, rows.front().t_s, rows.back().t_s, ink.px(papers.heights.width()) - left);
@@ -176,17 +220,10 @@ ForcePlots drawForcePlots(FigureInk& ink, const std::vector<ForcePoint>& rows,
                          trimmed(ink, papers.forces, time, left)};
   Plot above(ink, boxes.heights, time, z);
   above.frame(QStringLiteral("z (mm)"), {});
-  // Width and dashes tell the curves apart without colour, too.
-  const QPen proxy_pen = ink.pen(kProxy, 1.4);
-  QPen hip_pen = ink.pen(kHip, 0.9);
-  hip_pen.setDashPattern({4, 2});
-  above.curve(proxy, proxy_pen);
-  above.curve(hip, hip_pen);
-  above.name(QStringLiteral("proxy"), proxy_pen, 0);
-  above.name(QStringLiteral("HIP"), hip_pen, 1);
+  drawStrip(ink, above, rows, ForceStrip::heights);
   Plot below(ink, boxes.forces, time, n);
   below.frame(QStringLiteral("force (N)"), QStringLiteral("time (s)"));
-  below.curve(force, ink.pen(kInk, 1));
+  drawStrip(ink, below, rows, ForceStrip::forces);
   return boxes;
 }
 

@@ -153,10 +153,10 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   title->setFont(font);
   title->setWordWrap(true);
   column->addWidget(title);
-  auto* hint = new QLabel(tr(
-      "Point clouds and meshes (PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ and other "
-      "text), height maps (TIFF, PNG, ASCII grid), projects and figures. You can also drop a file "
-      "on this window."));
+  auto* hint = new QLabel(
+      tr("Point clouds and meshes (%1), height maps (TIFF, PNG, ASCII grid), projects and figures. "
+         "You can also drop a file on this window.")
+          .arg(QString::fromStdString(scanFormatList())));
   hint->setWordWrap(true);
   column->addWidget(hint);
   auto* open = new QPushButton(icon(Icon::open), tr("&Open\u2026"));

@@ -7,7 +7,7 @@
 #include "core/measure/measure.h"
 #include "core/measure/touch_marks.h"
 #include "ui/panels/measure_readings.h"
-#include "ui/views/view_labels.h"
+#include "ui/views/overlays/view_labels.h"
 #include "ui/work/document.h"
 
 class QDoubleSpinBox;

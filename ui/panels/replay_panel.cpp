@@ -12,7 +12,9 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include "core/recording/force_curve.h"
 #include "ui/panels/replay_events.h"
+#include "ui/plots/curve_pens.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 
@@ -78,8 +80,9 @@ ReplayPanel::ReplayPanel(ReplayPlayer& player, QWidget* parent)
       readout_(new QLabel),
       speed_(new QComboBox),
       heights_(tr("Height of hand and proxy in the recording"), tr("z (mm)"),
-               {tr("hand"), tr("proxy")}, kPartS, this),
-      forces_(tr("Force in the recording"), tr("force (N)"), {tr("force")}, kPartS, this) {
+               curveNames(ForceStrip::heights), kPartS, this),
+      forces_(tr("Force in the recording"), tr("force (N)"), curveNames(ForceStrip::forces), kPartS,
+              this) {
   setObjectName(QStringLiteral("replay_panel"));
   setAccessibleName(tr("Replay"));
   layOut();
@@ -206,9 +209,8 @@ QString ReplayPanel::timeText() const {
 
 void ReplayPanel::takeColours() {
   const ThemeColours& c = currentColours();
-  heights_.setColours(c.base, c.border, c.quiet_text,
-                      {QPen(c.hip, 1.5, Qt::DashLine), QPen(c.proxy, 1.8)});
-  forces_.setColours(c.base, c.border, c.quiet_text, {QPen(c.force, 1.8)});
+  heights_.setColours(c.base, c.border, c.quiet_text, curvePens(ForceStrip::heights, c));
+  forces_.setColours(c.base, c.border, c.quiet_text, curvePens(ForceStrip::forces, c));
   heights_.setCursorColour(c.text);
   forces_.setCursorColour(c.text);
 }
@@ -265,12 +267,20 @@ void ReplayPanel::showPart() {
   const auto curve = [&](const std::function<double(const TouchRow&)>& value) {
     return thinned(recording, low_s_, high_s_, value);
   };
-  heights_.setCurve(0, curve([](const TouchRow& row) { return row.hip.z; }));
-  heights_.setCurve(1, curve([](const TouchRow& row) { return row.proxy.z; }));
+  double strongest = kLeastForceN;
+  int heights = 0, forces = 0;
+  for (const ForceCurve& shown : kForceCurves) {
+    const QVector<QPointF> points =
+        curve([&](const TouchRow& row) { return forcePoint(row).*shown.value; });
+    if (shown.strip == ForceStrip::heights) {
+      heights_.setCurve(heights++, points);
+    } else {
+      forces_.setCurve(forces++, points);
+      strongest = std::max(strongest, largest(points));
+    }
+  }
   heights_.setRangeFromCurves(kLeastHeightMm);
-  const QVector<QPointF> force = curve([](const TouchRow& row) { return norm(row.force); });
-  forces_.setCurve(0, force);
-  forces_.setRange(0, 1.05 * std::max(kLeastForceN, largest(force)));
+  forces_.setRange(0, 1.05 * strongest);
 }
 
 bool ReplayPanel::goByKey(int key, Qt::KeyboardModifiers modifiers) {

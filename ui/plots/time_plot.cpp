@@ -9,6 +9,8 @@
 #include <QPen>
 #include <QTimer>
 
+#include "core/recording/force_curves.h"
+#include "ui/plots/curve_pens.h"
 #include "ui/style/palette.h"
 
 namespace relievo {
@@ -24,9 +26,10 @@ constexpr double kNearlyShownS = kShownS - 0.1;
 constexpr int kMostDrawn = 1500;  // Points per curve; the strip is a thousand pixels wide.
 
 bool looksAlike(const ForcePoint& a, const ForcePoint& b) {
-  return std::abs(a.hip_z_mm - b.hip_z_mm) < kSameHeightMm &&
-         std::abs(a.proxy_z_mm - b.proxy_z_mm) < kSameHeightMm &&
-         std::abs(a.force_n - b.force_n) < kSameForceN;
+  return std::all_of(kForceCurves.begin(), kForceCurves.end(), [&](const ForceCurve& curve) {
+    const double same = curve.strip == ForceStrip::heights ? kSameHeightMm : kSameForceN;
+    return std::abs(a.*curve.value - b.*curve.value) < same;
+  });
 }
 
 }  // namespace
@@ -34,8 +37,9 @@ bool looksAlike(const ForcePoint& a, const ForcePoint& b) {
 TimePlot::TimePlot(QWidget* parent)
     : QWidget(parent),
       heights_(tr("Height of hand and proxy over the last ten seconds"), tr("z (mm)"),
-               {tr("hand"), tr("proxy")}, kShownS, this),
-      forces_(tr("Force over the last ten seconds"), tr("force (N)"), {tr("force")}, kShownS, this),
+               curveNames(ForceStrip::heights), kShownS, this),
+      forces_(tr("Force over the last ten seconds"), tr("force (N)"),
+              curveNames(ForceStrip::forces), kShownS, this),
       timer_(new QTimer(this)) {
   setObjectName(QStringLiteral("time_plot"));
   setAccessibleName(tr("Plots of height and force"));
@@ -55,9 +59,8 @@ TimePlot::TimePlot(QWidget* parent)
 
 void TimePlot::takeColours() {
   const ThemeColours& c = currentColours();
-  heights_.setColours(c.base, c.border, c.quiet_text,
-                      {QPen(c.hip, 1.5, Qt::DashLine), QPen(c.proxy, 1.8)});
-  forces_.setColours(c.base, c.border, c.quiet_text, {QPen(c.force, 1.8)});
+  heights_.setColours(c.base, c.border, c.quiet_text, curvePens(ForceStrip::heights, c));
+  forces_.setColours(c.base, c.border, c.quiet_text, curvePens(ForceStrip::forces, c));
 }
 
 void TimePlot::changeEvent(QEvent* event) {
@@ -98,21 +101,18 @@ void TimePlot::redraw() {
   stale_ = false;
   drawn_rest_ = restingAt();
   const std::size_t step = std::max<std::size_t>(1, points_.size() / kMostDrawn);
-  QVector<QPointF> hand;
-  QVector<QPointF> proxy;
-  QVector<QPointF> force;
   double strongest = kLeastForceN;
-  for (std::size_t i = 0; i < points_.size(); i += step) {
-    const ForcePoint& p = points_[i];
-    const double t = p.t_s - points_.back().t_s;
-    hand.append({t, p.hip_z_mm});
-    proxy.append({t, p.proxy_z_mm});
-    force.append({t, p.force_n});
-    strongest = std::max(strongest, p.force_n);
+  int heights = 0, forces = 0;
+  for (const ForceCurve& curve : kForceCurves) {
+    const bool is_force = curve.strip == ForceStrip::forces;
+    QVector<QPointF> drawn;
+    for (std::size_t i = 0; i < points_.size(); i += step) {
+      const double value = points_[i].*curve.value;
+      drawn.append({points_[i].t_s - points_.back().t_s, value});
+      if (is_force) strongest = std::max(strongest, value);
+    }
+    is_force ? forces_.setCurve(forces++, drawn) : heights_.setCurve(heights++, drawn);
   }
-  heights_.setCurve(0, hand);
-  heights_.setCurve(1, proxy);
-  forces_.setCurve(0, force);
   forces_.setRange(0, 1.05 * strongest);
   if (points_.empty()) {
     heights_.setRange(0, 10);

@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/vtk/cloud_scene.h"
+#include "ui/vtk/cloud/cloud_scene.h"
 
 namespace relievo {
 

@@ -6,8 +6,8 @@
 
 #include "core/base/failure.h"
 #include "core/base/replaceable.h"
+#include "core/io/export/write_cloud.h"
 #include "core/io/formats/text_file.h"
-#include "core/io/raster/write_cloud.h"
 #include "core/prepare/normals.h"
 #include "core/prepare/outliers.h"
 #include "core/provenance/prepared_state.h"

@@ -7,7 +7,7 @@
 
 #include "core/prepare/prepare.h"
 #include "ui/prepare/prepare_state.h"
-#include "ui/vtk/cloud_scene.h"
+#include "ui/vtk/cloud/cloud_scene.h"
 
 namespace relievo {
 

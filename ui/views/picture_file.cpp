@@ -8,7 +8,7 @@
 #include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
 #include "ui/figure/view_picture.h"
-#include "ui/views/grid_painter.h"
+#include "ui/views/overlays/grid_painter.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {

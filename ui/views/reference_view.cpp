@@ -12,7 +12,7 @@
 #include "core/session/large/level_cut.h"
 #include "ui/language/spoken_error.h"
 #include "ui/style/text.h"
-#include "ui/views/pink_overlay.h"
+#include "ui/views/overlays/pink_overlay.h"
 
 namespace relievo {
 namespace {

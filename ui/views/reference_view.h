@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "ui/views/pink_window.h"
-#include "ui/views/suggestion_frames.h"
+#include "ui/views/overlays/pink_window.h"
+#include "ui/views/overlays/suggestion_frames.h"
 #include "ui/views/surface_view.h"
 #include "ui/work/document.h"
 

@@ -22,9 +22,9 @@
 
 #include "core/relief/stereo.h"
 #include "ui/style/palette.h"
-#include "ui/views/cell_legend.h"
-#include "ui/views/colour_bar.h"
-#include "ui/views/grid_painter.h"
+#include "ui/views/overlays/cell_legend.h"
+#include "ui/views/overlays/colour_bar.h"
+#include "ui/views/overlays/grid_painter.h"
 #include "ui/views/quiet_turns.h"
 #include "ui/vtk/first_draws.h"
 #include "ui/vtk/scale_length.h"

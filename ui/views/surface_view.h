@@ -7,8 +7,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include "ui/views/overlays/view_labels.h"
 #include "ui/views/scene_state.h"
-#include "ui/views/view_labels.h"
 
 namespace relievo {
 

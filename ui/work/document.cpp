@@ -11,7 +11,7 @@
 #include "core/provenance/sha256.h"
 #include "core/session/colours/surface_colours.h"
 #include "core/session/large/tiled_surface.h"
-#include "core/session/unit_guess.h"
+#include "core/session/source/unit_guess.h"
 #include "core/tiles/tiled_map.h"
 #include "ui/dialogs/depth_map_preview.h"
 #include "ui/language/spoken_error.h"

@@ -37,7 +37,7 @@ double scaleOf(const std::string& text) {
   return object / paper;
 }
 
-/// As FigureDialog::limit.
+/// As FigureForm::limit.
 void refuseUseless(const FigureArguments& a, const FigureRequest& f) {
   const bool eyes = f.stereo != StereoPrint::off || a.both_eyes;
   const std::string stereo = "a kind of --stereo, or --both-eyes";

@@ -13,7 +13,7 @@
 namespace relievo::batch {
 namespace {
 
-/// As FigureDialog::limitRelief.
+/// As FigureReliefRows::limit.
 void refuseUseless(const LookArguments& a, ReliefKind kind) {
   const bool lamps = isLit(kind) || kind == ReliefKind::hillshade ||
                      kind == ReliefKind::multi_hillshade || showsOwnColours(kind);

@@ -2,10 +2,11 @@
 #include "app/cli/verbs/force_plot.h"
 
 #include <algorithm>
-#include <functional>
+#include <array>
 
 #include "app/cli/verbs/svg.h"
 #include "core/base/failure.h"
+#include "core/recording/force_curves.h"
 #include "haptics/device/falcon/link/link.h"
 
 namespace relievo::batch {
@@ -55,8 +56,7 @@ class Panel {
            textAt(kLeft + 4, at - 4, "start", name, " fill='#d02020'");
   }
 
-  std::string curve(const std::vector<ForcePoint>& rows,
-                    const std::function<double(const ForcePoint&)>& value,
+  std::string curve(const std::vector<ForcePoint>& rows, double ForcePoint::*value,
                     const std::string& style) const {
     std::string svg = "<polyline fill='none' " + style + " points='";
     const std::size_t bin = std::max<std::size_t>(1, 2 * rows.size() / kMostPoints);
@@ -65,11 +65,11 @@ class Panel {
       const auto last = rows.begin() + static_cast<std::ptrdiff_t>(std::min(i + bin, rows.size()));
       auto [low, high] = std::minmax_element(
           first, last,
-          [&](const ForcePoint& a, const ForcePoint& b) { return value(a) < value(b); });
+          [&](const ForcePoint& a, const ForcePoint& b) { return a.*value < b.*value; });
       if (low->t_s > high->t_s) std::swap(low, high);
-      svg += fixedDigits(x(low->t_s), 2) + "," + fixedDigits(y(value(*low)), 2) + " ";
+      svg += fixedDigits(x(low->t_s), 2) + "," + fixedDigits(y((*low).*value), 2) + " ";
       if (low != high)
-        svg += fixedDigits(x(high->t_s), 2) + "," + fixedDigits(y(value(*high)), 2) + " ";
+        svg += fixedDigits(x(high->t_s), 2) + "," + fixedDigits(y((*high).*value), 2) + " ";
     }
     return svg + "'/>\n";
   }
@@ -79,17 +79,56 @@ class Panel {
   Axis time_, value_;
 };
 
-Axis rangeOf(const std::vector<ForcePoint>& rows,
-             const std::vector<std::function<double(const ForcePoint&)>>& values) {
+Axis rangeOf(const std::vector<ForcePoint>& rows, ForceStrip strip) {
   double low = 1e300;
   double high = -1e300;
-  for (const ForcePoint& row : rows) {
-    for (const auto& value : values) {
-      low = std::min(low, value(row));
-      high = std::max(high, value(row));
+  for (const ForceCurve& curve : kForceCurves) {
+    if (curve.strip != strip) continue;
+    for (const ForcePoint& row : rows) {
+      low = std::min(low, row.*curve.value);
+      high = std::max(high, row.*curve.value);
     }
   }
   return axisFor(low, high);
+}
+
+struct Ink {
+  const char* colour;
+  const char* width;
+};
+constexpr Ink inkOf(CurveInk ink) {
+  constexpr std::array<Ink, 3> kInks{{{"#d02020", "1.3"}, {"#1f5fd0", "2"}, {"#222222", "1.5"}}};
+  return kInks.at(static_cast<std::size_t>(ink));
+}
+
+/// Dashes and width tell the curves apart without colour, too.
+std::string styleOf(const ForceCurve& curve) {
+  const Ink ink = inkOf(curve.ink);
+  return std::string("stroke='") + ink.colour + "' stroke-width='" + ink.width + "'" +
+         (curve.dashed ? " stroke-dasharray='5 2'" : "");
+}
+
+std::string curvesOf(const Panel& panel, const std::vector<ForcePoint>& rows, ForceStrip strip) {
+  std::string svg;
+  for (std::size_t i = kForceCurves.size(); i-- > 0;) {
+    const ForceCurve& curve = kForceCurves[i];
+    if (curve.strip == strip) svg += panel.curve(rows, curve.value, styleOf(curve));
+  }
+  return svg;
+}
+
+/// Their names, from the right; a curve that is alone needs none.
+std::string namesOf(ForceStrip strip, double y) {
+  constexpr double kPerLetter = 6, kGap = 12;
+  std::string svg;
+  double right = kWidth - kRight - 4;
+  for (const ForceCurve& curve : kForceCurves) {
+    if (curve.strip != strip || curvesIn(strip) < 2) continue;
+    svg += textAt(right, y, "end", std::string(curve.paper_name),
+                  std::string(" fill='") + inkOf(curve.ink).colour + "'");
+    right -= kPerLetter * static_cast<double>(curve.paper_name.size()) + kGap;
+  }
+  return svg;
 }
 
 }  // namespace
@@ -100,14 +139,11 @@ ForceLimit falconLimit() {
 
 std::string forcePlotSvg(const std::vector<ForcePoint>& rows, const std::string& title,
                          const ForceLimit& limit) {
-  const auto hip = [](const ForcePoint& row) { return row.hip_z_mm; };
-  const auto proxy = [](const ForcePoint& row) { return row.proxy_z_mm; };
-  const auto force = [](const ForcePoint& row) { return row.force_n; };
   if (rows.empty()) throw failure<MessageId::stroke_without_ticks>();
   Axis time = axisFor(rows.front().t_s, rows.back().t_s);
   time.high = std::max(rows.back().t_s, time.low + 1e-3);
-  const Panel heights(36, 200, time, rangeOf(rows, {hip, proxy}));
-  const Panel forces(260, 140, time, rangeOf(rows, {force}));
+  const Panel heights(36, 200, time, rangeOf(rows, ForceStrip::heights));
+  const Panel forces(260, 140, time, rangeOf(rows, ForceStrip::forces));
 
   std::string svg =
       "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 640 450' width='640' "
@@ -117,16 +153,13 @@ std::string forcePlotSvg(const std::vector<ForcePoint>& rows, const std::string&
   svg += heights.frame("z (mm)", false);
   svg += forces.frame("force (N)", true);
   svg += textAt(0.5 * (kLeft + kWidth - kRight), 438, "middle", "time (s)");
-  // Dashes and width tell the curves apart without colour, too.
-  svg += heights.curve(rows, proxy, "stroke='#1f5fd0' stroke-width='2'");
-  svg += heights.curve(rows, hip, "stroke='#d02020' stroke-width='1.3' stroke-dasharray='5 2'");
-  svg += forces.curve(rows, force, "stroke='#222222' stroke-width='1.5'");
+  svg += curvesOf(heights, rows, ForceStrip::heights);
+  svg += curvesOf(forces, rows, ForceStrip::forces);
   if (limit.force_n > 0) {
     svg += forces.mark(limit.force_n,
                        escaped(limit.device) + " at most " + tickText(limit.force_n, 0.1) + " N");
   }
-  svg += textAt(kWidth - kRight - 4, 50, "end", "HIP", " fill='#d02020'");
-  svg += textAt(kWidth - kRight - 34, 50, "end", "proxy", " fill='#1f5fd0'");
+  svg += namesOf(ForceStrip::heights, 50) + namesOf(ForceStrip::forces, 274);
   return svg + "</svg>\n";
 }
 

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/json.h"
-#include "app/cli/verbs/told_limits.h"
+#include "app/cli/verbs/devices/told_limits.h"
 #include "core/base/failure.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/name_text.h"

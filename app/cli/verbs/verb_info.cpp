@@ -20,8 +20,8 @@
 #include "core/provenance/provenance.h"
 #include "core/session/nodata.h"
 #include "core/session/open_input.h"
+#include "core/session/source/unit_guess.h"
 #include "core/session/strays.h"
-#include "core/session/unit_guess.h"
 
 namespace relievo::batch {
 namespace {

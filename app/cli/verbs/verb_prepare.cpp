@@ -10,8 +10,8 @@
 #include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/file/output_set.h"
+#include "core/io/export/write_cloud.h"
 #include "core/io/formats/text_file.h"
-#include "core/io/raster/write_cloud.h"
 #include "core/provenance/prepared_state.h"
 
 namespace relievo::batch {

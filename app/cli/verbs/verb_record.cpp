@@ -7,7 +7,7 @@
 #include "app/cli/options/number_option.h"
 #include "app/cli/report_text.h"
 #include "app/cli/verb.h"
-#include "app/cli/verbs/live_device.h"
+#include "app/cli/verbs/devices/live_device.h"
 #include "app/cli/verbs/touch_setup.h"
 #include "app/cli/verbs/verb_files.h"
 #include "core/base/failure.h"

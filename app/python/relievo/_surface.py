@@ -337,7 +337,7 @@ class Surface:
         zero_plane_mm: height of zero parallax
         relief: how heights are painted: "lit", "height", "hillshade", "multi", "slope", "local",
             "skyview", "openness", "multiscale", "curvature", "occlusion", "natural", "intensity"
-        colours: "cividis", "batlow", "grey"
+        colours: a name that `relievo render --colours` takes, as "cividis"
         light_deg: (azimuth, elevation)
         radius_mm: of reliefs that look around
         range_mm: (low, high) of the colours

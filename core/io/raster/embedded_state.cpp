@@ -13,12 +13,12 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "core/io/export/write_cloud.h"
 #include "core/io/file_check.h"
 #include "core/io/formats/lines.h"
 #include "core/io/formats/ply_header.h"
 #include "core/io/raster/png_version.h"
 #include "core/io/raster/tiff_head.h"
-#include "core/io/raster/write_cloud.h"
 #include "core/io/worker/reader_guard.h"
 
 namespace relievo {

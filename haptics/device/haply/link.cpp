@@ -14,18 +14,16 @@ constexpr std::int64_t kSendNs = 20 * kMs;  // On loopback a message waits for n
 constexpr std::int64_t kRestAfterNs = 1000 * kMs, kRestNs = 100 * kMs, kRestLookNs = 20 * kMs;
 /// So long a message that comes is waited for between looks at the stop token.
 constexpr std::int64_t kLookNs = 20 * kMs;
-constexpr std::int64_t kEverythingNs = 100 * kMs;
 constexpr std::int64_t kFirstPauseNs = 100 * kMs, kLongestPauseNs = 2000 * kMs;
 constexpr int kZeros = 3;
 
-/// Measures against silence: after 5 ms zero is sent, at 20 ms the forces are off, at 500 ms the
-/// session is given up.
-constexpr std::array<std::int64_t, 3> kSilenceNs{5 * kMs, 20 * kMs, 500 * kMs};
-constexpr std::int64_t kStallNs = kSilenceNs[1];
 }  // namespace
 
 Link::Link(Service& service, LinkMailbox& mailbox, std::string chosen)
-    : service_(service), mailbox_(mailbox), chosen_(std::move(chosen)) {}
+    : service_(service),
+      mailbox_(mailbox),
+      chosen_(std::move(chosen)),
+      set_up_(status_.counts.configurations) {}
 
 void Link::run(const std::stop_token& stop, Inventory inventory) {
   std::int64_t pause_ns = kFirstPauseNs;
@@ -85,19 +83,17 @@ bool Link::begin(const Inventory& inventory) {
 
 Link::Leave Link::operate(const std::stop_token& stop) {
   std::int64_t now = service_.now();
-  answered_ns_ = asked_ns_ = rate_mark_ns_ = now;
-  rate_answers_ = status_.counts.answers;
-  under_way_ = silence_step_ = zeros_left_ = unheard_ = nonsense_ = 0;
-  resting_ = drives_ = disobeyed_ = false;
-  excess_ns_ = pushed_ns_ = foreign_ns_ = 0;
-  sent_ = {};
-  excesses_ = 0;
-  unsteady_ns_ = now;
+  answered_ns_ = now;
+  rate_.restart(now, status_.counts.answers);
+  questions_.restart(now);
+  zeros_left_ = nonsense_ = 0;
+  resting_ = drives_ = false;
+  echo_.restart(now);
   told_state_ = LinkState::not_started;
   held_over_ = ~0U;
   reading_.buttons = 0;
   force_gate_.shut(now);
-  setUpAnew(now);
+  set_up_.restart(now);
   setState(LinkState::checking, now);
   publishStatus();
   for (std::int64_t next = now; !stop.stop_requested();) {
@@ -106,7 +102,7 @@ Link::Leave Link::operate(const std::stop_token& stop) {
     if (const auto leave = drain()) return *leave;
     const bool was_resting = std::exchange(resting_, !isWanted(now));
     if (was_resting) next = now;
-    if (!resting_ || now - asked_ns_ >= kRestNs) {
+    if (!resting_ || now - questions_.askedNs() >= kRestNs) {
       if (!ask(now)) return Leave::gone;
       if (const auto leave = answer(stop)) return *leave;
     }
@@ -124,7 +120,7 @@ std::optional<Link::Leave> Link::drain() {
     const Port::Incoming in = port_->receive(now);
     if (in.result == PortResult::gone) return Leave::gone;
     if (in.result == PortResult::timeout) break;
-    if (under_way_ == 0) ++status_.counts.extra;
+    if (questions_.underWay() == 0) ++status_.counts.extra;
     if (const auto leave = takeAnswer(in.text, now)) return leave;
   }
   return std::nullopt;
@@ -132,16 +128,16 @@ std::optional<Link::Leave> Link::drain() {
 
 /// Waits for all that was asked.
 std::optional<Link::Leave> Link::answer(const std::stop_token& stop) {
-  while (under_way_ > 0) {
+  while (questions_.underWay() > 0) {
     const std::int64_t before = service_.now();
-    const std::int64_t until = std::clamp(silentAt(), before, before + kLookNs);
+    const std::int64_t until = std::clamp(questions_.silentAt(), before, before + kLookNs);
     const Port::Incoming in = port_->receive(until);
     if (in.result == PortResult::gone) return Leave::gone;
     const std::int64_t now = service_.now();
     std::optional<Leave> leave;
     if (in.result == PortResult::ok) {
       leave = takeAnswer(in.text, now);
-    } else if (now >= silentAt()) {
+    } else if (now >= questions_.silentAt()) {
       leave = watch(now);
     }
     if (leave) return leave;
@@ -150,20 +146,16 @@ std::optional<Link::Leave> Link::answer(const std::stop_token& stop) {
   return std::nullopt;
 }
 
-std::int64_t Link::silentAt() const {
-  return asked_ns_ + kSilenceNs[static_cast<std::size_t>(silence_step_)];
-}
-
 std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
   force_gate_.shut(now_ns);
-  unsteady_ns_ = now_ns;
-  switch (silence_step_++) {
+  echo_.disturb(now_ns);
+  switch (questions_.nextMeasure()) {
     case 0:
       ++status_.counts.hiccups;
       // The force of the unanswered order must not stay. Nothing more until there are answers.
       if (!drives_) return std::nullopt;
       if (!send(writer_.order(device_, key_, {}, false))) return Leave::gone;
-      ++under_way_;
+      questions_.add();
       return std::nullopt;
     case 1:
       ++status_.counts.stalls;
@@ -184,10 +176,10 @@ bool Link::send(std::string_view text) {
 bool Link::ask(std::int64_t now_ns) {
   mailbox_.wishes.update();
   if (std::exchange(retries_seen_, mailbox_.wishes.front().retries) != retries_seen_) {
-    disobeyed_ = false;
-    if (set_up_ == SetUp::foreign) setUpAnew(now_ns);
+    echo_.forgive();
+    if (set_up_.state() == SetUpCheck::State::foreign) set_up_.begin(now_ns);
   }
-  if (now_ns - answered_ns_ >= kStallNs) {
+  if (now_ns - answered_ns_ >= Questions::kStallNs) {
     // Rested, or this thread itself did not run: the place is old, and so is what was made of it.
     ++reading_.epoch;
     force_gate_.shut(now_ns);
@@ -198,16 +190,13 @@ bool Link::ask(std::int64_t now_ns) {
   drives_ = status_.state == LinkState::ready && !resting_;
   const bool orders = drives_ || zeros_left_ > 0;
   if (shown_n == 0) zeros_left_ = std::max(0, zeros_left_ - 1);
-  noteSent(shown, now_ns);
-  const bool everything = set_up_ == SetUp::asked || now_ns - everything_ns_ >= kEverythingNs;
-  if (everything) everything_ns_ = now_ns;
-  asked_ns_ = now_ns;
-  silence_step_ = 0;
-  ++under_way_;
-  if (std::exchange(configure_next_, false)) {
+  echo_.noteSent(shown, now_ns);
+  const bool everything = set_up_.askForEverything(now_ns);
+  questions_.ask(now_ns);
+  if (set_up_.takeDue()) {
     // It shows no force; zero goes before it where a force was.
     if (orders && !send(writer_.order(device_, key_, {}, false))) return false;
-    if (orders) ++under_way_;
+    if (orders) questions_.add();
     return send(writer_.configuration(device_));
   }
   drives_ = orders;
@@ -219,7 +208,7 @@ DeviceN Link::force(std::int64_t now_ns) {
   mailbox_.orders.update();
   std::optional<DeviceN> shown;
   if (status_.state == LinkState::ready && reading_.fault == DeviceFault::none && !resting_ &&
-      !configure_next_) {
+      !set_up_.isDue()) {
     shown =
         force_gate_.shown(mailbox_.orders.front(), mailbox_.cuts.load(), reading_.epoch, now_ns);
   }
@@ -234,7 +223,7 @@ bool Link::isWanted(std::int64_t now_ns) {
 }
 
 std::optional<Link::Leave> Link::takeAnswer(std::string_view text, std::int64_t now_ns) {
-  under_way_ = std::max(0, under_way_ - 1);
+  questions_.answer();
   if (!readState(text, heard_)) {
     ++status_.counts.nonsense;
     interrupt(DeviceFault::protocol, now_ns);
@@ -257,17 +246,13 @@ std::optional<Link::Leave> Link::takeAnswer(std::string_view text, std::int64_t 
 
 void Link::countAnswer(std::int64_t now_ns) {
   ++status_.counts.answers;
-  status_.counts.worst_answer_ns = std::max(status_.counts.worst_answer_ns, now_ns - asked_ns_);
+  status_.counts.worst_answer_ns =
+      std::max(status_.counts.worst_answer_ns, now_ns - questions_.askedNs());
   forgiveGap(now_ns);
   answered_ns_ = now_ns;
-  if (status_.state == LinkState::silent && under_way_ == 0) setState(LinkState::checking, now_ns);
-  constexpr std::uint64_t kAnswersPerRate = 256;
-  const std::uint64_t answers = status_.counts.answers - rate_answers_;
-  if (answers < kAnswersPerRate || now_ns <= rate_mark_ns_) return;
-  status_.rate_hz =
-      1e9 * static_cast<double>(answers) / static_cast<double>(now_ns - rate_mark_ns_);
-  rate_answers_ = status_.counts.answers;
-  rate_mark_ns_ = now_ns;
+  if (status_.state == LinkState::silent && questions_.underWay() == 0)
+    setState(LinkState::checking, now_ns);
+  if (const auto rate_hz = rate_.take(now_ns, status_.counts.answers)) status_.rate_hz = *rate_hz;
 }
 
 void Link::sayGoodbye() {
@@ -280,7 +265,7 @@ void Link::sayGoodbye() {
 void Link::interrupt(DeviceFault fault, std::int64_t now_ns) {
   reading_.interrupt(fault, now_ns);
   force_gate_.shut(now_ns);
-  unsteady_ns_ = now_ns;
+  echo_.disturb(now_ns);
   held_over_ = ~0U;
   reading_.buttons = 0;
   mailbox_.readings.write(reading_);

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
 
+#include "haptics/device/haply/answer_rate.h"
 #include "haptics/device/haply/device_search.h"
+#include "haptics/device/haply/force_echo.h"
 #include "haptics/device/haply/link_status.h"
 #include "haptics/device/haply/messages.h"
 #include "haptics/device/haply/port.h"
+#include "haptics/device/haply/questions.h"
+#include "haptics/device/haply/set_up_check.h"
 #include "haptics/device/link/force_gate.h"
 #include "haptics/device/link/mailbox.h"
 
@@ -39,7 +42,6 @@ class Link {
 
  private:
   enum class Leave : std::uint8_t { stopped, gone, absent, silent };
-  enum class SetUp : std::uint8_t { asked, ours, foreign };
 
   bool begin(const Inventory& inventory);
   Leave operate(const std::stop_token& stop);
@@ -53,19 +55,13 @@ class Link {
 
   // link_checks.cpp
   void follow(const ServiceDevice& device, std::int64_t now_ns);
-  void checkSetUp(const ServiceDevice& device, std::int64_t now_ns);
-  void setUpAnew(std::int64_t now_ns);
   void checkEcho(const ServiceDevice& device, std::int64_t now_ns);
-  void checkHeard(double told_n);
-  void checkExcess(ServiceN told, std::int64_t now_ns);
-  void noteSent(ServiceN force, std::int64_t now_ns);
   void forgiveGap(std::int64_t now_ns);
   LinkState judge(std::int64_t now_ns) const;
   void takeButtons(std::uint32_t buttons);
 
   DeviceN force(std::int64_t now_ns);
   bool isWanted(std::int64_t now_ns);
-  std::int64_t silentAt() const;
   void interrupt(DeviceFault fault, std::int64_t now_ns);
   void setState(LinkState state, std::int64_t now_ns);
   void publishStatus();
@@ -85,39 +81,17 @@ class Link {
   std::uint32_t retries_seen_ = 0;
 
   // Of operate().
-  std::int64_t asked_ns_ = 0, answered_ns_ = 0, published_ns_ = 0, rate_mark_ns_ = 0;
-  std::uint64_t rate_answers_ = 0;
-  int under_way_ = 0;     // Questions without an answer.
-  int silence_step_ = 0;  // How far the measures against silence have gone.
-  int nonsense_ = 0;      // Messages in a row that were not believed.
-  int zeros_left_ = 0;    // Orders of zero that follow the last force.
+  Questions questions_;
+  AnswerRate rate_;
+  std::int64_t answered_ns_ = 0, published_ns_ = 0;
+  int nonsense_ = 0;    // Messages in a row that were not believed.
+  int zeros_left_ = 0;  // Orders of zero that follow the last force.
   bool resting_ = false;
   bool drives_ = false;          // The last message was an order, not a question.
   std::uint32_t held_over_ = 0;  // Buttons whose presses before are unknown: none until let go.
-
   LinkState told_state_ = LinkState::not_started;  // By the device's status.
-
-  // The set-up.
-  SetUp set_up_ = SetUp::asked;
-  bool configure_next_ = false;
-  std::int64_t everything_ns_ = 0;  // When it was asked for last.
-  std::int64_t told_ns_ = 0;        // When a configuration was told last.
-  std::int64_t set_up_ns_ = 0;      // Since when it is asked for, or foreign.
-  std::int64_t foreign_ns_ = 0;     // When somebody else's was found last; 0: never.
-  std::optional<Pose> mount_;       // That came with ours.
-
-  // Forces that were sent, the newest first; and what was told of them.
-  struct Sent {
-    ServiceN force;
-    std::int64_t time_ns = 0;
-  };
-  std::array<Sent, 64> sent_{};
-  int unheard_ = 0;               // Answers without what was sent.
-  std::int64_t unsteady_ns_ = 0;  // When the own force was interrupted, fell or turned last.
-  std::int64_t excess_ns_ = 0;    // Since when more is told than was sent; 0: it is not.
-  int excesses_ = 0;              // Answers since then.
-  std::int64_t pushed_ns_ = 0;    // When that was last so for long; 0: never.
-  bool disobeyed_ = false;
+  SetUpCheck set_up_;
+  ForceEcho echo_;
 };
 
 }  // namespace relievo::haply

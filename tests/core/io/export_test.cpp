@@ -21,8 +21,8 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/io/export/export_grid.h"
 #include "core/io/import.h"
-#include "core/io/raster/export_grid.h"
 #include "core/io/raster/raster.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -13,9 +13,9 @@
 
 #include "core/base/error.h"
 #include "core/depth/rules/rasterize.h"
+#include "core/io/export/export_grid.h"
 #include "core/io/import.h"
 #include "core/io/input_facts.h"
-#include "core/io/raster/export_grid.h"
 #include "core/io/raster/raster.h"
 #include "core/io/raster/raster_rows.h"
 #include "core/io/raster/tiff_head.h"

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-#include "core/io/raster/export_grid.h"
+#include "core/io/export/export_grid.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {

@@ -10,6 +10,9 @@
 #include <set>
 #include <string>
 
+#include "core/recording/force_curve.h"
+#include "core/recording/force_curves.h"
+
 namespace relievo {
 namespace {
 
@@ -59,6 +62,30 @@ TEST(LogColumns, AMemberIsUntouchedByAValueThatItCannotHave) {
   EXPECT_FALSE(set("buttons", 4294967296.0));
   EXPECT_TRUE(set("tick", 9007199254740992.0));
   EXPECT_FALSE(set("tick", 9007199254740994.0)) << "not every integer is exact there";
+}
+
+/// The plots show what recordings hold, in the unit of their strip.
+TEST(ForceCurves, ShowColumnsOfRecordings) {
+  TouchRow row;
+  row.hip = {1, 2, 3};
+  row.proxy = {4, 5, 6};
+  row.force = {0, 3, -4};
+  const ForcePoint point = forcePoint(row);
+  std::set<std::string_view> names;
+  int columns = 0;
+  for (const ForceCurve& curve : kForceCurves) {
+    EXPECT_TRUE(names.insert(curve.column).second) << curve.column;
+    const std::string_view unit = curve.strip == ForceStrip::heights ? "mm" : "N";
+    EXPECT_TRUE(curve.column.ends_with(unit)) << curve.column;
+    for (const LogColumn& column : kLogColumns) {
+      if (column.name != curve.column) continue;
+      ++columns;
+      EXPECT_EQ(column.unit, unit) << curve.column;
+      EXPECT_EQ(point.*curve.value, column.value(row)) << curve.column;
+    }
+  }
+  EXPECT_EQ(columns, 2) << "hand and proxy; the force is the norm of three columns";
+  EXPECT_EQ(point.force_n, 5);
 }
 
 /// The table of docs/user/reference.md has the same rows in the same order.

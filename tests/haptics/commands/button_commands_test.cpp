@@ -141,6 +141,25 @@ TEST_F(Buttons, PlusAndMinusTogetherHelpAndDoNothingElse) {
   EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(finer)) << "and then as before";
 }
 
+TEST_F(Buttons, PlusAndMinusTogetherForAMomentSwitchBetweenLookAndTouch) {
+  buttons_.press(kPlus, true, now_);
+  pass(0.3);
+  buttons_.press(kMinus, true, now_);
+  EXPECT_THAT(pass(0.3), IsEmpty()) << "they may still be held for help";
+  buttons_.press(kMinus, false, now_);
+  EXPECT_THAT(pass(0.2), ElementsAre(switch_pointer)) << "counted from the second press";
+  buttons_.press(kPlus, false, now_);
+  EXPECT_THAT(pass(1), IsEmpty()) << "once";
+
+  buttons_.press(kMinus, true, now_);
+  buttons_.press(kPlus, true, now_);
+  EXPECT_THAT(pass(0.9), IsEmpty());
+  buttons_.press(kPlus, false, now_);
+  buttons_.press(kMinus, false, now_);
+  EXPECT_THAT(pass(1), IsEmpty()) << "neither a short press of both nor one for help";
+  EXPECT_EQ(commandName(switch_pointer), "pointer_switch") << "as the window calls it";
+}
+
 TEST_F(Buttons, AfterHelpTheyAreTheVoicesForAWhile) {
   EXPECT_THAT(englishText(buttons_.help(now_)), testing::HasSubstr("Centre: say it again."));
   EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(louder));
@@ -260,7 +279,7 @@ TEST_F(Buttons, HelpNamesEveryPressOfItsMode) {
   all(englishText(buttons_.help(now_)),
       {"Plus: finer; long: detail and scale.", "Minus: coarser; long: whole",
        "Forward: move; long: beacon.", "Centre: where am I; long: forces off or",
-       "Plus and Minus for two seconds: help; for five: introduction."});
+       "Plus and Minus: look or touch; for two seconds: help; for five: introduction."});
   buttons_.toggleMoving();
   all(englishText(buttons_.help(now_)),
       {"Plus: next place.", "Minus: previous place.",

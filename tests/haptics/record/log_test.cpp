@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/recording/log_note.h"
 #include "haptics/record/events.h"
-#include "haptics/record/log_writer.h"
+#include "haptics/record/log/log_writer.h"
 #include "haptics/record/recorder.h"
 #include "haptics/record/replay.h"
 #include "haptics/record/sample_drain.h"

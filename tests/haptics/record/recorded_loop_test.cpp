@@ -13,7 +13,7 @@
 #include "haptics/loop/device_limits.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/flight_record.h"
-#include "haptics/record/named_json.h"
+#include "haptics/record/log/named_json.h"
 #include "haptics/record/recorder.h"
 #include "haptics/record/sample_drain.h"
 #include "tests/core/io/temporary_folder.h"

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "haptics/device/virtual_hand.h"
 #include "haptics/record/events.h"
-#include "haptics/record/log_writer.h"
+#include "haptics/record/log/log_writer.h"
 #include "haptics/record/stroke.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/haptics/haptic_fixture.h"

@@ -8,7 +8,7 @@
 #include <QtTest/QTest>
 
 #include "tests/ui/gui_fixture.h"
-#include "ui/views/suggestion_frames.h"
+#include "ui/views/overlays/suggestion_frames.h"
 
 namespace relievo {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "core/provenance/embedded.h"
 #include "tests/ui/gui_fixture.h"
-#include "ui/views/view_labels.h"
+#include "ui/views/overlays/view_labels.h"
 
 namespace relievo {
 namespace {

@@ -27,7 +27,7 @@
 #include "ui/panels/measure_panel.h"
 #include "ui/plots/profile_strip.h"
 #include "ui/style/mnemonic.h"
-#include "ui/views/light_ball.h"
+#include "ui/views/overlays/light_ball.h"
 
 namespace relievo {
 namespace {

@@ -6,7 +6,7 @@
 #include <QtTest/QTest>
 
 #include "tests/ui/gui_fixture.h"
-#include "ui/views/light_ball.h"
+#include "ui/views/overlays/light_ball.h"
 
 namespace relievo {
 namespace {

@@ -127,7 +127,6 @@ class Link {
   PoseGate gate_;
   std::optional<AngleJacobian> jacobian_;  // Nothing: no force in this pose.
   std::int64_t force_ns_ = 0, published_ns_ = 0, operates_since_ns_ = 0;
-  std::uint64_t malformed_seen_ = 0;
   bool zero_next_ = false;
   bool resting_ = false;
 };

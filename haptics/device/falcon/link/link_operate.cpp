@@ -24,7 +24,7 @@ Link::Leave Link::operate(const std::stop_token& stop) {
   std::int64_t now = bus_.now();
   operates_since_ns_ = now;
   force_gate_.shut(now);
-  malformed_seen_ = reader_.malformed();
+  std::uint64_t malformed_seen = reader_.malformed();
   times_.restart(now, status_);
   silence_ = {};
   silence_.restart(now);
@@ -61,8 +61,8 @@ Link::Leave Link::operate(const std::stop_token& stop) {
     for (std::size_t i = 0; i < in.bytes; ++i) {
       if (const auto report = reader_.take(bytes[i])) takeReport(*report, now);
     }
-    if (reader_.malformed() != malformed_seen_) {
-      malformed_seen_ = reader_.malformed();
+    if (reader_.malformed() != malformed_seen) {
+      malformed_seen = reader_.malformed();
       zero_next_ = true;
       force_gate_.shut(now);
     }

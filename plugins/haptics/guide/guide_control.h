@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+
+#include "plugins/haptics/buttons/button_control.h"
+#include "plugins/haptics/device/hand_device.h"
+#include "plugins/haptics/guide/touch_guide.h"
+#include "plugins/haptics/recording/recording_control.h"
+#include "plugins/haptics/touch_parts.h"
+#include "plugins/haptics/touched_surface.h"
+#include "plugins/haptics/training/touch_training.h"
+
+namespace relievo {
+
+/// Leads the hand, and introduces it to touch: joins both to menu, keys, buttons and the surface
+/// under the hand. All calls: GUI thread.
+class GuideControl : public QObject {
+  Q_OBJECT
+ public:
+  GuideControl(TouchParts& parts, HandDevice& device, RecordingControl& recording,
+               TouchedSurface& surface, ButtonControl& buttons);
+  ~GuideControl() override;
+
+  /// Which path the loop is to lead along.
+  void addTo(HapticOptions& options) const { options.guide = guide_.options(); }
+  /// Once a frame, with the newest sample, after the buttons were looked at.
+  void follow(const HapticSample& sample);
+  /// Both off without a word: forces or the device go, which is said already.
+  void end();
+  /// What is under the hand is a shape of the introduction, not what the host shows.
+  bool isTraining() const { return training_.isOn(); }
+  /// Starts or ends a recording; says why not while the introduction runs.
+  void setRecording(bool on);
+
+ Q_SIGNALS:
+  void changed();             ///< addTo() adds something else now.
+  void forcesAsked(bool on);  ///< They are to be switched.
+
+ private:
+  void connectGuide();
+  void connectTraining();
+  void chooseWay();  // That the hand is to be led along.
+  void setTraining(bool on);
+  void showTraining();  // What it laid under the hand, or the relief again.
+
+  TouchParts& parts_;
+  HandDevice& device_;
+  RecordingControl& recording_;
+  TouchedSurface& surface_;
+  ButtonControl& buttons_;
+  TouchGuide guide_;
+  TouchTraining training_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/haptics/panel/haptics_panel.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "plugins/haptics/panel/device_rows.h"
+#include "plugins/haptics/panel/feel_form.h"
+#include "plugins/haptics/panel/firmness_row.h"
+#include "plugins/haptics/panel/loop_rows.h"
+#include "plugins/haptics/panel/panel_widgets.h"
+#include "ui/message/message_text.h"
+
+namespace relievo {
+
+namespace {
+QString stateText(const LoopReport& report) {
+  const HapticSample& sample = report.sample;
+  if (!report.not_ready.isEmpty()) return report.not_ready;
+  if (sample.fault != DeviceFault::none) {
+    return HapticsPanel::tr("Off: %1. Switch off and on to try again.")
+        .arg(messageText(messageOf(sample.fault)));
+  }
+  switch (sample.engaged) {
+    case EngagePhase::off:
+      return HapticsPanel::tr("Off. Press F5 to switch forces on.");
+    case EngagePhase::waiting:
+      return HapticsPanel::tr("Waiting until the hand is clear of the surface.");
+    case EngagePhase::rising:
+      return HapticsPanel::tr("Coming on.");
+    case EngagePhase::on:
+      break;
+  }
+  if (sample.slow.rate_hz > 0) {
+    return HapticsPanel::tr(
+               "On. E306: Update rate fell to %1 per second (need %2). Stiffness reduced from %3 "
+               "to %4 N/m.")
+        .arg(sample.slow.rate_hz, 0, 'f', 0)
+        .arg(RateWatch::kLeastHz, 0, 'f', 0)
+        .arg(kMmPerM * sample.slow.asked_n_per_mm, 0, 'f', 0)
+        .arg(kMmPerM * sample.slow.held_n_per_mm, 0, 'f', 0);
+  }
+  if (sample.softened > 0) {
+    return HapticsPanel::tr("On, softened to %1 N/mm against swinging until switched off.")
+        .arg(sample.stiffness_n_per_mm, 0, 'f', 2);
+  }
+  return report.actuated ? HapticsPanel::tr("On.")
+                         : HapticsPanel::tr("On: computed and shown; a mouse cannot push back.");
+}
+}  // namespace
+
+HapticsPanel::HapticsPanel(QWidget* parent)
+    : QWidget(parent),
+      feel_(new FeelForm(this)),
+      firmness_(new FirmnessRow(this)),
+      device_(new DeviceRows(this)),
+      loop_(new LoopRows(this)) {
+  setObjectName(QStringLiteral("hapticsPanel"));
+  buildControls();
+  connectControls();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 0, 0, 2);
+  column->addLayout(rows());
+  advanced_ = new QWidget(this);
+  advanced_->setObjectName(QStringLiteral("touchAdvanced"));
+  advanced_->setProperty("foldedAtFirst", true);  // As the window knows it.
+  advanced_->setLayout(advancedRows());
+  column->addWidget(advanced_);
+  setSettings({});
+}
+
+QFormLayout* HapticsPanel::rows() {
+  auto* form = new QFormLayout;
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  form->setVerticalSpacing(3);
+  auto* strength_row = new QHBoxLayout;
+  strength_row->addWidget(strength_, 1);
+  strength_row->addWidget(strength_value_);
+  form->addRow(forces_);
+  form->addRow(state_);
+  form->addRow(change_);
+  auto* label = new QLabel(tr("St&rength"));
+  label->setBuddy(strength_);
+  form->addRow(label, strength_row);
+  return form;
+}
+
+QFormLayout* HapticsPanel::advancedRows() {
+  auto* form = new QFormLayout;
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  feel_->addSurfaceRows(form);
+  firmness_->addTo(form);
+  feel_->addCueRows(form);
+  loop_->addDepth(form);
+  device_->addTo(form);
+  loop_->addHealth(form);
+  return form;
+}
+
+void HapticsPanel::buildControls() {
+  forces_ = named(new QCheckBox(tr("Forces &on")), "forcesBox", tr("Forces on"));
+  forces_->setToolTip(tr("Switch forces on or off (F5). Esc switches them off."));
+  strength_ = named(new QSlider(Qt::Horizontal), "strengthSlider", tr("Strength in percent"));
+  strength_->setRange(0, 100);
+  strength_->setSingleStep(kStrengthStep);
+  strength_->setPageStep(2 * kStrengthStep);
+  strength_->setToolTip(tr("Multiplies every force. The limit stays."));
+  strength_value_ = named(new QLabel, "strengthValue", tr("Strength"));
+  strength_value_->setMinimumWidth(
+      strength_value_->fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
+  state_ = readout("forceState", tr("State of the forces"));
+  change_ = readout("surfaceChange", tr("A new surface under the hand"));
+  change_->hide();
+}
+
+void HapticsPanel::connectControls() {
+  connect(forces_, &QCheckBox::toggled, this, &HapticsPanel::forcesAsked);
+  connect(strength_, &QSlider::valueChanged, this, &HapticsPanel::changed);
+  connect(feel_, &FeelForm::changed, this, &HapticsPanel::changed);
+  connect(firmness_, &FirmnessRow::asked, this, &HapticsPanel::firmnessAsked);
+  connect(device_, &DeviceRows::changed, this, &HapticsPanel::changed);
+  connect(device_, &DeviceRows::wanted, this, &HapticsPanel::devicesWanted);
+}
+
+void HapticsPanel::changed() {
+  strength_value_->setText(tr("%1 %").arg(strength_->value()));
+  Q_EMIT settingsChanged();
+}
+
+void HapticsPanel::listDevices() {
+  device_->list();
+}
+
+void HapticsPanel::setPluginDevices(std::vector<PluginDevice> devices) {
+  device_->setPluginDevices(std::move(devices));
+}
+
+void HapticsPanel::setSettings(const TouchSettings& settings) {
+  {
+    const QSignalBlocker blocker(strength_);
+    strength_->setValue(settings.strength_percent);
+  }
+  feel_->setFeel(settings.feel);
+  firmness_->setFile(settings.firmness);
+  device_->set(settings.device, settings.holds_grip);
+  changed();
+}
+
+TouchSettings HapticsPanel::settings() const {
+  TouchSettings settings;
+  settings.strength_percent = strength_->value();
+  settings.feel = feel_->feel();
+  settings.firmness = firmness_->file();
+  settings.holds_grip = device_->holdsGrip();
+  settings.device = device_->device();
+  return settings;
+}
+
+void HapticsPanel::setFirmnessUsed(bool used) {
+  firmness_->setUsed(used);
+}
+
+void HapticsPanel::plot(std::span<const ForcePoint> samples) {
+  loop_->plot(samples);
+}
+
+void HapticsPanel::setForcesAsked(bool on) {
+  const QSignalBlocker blocker(forces_);
+  forces_->setChecked(on);
+}
+
+void HapticsPanel::show(const LoopReport& report) {
+  const HapticSample& sample = report.sample;
+  const QString state = stateText(report);
+  setTextIfNew(state_, report.stand_in.isEmpty() ? state : report.stand_in + '\n' + state);
+  const bool changes = sample.change < 1 && sample.engaged != EngagePhase::off;
+  if (changes) {
+    const int percent = static_cast<int>(kPercent * sample.change);
+    setTextIfNew(change_, tr("The new surface comes under the hand: %1 %.").arg(percent));
+  }
+  change_->setVisible(changes);
+  device_->showHeat(report.heat);
+  feel_->setDetail(sample.detail);
+  loop_->show(report);
+}
+
+}  // namespace relievo

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/app/journeys/journey.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QImage>
+#include <QLabel>
+#include <QMimeData>
+#include <QtTest/QTest>
+
+namespace relievo {
+
+Journey::Journey(std::string name) : name_(std::move(name)) {
+  qputenv("HOME", path("home").toLocal8Bit());
+  qputenv("XDG_DATA_HOME", path("data").toLocal8Bit());
+  QDir().mkpath(path("home/Documents"));
+}
+
+void Journey::TearDown() {
+  detach();
+}
+
+void Journey::attach() {
+  host_ = std::make_unique<WindowHost>(window());
+  plugins_ = std::make_unique<PluginLoader>(*host_, window().settings());
+  plugins_->load();
+  ASSERT_TRUE(plugins_->has("haptics_plugin")) << plugins_->problems().join(' ').toStdString();
+}
+
+void Journey::detach() {
+  if (plugins_) plugins_->detachAll();
+  plugins_.reset();
+  host_.reset();
+}
+
+bool Journey::eventually(const std::function<bool()>& holds) {
+  return QTest::qWaitFor(holds, 240'000);
+}
+
+bool Journey::settled() {
+  return eventually([this] { return document().isOpen() && !document().busy(); });
+}
+
+QString Journey::said() {
+  return child<QLabel>("status_message")->text();
+}
+
+double Journey::forceShown() {
+  const QString text = child<QLabel>("status_force")->text();
+  return text.endsWith("N") ? text.section('/', 0, 0).toDouble() : 0;
+}
+
+void Journey::key(int key, Qt::KeyboardModifiers with) {
+  QApplication::setActiveWindow(&window());
+  QTest::keyClick(&detail(), static_cast<Qt::Key>(key), with);
+}
+
+void Journey::choose(QComboBox& box, int index) {
+  QApplication::setActiveWindow(box.window());
+  box.setFocus();
+  for (int tries = box.count(); box.currentIndex() != index && tries > 0; --tries) {
+    QTest::keyClick(&box, box.currentIndex() < index ? Qt::Key_Down : Qt::Key_Up);
+  }
+  EXPECT_EQ(box.currentIndex(), index) << box.objectName().toStdString();
+}
+
+void Journey::type(QDoubleSpinBox& box, const QString& number) {
+  QApplication::setActiveWindow(box.window());
+  box.setFocus();
+  box.selectAll();
+  QTest::keyClicks(&box, number);
+  QTest::keyClick(&box, Qt::Key_Tab);
+}
+
+void Journey::drop(const QString& file) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(file)});
+  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window(), &event);
+}
+
+QString Journey::kept(const QString& file) const {
+  QDir().mkpath(RELIEVO_BINARY_DIR "/screenshots");
+  return QStringLiteral(RELIEVO_BINARY_DIR "/screenshots/%1_%2")
+      .arg(QString::fromStdString(name_), file);
+}
+
+void Journey::picture(QWidget& of, const QString& step) const {
+  QTest::qWait(300);  // For whoever looks at it.
+  EXPECT_TRUE(of.grab().save(kept(step + QLatin1String(".png"))));
+}
+
+std::vector<std::filesystem::path> Journey::recordings() const {
+  std::vector<std::filesystem::path> files;
+  std::error_code none;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(path("home/Documents/relievo").toStdString(), none)) {
+    files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+int largestDifference(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) return 255;
+  int largest = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y);
+      const QRgb q = b.pixel(x, y);
+      largest = std::max({largest, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
+                          std::abs(qBlue(p) - qBlue(q))});
+    }
+  }
+  return largest;
+}
+
+}  // namespace relievo
