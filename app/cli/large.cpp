@@ -132,6 +132,7 @@ Outcome runByTiles(const MapArguments& arguments, const TileArguments& tiles,
     throw failure<MessageId::option_memory>();
   }
   const ImportOptions import = importOptions(arguments.scan);
+  if (import.scan.every != 1) throw failure<MessageId::option_every_by_tiles>();
   ProgressLine line(::isatty(STDERR_FILENO) != 0);
   const Task shown{.stop = task.stop, .progress = [&](std::string_view step, double fraction) {
                      line.show(step, fraction);
