@@ -84,7 +84,7 @@ Json figureJson(const FigureRequest& f) {
 FigureRequest figureFrom(const Json& json) {
   FigureRequest f;
   f.layout = word<FigureLayout>(json, "layout", kFigureLayoutNames);
-  f.stereo = word<StereoPrint>(json, "stereo", kStereoPrintNames);
+  f.stereo = word<StereoPrint>(json, "stereo", kPaperStereoNames);
   if (json.contains("eye")) f.eye = word<FigureEye>(json, "eye", kFigureEyeNames);
   f.scale_1_to = optionalFrom<double>(json, "scale_1_to");
   f.zero_plane_mm = optionalFrom<double>(json, "zero_plane_mm");
