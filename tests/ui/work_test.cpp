@@ -133,7 +133,7 @@ TEST_F(WorkTest, AMarkerIsAPointThatEveryResolutionFindsAgain) {
   EXPECT_NEAR(found.centreX(), there.centreX(), 1e-9);
   EXPECT_NEAR(found.centreY(), there.centreY(), 1e-9);
   const QString file = path("marked.json");
-  writeProject(document().stored(), QFile::encodeName(file).toStdString());
+  writeProject(QFile::encodeName(file).toStdString(), document().stored());
   EXPECT_TRUE(readProject(QFile::encodeName(file).toStdString()).places.at(0).is_point);
 }
 
