@@ -1821,8 +1821,8 @@
         <translation>V&amp;ideo speichern…</translation>
     </message>
     <message>
-        <source>K&amp;eep view for next file</source>
-        <translation>Ansicht für nächst&amp;e Datei behalten</translation>
+        <source>Keep view and &amp;zoom for next file</source>
+        <translation>&amp;Jetzigen Blick für nächste Datei behalten</translation>
     </message>
     <message>
         <source>The next file is seen from the same side, turned and placed alike; Ctrl while dropping it does the same once</source>
@@ -1830,7 +1830,7 @@
     </message>
     <message>
         <source>&amp;Stereo</source>
-        <translation>&amp;Stereo</translation>
+        <translation>Stereo (z&amp;wei Augen)</translation>
     </message>
     <message>
         <source>Depth for two eyes: red and cyan glasses, or a screen for stereo</source>
@@ -1846,7 +1846,7 @@
     </message>
     <message>
         <source>Begin s&amp;itting of a study…</source>
-        <translation>S&amp;itzung einer Studie beginnen…</translation>
+        <translation>Sitzung einer St&amp;udie beginnen…</translation>
     </message>
     <message>
         <source>Places as conditions in random order, under letters, for one participant</source>
@@ -1854,7 +1854,7 @@
     </message>
     <message>
         <source>Next con&amp;dition</source>
-        <translation>Nächste Be&amp;dingung</translation>
+        <translation>Nächste Bedin&amp;gung</translation>
     </message>
     <message>
         <source>Show the next condition of the sitting, or end it after the last</source>
@@ -1862,7 +1862,7 @@
     </message>
     <message>
         <source>End sittin&amp;g</source>
-        <translation>Sitzun&amp;g beenden</translation>
+        <translation>Sitzung &amp;beenden</translation>
     </message>
     <message>
         <source>End the sitting before all conditions were shown</source>

@@ -1821,8 +1821,8 @@
         <translation>वीडियो सहेजें… (&amp;V)</translation>
     </message>
     <message>
-        <source>K&amp;eep view for next file</source>
-        <translation>अगली फ़ाइल के लिए दृश्य रखें (&amp;E)</translation>
+        <source>Keep view and &amp;zoom for next file</source>
+        <translation>अगली फ़ाइल के लिए दृश्य और ज़ूम रखें (&amp;Z)</translation>
     </message>
     <message>
         <source>The next file is seen from the same side, turned and placed alike; Ctrl while dropping it does the same once</source>

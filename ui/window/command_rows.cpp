@@ -82,7 +82,7 @@ const std::array<CommandRow, kCommandCount>& CommandTable::rows() {
       {C::fit, "fit", M::view, QT_TR_NOOP("F&it"), "",
        QT_TR_NOOP("Look straight down on the relief, fitted to the view"), Needs::map, 0, Icon::fit,
        21},
-      {C::keep_view, "keep_view", M::view, QT_TR_NOOP("K&eep view for next file"), "",
+      {C::keep_view, "keep_view", M::view, QT_TR_NOOP("Keep view and &zoom for next file"), "",
        QT_TR_NOOP("The next file is seen from the same side, turned and placed alike; Ctrl while "
                   "dropping it does the same once"),
        Needs::nothing, kCheckable},
