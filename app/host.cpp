@@ -201,7 +201,7 @@ ObjectPlace WindowHost::placeAt(double x_mm, double y_mm) const {
   const auto window = document.window();
   const auto level = static_cast<std::size_t>(document.project().region.level.value);
   const RectMm object{ladder.left_mm, ladder.bottom_mm, ladder.width_mm, ladder.height_mm};
-  // As near as two beacons are the same one.
+  // As near as two markers are the same one.
   constexpr double kReachHandMm = 5;
   const double reach_mm =
       window ? kReachHandMm * handMapping(*window).objectMmPerHandMm() : ladder.spacings_mm.front();
@@ -233,6 +233,8 @@ QString WindowHost::recordingHeader(const QString& file) const {
 }
 
 QString WindowHost::scanName() const {
+  const StudyController& study = window_.controllers().study;
+  if (study.running()) return study.recordingName();
   return QFileInfo(window_.document().file()).completeBaseName();
 }
 
@@ -241,6 +243,8 @@ QString WindowHost::recordingEnding() const {
 }
 
 QString WindowHost::recordingFolder() const {
+  const StudyController& study = window_.controllers().study;
+  if (study.running()) return study.folder();
   return window_.controllers().replays.folder();
 }
 

@@ -99,12 +99,17 @@ void addScanOptions(CLI::App& verb, ScanArguments& a) {
       ->check(CLI::IsMember({"auto", "pcl", "own"}));
   verb.add_flag("--keep-withheld", a.keep_withheld,
                 "Of LAS: take points, too, that are marked as not to be used");
+  takes(verb.add_option("--every", a.every,
+                        "Take one point in so many: of clouds that are larger than the memory "
+                        "(E102); 1"),
+        {.low = 1, .high = 1e9});
 }
 
 ImportOptions importOptions(const ScanArguments& a) {
   ImportOptions options;
   options.accept_incomplete = a.accept_incomplete;
   options.scan.keep_withheld = a.keep_withheld;
+  options.scan.every = static_cast<std::uint64_t>(a.every);
   const auto* const reader = std::find(kReaderNames.begin(), kReaderNames.end(), a.reader);
   options.scan.reader = static_cast<ReaderChoice>(reader - kReaderNames.begin());
   std::string_view rest = a.parts;
@@ -149,6 +154,16 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
                   "drop-groups, which also leaves out groups of up to 1 %; drop");
   verb.add_option("--nodata", a.nodata,
                   "A height of the file that stands for none, as -9999; none: every height is one");
+  takes(verb.add_option("--pixel-size", a.pixel_mm,
+                        "Of a raster: distance of its samples in mm, whatever the file says"),
+        {.low = 1e-6, .high = 1e6, .unit = "mm"});
+  takes(verb.add_option("--height-scale", a.height_mm,
+                        "Of a raster: mm that a step of 1 of its values is high; below 0: larger "
+                        "values lie deeper"),
+        {.low = -1e6, .high = 1e6, .unit = "mm"});
+  takes(verb.add_option("--height-zero", a.height_zero,
+                        "Of a raster: the value that lies on the base plane; else the lowest"),
+        {.low = -kLargestNumber, .high = kLargestNumber});
   takes(verb.add_option("--factor", a.factor, "The paper's M between levels: 1.1 to 8; 2"),
         {.low = kLeastFactor, .high = kMostFactor});
   addScanOptions(verb, a.scan);
@@ -185,6 +200,8 @@ SurfaceOptions surfaceOptions(const MapArguments& a) {
   options.holes = holeChoice(a.holes);
   options.strays = strayRule(a.strays);
   options.nodata = nodataChoice(a.nodata);
+  if (a.height_mm && *a.height_mm == 0) throw failure<MessageId::raster_scale_is_none>();
+  options.raster = {.pixel_mm = a.pixel_mm, .height_mm = a.height_mm, .zero = a.height_zero};
   options.pyramid.factor = a.factor;
   return options;
 }

@@ -22,6 +22,7 @@ struct ScanArguments {
   bool keep_withheld = false;
   std::string parts;  ///< "1,3"; empty: all scans of the file.
   std::string reader = "auto";
+  int every = 1;  ///< One point in so many.
 };
 void addScanOptions(CLI::App& verb, ScanArguments& arguments);
 /// @throw ArgumentError  a value that is not of its option's form
@@ -40,7 +41,8 @@ struct MapArguments {
   std::string holes = "base";
   std::string strays = "drop";
   std::string nodata;  ///< Empty: as the file says; "none" or a height.
-  double factor = 2;   ///< The paper's M.
+  std::optional<double> pixel_mm, height_mm, height_zero;  ///< Of a raster from elsewhere.
+  double factor = 2;                                       ///< The paper's M.
   ScanArguments scan;
 };
 void addMapOptions(CLI::App& verb, MapArguments& arguments);

@@ -198,6 +198,7 @@ Outcome runByTiles(const MapArguments& arguments, const TileArguments& tiles,
     throw failure<MessageId::option_memory>();
   }
   const ImportOptions import = importOptions(arguments.scan);
+  if (import.scan.every != 1) throw failure<MessageId::option_every_by_tiles>();
   const std::vector<std::filesystem::path> files = filesOf(arguments, tiles);
   ProgressLine line(::isatty(STDERR_FILENO) != 0);
   const Task shown{.stop = task.stop, .progress = [&](std::string_view step, double fraction) {

@@ -47,6 +47,15 @@ Json suspectJson(const std::optional<SuspectHeight>& suspect) {
   return {{"value", suspect->value}, {"count", suspect->count}};
 }
 
+Json scaleJson(const std::optional<ScaleInUse>& scale) {
+  if (!scale) return nullptr;
+  return {{"pixel_mm", scale->pixel_mm},
+          {"pixel_source", name(scale->pixel_source)},
+          {"height_mm", scale->height_mm},
+          {"height_source", name(scale->height_source)},
+          {"zero", scale->zero ? Json(*scale->zero) : Json(nullptr)}};
+}
+
 std::string lossesText(const std::optional<DepthLosses>& losses) {
   if (!losses) return "losses: not known";
   const auto percent = [](double share) { return shortNumber(100 * share, 3) + " % "; };

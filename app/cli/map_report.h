@@ -12,6 +12,7 @@
 #include "core/depth/fill/fill.h"
 #include "core/depth/quality.h"
 #include "core/session/nodata.h"
+#include "core/session/source/raster_scale.h"
 #include "core/session/strays.h"
 
 namespace relievo::batch {
@@ -24,6 +25,8 @@ Json lossesJson(const std::optional<DepthLosses>& losses);
 Json straysJson(const Strays& strays);
 /// null where there is none.
 Json suspectJson(const std::optional<SuspectHeight>& suspect);
+/// null for others than rasters from elsewhere.
+Json scaleJson(const std::optional<ScaleInUse>& scale);
 std::string lossesText(const std::optional<DepthLosses>& losses);
 
 }  // namespace relievo::batch

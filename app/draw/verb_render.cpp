@@ -40,11 +40,11 @@ struct RenderArguments {
   bool stereo_given = false, pixels_given = false, look_given = false;
 };
 
-constexpr const char* kStereoWords = "off anaglyph half dubois sidebyside overunder";
+constexpr const char* kStereoWords = "off anaglyph half dubois sidebyside overunder interlaced";
 constexpr int kLeastPixelsOfTwo = 32, kMostPixelsOfTwo = 8192;
 
-/// Two eyes' pictures in one file.
-bool isPair(StereoPrint print) {
+/// Two eyes' pictures in one file, each whole.
+bool isTwoPictures(StereoPrint print) {
   return print == StereoPrint::side_by_side || print == StereoPrint::over_under;
 }
 
@@ -90,13 +90,13 @@ Stored fromArguments(const RenderArguments& a, const Task& task) {
   checkEnding(a.out);
   const ReliefLook look = reliefLook(a.look);
   const StereoPrint print = stereoPrint(a.stereo).value_or(StereoPrint::off);
-  const StereoOptions stereo = isPair(print) ? StereoOptions{} : stereoOptions(a);
-  const bool eyes = isPair(print) || stereo.mode != StereoMode::off;
+  const StereoOptions stereo = isTwoPictures(print) ? StereoOptions{} : stereoOptions(a);
+  const bool eyes = isTwoPictures(print) || stereo.mode != StereoMode::off;
   requireUse("--eye-angle", a.eye_angle_deg.has_value(), eyes, "a kind of --stereo");
   requireUse("--zero-plane", a.zero_plane_mm.has_value(), eyes, "a kind of --stereo");
   requireUse("--swap-eyes", a.swap_eyes, eyes, "a kind of --stereo");
   std::optional<FigureRequest> pair;
-  if (isPair(print)) pair = pairOf(a, print, look);
+  if (isTwoPictures(print)) pair = pairOf(a, print, look);
   Stored state{.surface = openForVerb(a.map, task), .project = {}};
   const Region region = chosenRegion(state.surface, a.region);
   warnIfAliased(state.surface, region);
@@ -123,7 +123,7 @@ Stored fromState(const RenderArguments& a, const Task& task) {
   checkEnding(a.out);
   p.look = p.figure.look = reliefLook(a.look, p.look);
   const StereoPrint print = stereoPrint(a.stereo).value_or(StereoPrint::off);
-  if (a.stereo_given && isPair(print)) {
+  if (a.stereo_given && isTwoPictures(print)) {
     p.figure = pairOf(a, print, p.look);
     p.picture.reset();
     return state;
@@ -263,8 +263,9 @@ Verb renderVerb() {
           [arguments](CLI::App& verb) {
             addMapOptions(verb, arguments->map);
             addRegionOptions(verb, arguments->region);
-            verb.add_option("--stereo", arguments->stereo,
-                            std::string("Red/cyan, or two pictures: ") + kStereoWords);
+            verb.add_option(
+                "--stereo", arguments->stereo,
+                std::string("Red and cyan, two pictures, or rows by turns: ") + kStereoWords);
             verb.add_flag("--swap-eyes", arguments->swap_eyes, "Left and right eye change places");
             takes(verb.add_option("--eye-angle", arguments->eye_angle_deg,
                                   "Angle between the eyes' directions in degrees"),

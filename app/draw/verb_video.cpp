@@ -198,7 +198,8 @@ void declareVideo(CLI::App& verb, VideoArguments& a) {
   verb.add_option("--without", a.without, "plots, overview, scalebar")
       ->delimiter(',')
       ->check(CLI::IsMember({"plots", "overview", "scalebar"}));
-  verb.add_option("--stereo", a.stereo, "off, grey, half or dubois; anaglyph: grey");
+  verb.add_option("--stereo", a.stereo,
+                  "off, grey, half, dubois, sidebyside, overunder or interlaced; anaglyph: grey");
   takes(verb.add_option("--eye-angle", a.eye_angle_deg, "Degrees between the eyes; 4"),
         {.low = 0.01, .high = 20, .unit = "degrees"});
   verb.add_flag("--swap-eyes", a.request.swap_eyes, "Red for the right eye");

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct ScanChoices {
   bool keep_withheld = false;  ///< LAS: take points that are marked as not to be used.
   ReaderChoice reader = ReaderChoice::automatic;
   std::vector<int> parts = {};  ///< E57, PTX: which scans of the file, from 1; empty: all.
+  std::uint64_t every = 1;      ///< Of clouds: one point in so many, the first of each; >= 1.
   friend bool operator==(const ScanChoices&, const ScanChoices&) = default;
 };
 
@@ -31,6 +33,9 @@ struct ImportOptions {
   std::uint64_t max_points = 200'000'000;
   std::uint64_t max_memory_bytes = 6ULL << 30;  ///< Address space of the import worker.
   double max_cpu_s = 600;
+  /// Memory that can be had, if it is known: files whose header promises more points than that
+  /// holds are refused before the first is read (E102).
+  std::optional<std::uint64_t> free_bytes = std::nullopt;
 };
 
 /// Reads a scan of any format that scanFormatList() names (core/io/format.h), chosen by content
@@ -39,8 +44,10 @@ struct ImportOptions {
 /// installed with the program) with limits, in the C locale; the result is checked again. Acts on a
 /// stop request within 250 ms. [worker]
 /// @throw FileError  missing, a directory, empty, malformed, incomplete (E101), unknown format, or
-///                   no finite point; the message names file, finding and remedy
-/// @throw ArgumentError  PCL was asked for where it reads wrong, or a part that is not there
+///                   no finite point, more than the memory holds (E102); the message names file,
+///                   finding and remedy
+/// @throw ArgumentError  PCL was asked for where it reads wrong, a part that is not there, or one
+///                       point in several of a mesh
 /// @throw Cancelled
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options = {},
                 const Task& task = {});

@@ -131,12 +131,13 @@ std::string lookText(const ReliefLook& look, double spacing_mm, const ShownLengt
 
 std::string stereoText(const CaptionFacts& facts) {
   if (facts.stereo == StereoPrint::off) return {};
-  constexpr std::array<const char*, 6> kWords{"",
+  constexpr std::array<const char*, 7> kWords{"",
                                               "grey red-cyan anaglyph",
                                               "half-colour red-cyan anaglyph",
                                               "Dubois red-cyan anaglyph",
                                               "two pictures side by side",
-                                              "two pictures, one over the other"};
+                                              "two pictures, one over the other",
+                                              "two pictures in alternate rows"};
   const std::string picture = facts.eye == FigureEye::both
                                   ? kWords.at(static_cast<std::size_t>(facts.stereo))
                                   : std::string(name(facts.eye)) + " eye's picture of two";

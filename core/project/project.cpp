@@ -84,7 +84,7 @@ Json figureJson(const FigureRequest& f) {
 FigureRequest figureFrom(const Json& json) {
   FigureRequest f;
   f.layout = word<FigureLayout>(json, "layout", kFigureLayoutNames);
-  f.stereo = word<StereoPrint>(json, "stereo", kStereoPrintNames);
+  f.stereo = word<StereoPrint>(json, "stereo", kPaperStereoNames);
   if (json.contains("eye")) f.eye = word<FigureEye>(json, "eye", kFigureEyeNames);
   f.scale_1_to = optionalFrom<double>(json, "scale_1_to");
   f.zero_plane_mm = optionalFrom<double>(json, "zero_plane_mm");
@@ -122,13 +122,15 @@ Json placeJson(const NamedRegion& place) {
   Json json = regionJson(place.region, place.gain);
   json["name"] = place.name;
   if (place.view) json["view"] = jsonOf(*place.view);
+  if (place.is_point) json["point"] = true;
   return json;
 }
 
 NamedRegion placeFrom(const Json& json) {
   NamedRegion place{.name = json.at("name").get<std::string>(),
                     .region = regionFrom(json),
-                    .gain = json.value("gain", 1.0)};
+                    .gain = json.value("gain", 1.0),
+                    .is_point = json.value("point", false)};
   if (json.contains("view")) place.view = viewFrom(json.at("view"));
   return place;
 }
@@ -241,11 +243,12 @@ bool same(const PyramidOptions& a, const PyramidOptions& b) {
 }
 
 bool same(const SurfaceOptions& a, const SurfaceOptions& b) {
-  const auto& [unit, unit_source, view, cells, spacing_mm, engine, rule, strays, nodata, holes,
-               pyramid] = a;
+  const auto& [unit, unit_source, view, cells, spacing_mm, engine, rule, strays, nodata, raster,
+               holes, pyramid] = a;
   return unit == b.unit && unit_source == b.unit_source && same(view, b.view) && cells == b.cells &&
          spacing_mm == b.spacing_mm && engine == b.engine && rule == b.rule && strays == b.strays &&
-         nodata == b.nodata && same(holes, b.holes) && same(pyramid, b.pyramid);
+         nodata == b.nodata && raster == b.raster && same(holes, b.holes) &&
+         same(pyramid, b.pyramid);
 }
 
 /// Whole, but nothing that this version opens as a project.

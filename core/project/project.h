@@ -27,6 +27,8 @@ struct NamedRegion {
   double gain = 1;
   /// Also how it is looked at: light, relief image, stereo, turn; nothing: the place alone.
   std::optional<ViewState> view = std::nullopt;
+  /// A marker: the middle of the region, gone to at whatever resolution is shown.
+  bool is_point = false;
   friend bool operator==(const NamedRegion&, const NamedRegion&) = default;
 };
 

@@ -19,6 +19,8 @@ constexpr std::array<std::string_view, 3> kStrayRuleNames{"drop", "keep", "drop-
 constexpr std::array<std::string_view, 8> kRuleNames{"front", "second", "topmean",   "median",
                                                      "mean",  "splat",  "quadratic", "min"};
 constexpr double kAny = std::numeric_limits<double>::max();
+constexpr int kMostThinned = 1'000'000'000;
+constexpr double kLeastMm = 1e-9;  // A size that is none.
 
 /// A number within its limits. @throw FileError naming the key
 double number(const Json& json, const char* key, double low, double high) {
@@ -79,6 +81,25 @@ std::optional<NodataChoice> nodataFrom(const Json& json) {
   return nodata;
 }
 
+/// null: nothing was said.
+Json jsonOf(const RasterScale& scale) {
+  if (scale == RasterScale{}) return nullptr;
+  const auto of = [](const std::optional<double>& v) { return v ? Json(*v) : Json(nullptr); };
+  return {{"pixel_mm", of(scale.pixel_mm)},
+          {"height_mm", of(scale.height_mm)},
+          {"zero", of(scale.zero)}};
+}
+
+RasterScale rasterScaleFrom(const Json& json) {
+  RasterScale scale;
+  if (!has(json, "raster_scale")) return scale;  // Older versions have none.
+  const Json& stored = json.at("raster_scale");
+  if (has(stored, "pixel_mm")) scale.pixel_mm = number(stored, "pixel_mm", kLeastMm, kAny);
+  if (has(stored, "height_mm")) scale.height_mm = number(stored, "height_mm", -kAny, kAny);
+  if (has(stored, "zero")) scale.zero = number(stored, "zero", -kAny, kAny);
+  return scale;
+}
+
 Json jsonOf(const StereoOptions& stereo) {
   return {{"mode", name(stereo.mode)},
           {"eye_angle_deg", stereo.eye_angle_deg},
@@ -115,6 +136,7 @@ void putScanChoices(const ScanChoices& choices, Json& input) {
     input["reader"] = kReaderNames[static_cast<std::size_t>(choices.reader)];
   }
   if (!choices.parts.empty()) input["parts"] = choices.parts;
+  if (choices.every != 1) input["every"] = choices.every;
 }
 
 ScanChoices scanChoicesFrom(const Json& input) {
@@ -122,6 +144,9 @@ ScanChoices scanChoicesFrom(const Json& input) {
   choices.keep_withheld = input.value("keep_withheld", false);
   if (input.contains("reader")) choices.reader = word<ReaderChoice>(input, "reader", kReaderNames);
   if (input.contains("parts")) choices.parts = input.at("parts").get<std::vector<int>>();
+  if (input.contains("every")) {
+    choices.every = static_cast<std::uint64_t>(wholeNumber(input, "every", 1, kMostThinned));
+  }
   return choices;
 }
 
@@ -160,6 +185,7 @@ Json jsonOf(const SurfaceOptions& o) {
   }
   json["strays"] = kStrayRuleNames.at(static_cast<std::size_t>(o.strays));
   json["nodata"] = jsonOf(o.nodata);
+  json["raster_scale"] = jsonOf(o.raster);
   json["holes"] = {{"rule", kHoleRuleNames.at(static_cast<std::size_t>(o.holes.rule))}};
   // JSON has no infinity; no limit is written as none.
   if (std::isfinite(o.holes.max_area_mm2)) json["holes"]["max_area_mm2"] = o.holes.max_area_mm2;
@@ -200,6 +226,7 @@ SurfaceOptions optionsFrom(const Json& json) {
     }
   }
   o.nodata = nodataFrom(json);
+  o.raster = rasterScaleFrom(json);
   const Json& holes = json.at("holes");
   o.holes.rule = word<HoleRule>(holes, "rule", kHoleRuleNames);
   o.holes.max_area_mm2 = has(holes, "max_area_mm2") ? number(holes, "max_area_mm2", 0, kAny)

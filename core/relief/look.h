@@ -63,10 +63,11 @@ struct ReliefLook {
 };
 
 /// How two eyes' pictures become one on screen: for red (left) and cyan glasses, in grey, half
-/// colour, or by Dubois's least squares (see StereoPrint).
-enum class StereoMode { off, anaglyph, half_colour, dubois };
-inline constexpr std::array<std::string_view, 4> kStereoModeNames{"off", "anaglyph", "half",
-                                                                  "dubois"};
+/// colour, or by Dubois's least squares; or for screens that show each eye its own half or its own
+/// rows (see StereoPrint).
+enum class StereoMode { off, anaglyph, half_colour, dubois, side_by_side, over_under, interlaced };
+inline constexpr std::array<std::string_view, 7> kStereoModeNames{
+    "off", "anaglyph", "half", "dubois", "sidebyside", "overunder", "interlaced"};
 inline constexpr std::string_view name(StereoMode mode) noexcept {
   return kStereoModeNames[static_cast<std::size_t>(mode)];
 }

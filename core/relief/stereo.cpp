@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
+#include <vector>
 
 #include "core/base/failure.h"
 
@@ -100,6 +101,81 @@ void mixAnaglyph(StereoPrint print, std::span<std::uint8_t> left,
     if (channels == 4) left[i + 3] = std::max(left[i + 3], right[i + 3]);
     const std::uint8_t most = channels == 4 ? left[i + 3] : 255;
     for (std::size_t k = 0; k < 3; ++k) left[i + k] = std::min(codedOf(out[k]), most);
+  }
+}
+
+namespace {
+
+/// The mean of a rectangle of a picture's pixels, for every channel.
+class Squeezed {
+ public:
+  Squeezed(std::span<const std::uint8_t> from, const PixelRows& rows) : from_(from), rows_(rows) {}
+  std::uint8_t at(int first_col, int cols, int first_row, int rows, std::size_t channel) const {
+    unsigned sum = 0;
+    for (int row = first_row; row < first_row + rows; ++row) {
+      for (int col = first_col; col < first_col + cols; ++col) {
+        sum += from_[rows_.channels *
+                         (static_cast<std::size_t>(row) * static_cast<std::size_t>(rows_.width) +
+                          static_cast<std::size_t>(col)) +
+                     channel];
+      }
+    }
+    const auto count = static_cast<unsigned>(cols * rows);
+    return static_cast<std::uint8_t>((sum + count / 2) / count);
+  }
+
+ private:
+  std::span<const std::uint8_t> from_;
+  PixelRows rows_;
+};
+
+/// Which pixels of `all` a pixel of `part` stands for.
+struct Stretch {
+  int first = 0, count = 1;
+  Stretch(int index, int part, int all)
+      : first(static_cast<int>(std::int64_t{index} * all / part)),
+        count(std::max(1, static_cast<int>((std::int64_t{index} + 1) * all / part) - first)) {}
+};
+
+}  // namespace
+
+void pairPictures(StereoPrint print, std::span<std::uint8_t> left,
+                  std::span<const std::uint8_t> right, const PixelRows& rows) {
+  const int w = rows.width, h = rows.height;
+  if (left.size() != right.size() ||
+      left.size() != rows.channels * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {
+    throw failure<MessageId::anaglyph_of_two_sizes>();
+  }
+  const std::vector<std::uint8_t> whole_left(left.begin(), left.end());
+  const std::array<Squeezed, 2> eyes{Squeezed(whole_left, rows), Squeezed(right, rows)};
+  const bool beside = print == StereoPrint::side_by_side, over = print == StereoPrint::over_under;
+  for (int stored = 0; stored < h; ++stored) {
+    const int row = rows.from_bottom ? h - 1 - stored : stored;  // From the top.
+    for (int col = 0; col < w; ++col) {
+      // An odd pixel in the middle belongs to the second.
+      const bool second = beside ? col >= w / 2
+                          : over ? row >= h / 2
+                                 : (row + rows.first_row) % 2 != 0;
+      const int cols_of = beside ? (second ? w - w / 2 : w / 2) : w;
+      const int rows_of = over ? (second ? h - h / 2 : h / 2) : h;
+      const Stretch across(beside && second ? col - w / 2 : col, cols_of, w);
+      const Stretch down(over && second ? row - h / 2 : row, rows_of, h);
+      const int from = rows.from_bottom ? h - down.first - down.count : down.first;
+      for (std::size_t k = 0; k < rows.channels; ++k) {
+        left[rows.channels * (static_cast<std::size_t>(stored) * static_cast<std::size_t>(w) +
+                              static_cast<std::size_t>(col)) +
+             k] = eyes[second ? 1 : 0].at(across.first, across.count, from, down.count, k);
+      }
+    }
+  }
+}
+
+void joinEyes(StereoPrint print, std::span<std::uint8_t> left, std::span<const std::uint8_t> right,
+              const PixelRows& rows) {
+  if (isPair(print)) {
+    pairPictures(print, left, right, rows);
+  } else {
+    mixAnaglyph(print, left, right, rows.channels);
   }
 }
 

@@ -12,9 +12,12 @@
 
 namespace relievo {
 
-/// How two eyes' pictures become one on paper.
-enum class StereoPrint { off, grey, half_colour, dubois, side_by_side, over_under };
-inline constexpr std::array<std::string_view, 6> kStereoPrintNames{
+/// How two eyes' pictures become one, on paper and on screens.
+enum class StereoPrint { off, grey, half_colour, dubois, side_by_side, over_under, interlaced };
+inline constexpr std::array<std::string_view, 7> kStereoPrintNames{
+    "off", "grey", "half", "dubois", "sidebyside", "overunder", "interlaced"};
+/// Of these the ones that paper can show: alternate rows need a screen's filter.
+inline constexpr std::array<std::string_view, 6> kPaperStereoNames{
     "off", "grey", "half", "dubois", "sidebyside", "overunder"};
 inline constexpr std::string_view name(StereoPrint print) noexcept {
   return kStereoPrintNames[static_cast<std::size_t>(print)];
@@ -29,6 +32,17 @@ constexpr bool isAnaglyph(StereoPrint print) noexcept {
          print == StereoPrint::dubois;
 }
 
+/// Each eye has a place of its own in the picture, not a colour.
+constexpr bool isPair(StereoPrint print) noexcept {
+  return print == StereoPrint::side_by_side || print == StereoPrint::over_under ||
+         print == StereoPrint::interlaced;
+}
+
+/// Of these the ones that squeeze the picture: what lies over it would be seen by one eye alone.
+constexpr bool showsHalves(StereoPrint print) noexcept {
+  return print == StereoPrint::side_by_side || print == StereoPrint::over_under;
+}
+
 /// The same way of mixing on screen and on paper.
 constexpr StereoPrint printed(StereoMode mode) noexcept {
   return static_cast<StereoPrint>(static_cast<int>(mode));
@@ -41,6 +55,25 @@ constexpr StereoPrint printed(StereoMode mode) noexcept {
 /// @param channels     4: RGBA; 3: RGB, all opaque
 void mixAnaglyph(StereoPrint print, std::span<std::uint8_t> left,
                  std::span<const std::uint8_t> right, std::size_t channels = 4);
+
+/// A picture's pixels, as the two functions below take them.
+struct PixelRows {
+  int width = 0, height = 0;
+  std::size_t channels = 4;
+  bool from_bottom = false;  ///< The first row in memory is the lowest, as in OpenGL.
+  int first_row = 0;         ///< Of the picture's top on the screen: odd and even rows are its own.
+};
+
+/// Two pictures as screens for two eyes take them, in one of the same size, into `left`. Side by
+/// side: each squeezed to half the width, the left eye's on the left. Over and under: to half the
+/// height, the left eye's above. Interlaced: the left eye has the even rows of the screen.
+/// @param left, right  as many bytes, 8 bits each  @pre isPair(print)
+void pairPictures(StereoPrint print, std::span<std::uint8_t> left,
+                  std::span<const std::uint8_t> right, const PixelRows& rows);
+
+/// Either of the two, as `print` says.
+void joinEyes(StereoPrint print, std::span<std::uint8_t> left, std::span<const std::uint8_t> right,
+              const PixelRows& rows);
 
 /// A colour that both eyes' pictures have, as it looks in the mixed one: grey in a grey anaglyph.
 /// StereoPrint::off and the pairs change nothing.

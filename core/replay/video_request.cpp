@@ -61,10 +61,8 @@ void check(const VideoRequest& v) {
   if (v.width_px % 2 != 0 || v.height_px % 2 != 0) {
     throw failure<MessageId::video_size_odd>();
   }
-  if (v.stereo != StereoPrint::off && !isAnaglyph(v.stereo)) {
-    throw failure<MessageId::video_stereo>();
-  }
-  if (isAnaglyph(v.stereo) && v.profile == VideoProfile::talk) {
+  const bool shares_colours = isAnaglyph(v.stereo) || v.stereo == StereoPrint::interlaced;
+  if (shares_colours && v.profile == VideoProfile::talk) {
     throw failure<MessageId::video_talk_anaglyph>();
   }
   if (v.path) check(*v.path);

@@ -40,7 +40,7 @@ struct VideoRequest {
   bool overview = true;                  ///< The whole object with the pink window.
   bool scale_bar = true;
   ReliefLook look;
-  StereoPrint stereo = StereoPrint::off;  ///< Off or an anaglyph.
+  StereoPrint stereo = StereoPrint::off;  ///< Pairs are of the whole frame.
   double eye_angle_deg = 4;
   bool swap_eyes = false;
   std::optional<CameraPath> path;  ///< Nothing: the camera looks at the recorded window.

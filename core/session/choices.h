@@ -16,6 +16,12 @@ namespace relievo {
 /// surface.unit and where it is from. @pre surface.info
 void chooseUnit(Surface& surface, const SurfaceOptions& options);
 
+/// Keeps it, and says it where nobody did. @pre chooseUnit
+void sayScale(Surface& surface, const ScaleInUse& scale);
+
+/// Of ViewFromFile::m, of a view from the top: view mm in a step of the file's heights.
+inline constexpr std::size_t kHeightScale = 10;
+
 /// Where a map is kept while it is made: it limits how many cells there can be.
 enum class MapPlace {
   memory,  ///< 16384^2 cells, 1 GiB of heights.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/depth/rules/point_rule.h"
 #include "core/tiles/tiled_map.h"
@@ -17,10 +18,15 @@ bool takesOnePoint(const std::string& rule) {
                      [&rule](PointRule of) { return rule.ends_with(describe(of)); });
 }
 
+/// Of 1 in the file's heights.
+double stepMm(const Surface& surface) {
+  return surface.raster_scale ? std::abs(surface.raster_scale->height_mm) : mmPer(surface.unit);
+}
+
 HeightErrors heightErrors(const Surface& surface) {
   HeightErrors errors;
   errors.step_mm = surface.depth_buffer ? 2 * surface.depth_buffer->accuracyMm()
-                                        : surface.info.height_step * mmPer(surface.unit);
+                                        : surface.info.height_step * stepMm(surface);
   if (!surface.quality.empty()) errors.quality = &surface.quality;
   errors.of_one_point = takesOnePoint(surface.rule);
   return errors;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/session/open_input.h"
 
+#include "core/session/large/memory_guard.h"
 #include "core/session/large/tiled_surface.h"
 
 namespace relievo {
@@ -12,7 +13,9 @@ OpenedInput openInput(const std::filesystem::path& file, const InputOptions& opt
   if (facts.kind == InputKind::tiled_map && options.by_tiles) {
     source.tiled = std::make_shared<const Surface>(openTiledSurface(file));
   } else if (facts.kind == InputKind::scan) {
-    source.scan = std::make_shared<const Scan>(importScan(file, options.import, task));
+    ImportOptions import = options.import;
+    if (!import.free_bytes) import.free_bytes = availableBytes();
+    source.scan = std::make_shared<const Scan>(importScan(file, import, task));
   } else {
     source.raster = std::make_shared<const RasterMap>(importRaster(file, options.import, task));
   }

@@ -65,6 +65,17 @@ void chooseUnit(Surface& surface, const SurfaceOptions& options) {
   }
 }
 
+void sayScale(Surface& surface, const ScaleInUse& scale) {
+  surface.raster_scale = scale;
+  if (!scale.isOpen()) return;
+  // It says all that the two say, and more.
+  std::erase_if(surface.messages, [&](const std::string& words) {
+    return words == kNoGeoreference ||
+           words == unitWords(surface.info, {surface.unit, surface.unit_source});
+  });
+  surface.messages.push_back(scaleWords(scale));
+}
+
 /// Samples so that the first and last lie on the box; the map's lower left edge becomes (0, 0).
 GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const RotatedBounds& box,
                       const std::function<CellProposal()>& propose, MapPlace place) {
@@ -207,22 +218,35 @@ std::optional<RasterMap> withoutMissing(const RasterMap& raster, Surface& surfac
   return cleaned;
 }
 
+/// Of the cells that have one. @pre one has
+std::array<double, 2> heightsIn(const RasterMap& raster) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t i = 0; i < raster.values.size(); ++i) {
+    if (!raster.valid[i]) continue;
+    low = std::min(low, static_cast<double>(raster.values[i]));
+    high = std::max(high, static_cast<double>(raster.values[i]));
+  }
+  return {low, high};
+}
+
 /// A raster from elsewhere: its samples stay, the lowest lies on the base plane.
-FilledMap fillForeign(const RasterMap& raster, const GridFrame& frame, double mm,
-                      const HoleChoice& choice, const Task& task) {
+/// @param low, high  as heightsIn
+FilledMap fillForeign(const RasterMap& raster, const GridFrame& frame, const ScaleInUse& scale,
+                      const std::array<double, 2>& low_high, const HoleChoice& choice,
+                      const Task& task) {
   FrontDepths depths(frame.size.count(), std::numeric_limits<float>::quiet_NaN());
   // Relative to the lowest sample before float: 8000 m above sea keep their millimetres.
-  double lowest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < depths.size(); ++i) {
-    if (raster.valid[i]) lowest = std::min(lowest, static_cast<double>(raster.values[i]));
-  }
+  const double lowest = scale.lowest(low_high[0], low_high[1]);
   for (std::size_t i = 0; i < depths.size(); ++i) {
     if (!raster.valid[i]) continue;
-    depths[i] = static_cast<float>((static_cast<double>(raster.values[i]) - lowest) * mm);
+    depths[i] =
+        static_cast<float>((static_cast<double>(raster.values[i]) - lowest) * scale.height_mm);
   }
-  FilledMap filled = fillDepths(std::move(depths), frame,
-                                {.has_sampling_gaps = false, .base_quantile = 0}, choice, task);
-  filled.base_z_mm += lowest * mm;
+  FilledMap filled = fillDepths(
+      std::move(depths), frame,
+      {.has_sampling_gaps = false, .base_quantile = 0, .base_z_mm = scale.baseAbove(lowest)},
+      choice, task);
+  filled.base_z_mm += lowest * scale.height_mm;
   return filled;
 }
 
@@ -260,19 +284,24 @@ void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceO
                         options.view->name != kEarlierAutomatic))) {
     throw failure<MessageId::raster_from_the_top_only>();
   }
-  const double mm = mmPer(surface.unit);
-  const double spacing = raster.pixel * mm;
+  const std::array<double, 2> heights = heightsIn(raster);
+  const ScaleInUse scale =
+      scaleInUse(raster, surface.unit, surface.unit_source, options.raster, heights[0], heights[1]);
+  sayScale(surface, scale);
+  const double mm = scale.pixel_mm / raster.pixel;
+  const double spacing = scale.pixel_mm;
   const GridFrame frame{.size = raster.size,
                         .spacing_mm = spacing,
                         .first_x_mm = 0.5 * spacing,
                         .first_y_mm = 0.5 * spacing};
-  FilledMap filled = fillForeign(raster, frame, mm, options.holes, task);
+  FilledMap filled = fillForeign(raster, frame, scale, heights, options.holes, task);
   surface.view_name = "top";
   surface.engine = "raster";
   surface.rule = "as stored";
   surface.view_from_file =
       viewFromFile(*standardRotation("top"), mm, frame.first_x_mm - mm * raster.first.x,
                    frame.first_y_mm - mm * raster.first.y, -filled.base_z_mm);
+  surface.view_from_file.m[kHeightScale] = scale.height_mm;
   surface.map = std::move(filled.map);
   takeHoles(surface, std::move(filled.holes), options.holes);
 }

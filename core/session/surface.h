@@ -21,6 +21,7 @@
 #include "core/pyramid/pyramid.h"
 #include "core/region/region.h"
 #include "core/session/nodata.h"
+#include "core/session/source/raster_scale.h"
 #include "core/session/strays.h"
 
 namespace relievo {
@@ -36,6 +37,7 @@ struct SurfaceOptions {
   std::optional<PointRule> rule;               ///< For clouds. Nothing: from the data.
   StrayRule strays = StrayRule::drop;          ///< Few points far from all others.
   std::optional<NodataChoice> nodata;          ///< Nothing: as the file says.
+  RasterScale raster;                          ///< Of rasters from elsewhere.
   HoleChoice holes;
   PyramidOptions pyramid;
 };
@@ -52,6 +54,7 @@ struct Surface {
   bool is_raster = false;  ///< From a raster or from a map written by this program.
   LengthUnit unit = LengthUnit::mm;
   UnitSource unit_source = UnitSource::assumed;
+  std::optional<ScaleInUse> raster_scale;  ///< Of rasters from elsewhere.
   ViewFromFile view_from_file;
   std::string view_name;      ///< "top", ..., "free"; what automatic chose.
   bool view_is_weak = false;  ///< Chosen automatically, and another may well be right.

@@ -218,7 +218,7 @@ void BandFill::pullAll(const Task& task) {
         coarse.weights.insert(coarse.weights.end(), made.top.weights.begin(),
                               made.top.weights.end());
       });
-  base_z_mm_ = lowest.quantile();
+  base_z_mm_ = source_.base_z_mm.value_or(lowest.quantile());
   std::vector<PushPullLayer> layers;
   layers.push_back(std::move(coarse));
   while (layers.back().size.cols > 1 || layers.back().size.rows > 1) {

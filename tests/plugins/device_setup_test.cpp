@@ -12,6 +12,7 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QImage>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QProgressBar>
@@ -26,6 +27,7 @@
 #include "haptics/device/falcon/settings_file.h"
 #include "plugins/haptics/buttons/buttons_panel.h"
 #include "plugins/haptics/buttons/device_buttons.h"
+#include "plugins/haptics/device/homing_picture.h"
 #include "tests/emulator/in_process.h"
 #include "tests/emulator/made_image.h"
 #include "tests/plugins/plugin_fixture.h"
@@ -131,12 +133,19 @@ TEST_F(DeviceSetupTest, LeadsFromPlugToTouch) {
   EXPECT_EQ(child<QLabel>("setupFirmwareFile")->text(),
             QString("Firmware: %1, accepted by you").arg(QString::fromStdString(stored)));
   picture("setup_homing");
+  auto* shown = dialog_->findChild<HomingPicture*>("homingPicture");
+  ASSERT_NE(shown, nullptr);
+  EXPECT_TRUE(shown->accessibleDescription().startsWith("Push the grip all the way in."));
+  const QImage push = shown->grab().toImage();
   hold(172);
   hold(90);
   ASSERT_TRUE(becomes(LinkState::pull_out));
   for (const char* arm : {"armTop", "armRight", "armLeft"}) {
     EXPECT_TRUE(eventually([&] { return child<QLabel>(arm)->text().contains("found"); })) << arm;
   }
+  EXPECT_TRUE(eventually([&] { return shown->state() == LinkState::pull_out; }));
+  EXPECT_TRUE(shown->accessibleDescription().startsWith("Pull the grip all the way out."));
+  EXPECT_NE(shown->grab().toImage(), push) << "the other way, and another light";
   hold(172);
   ASSERT_TRUE(becomes(LinkState::ready));
   ASSERT_TRUE(eventually([this] { return child<QPushButton>("setupSave")->isEnabled(); }));
@@ -193,7 +202,9 @@ TEST_F(DeviceSetupTest, TestsAndCalibratesByKeyboard) {
   ASSERT_TRUE(eventually([this] { return child<QPushButton>("setupSelfTest")->isEnabled(); }));
   QTest::keyClick(child<QPushButton>("setupSelfTest"), Qt::Key_Space);
   ASSERT_TRUE(eventually([this] {
-    return child<QPlainTextEdit>("setupResults")->toPlainText().contains("Move the grip all round");
+    return child<QPlainTextEdit>("setupResults")
+        ->toPlainText()
+        .contains("Move the grip to its end");
   })) << child<QPlainTextEdit>("setupResults")->toPlainText().toStdString();
   constexpr std::array<const char*, 4> kButtons{"plus", "forward", "centre", "minus"};
   for (int i = 0; i < 4; ++i) {
@@ -206,7 +217,19 @@ TEST_F(DeviceSetupTest, TestsAndCalibratesByKeyboard) {
       return !child<QPlainTextEdit>("setupResults")->toPlainText().contains(button);
     })) << button;
   }
+  for (const DeviceMm& end : {DeviceMm{38, 0, 0}, DeviceMm{-38, 0, 0}, DeviceMm{0, 38, 0},
+                              DeviceMm{0, -38, 0}, DeviceMm{0, 0, 33}, DeviceMm{0, 0, -33}}) {
+    emulated_->with([end](auto& f) { f.body.carry({end.x, end.y, 125.0 + end.z}); });
+    // Until the driver has seen it; the test reads the same places.
+    ASSERT_TRUE(eventually([&] {
+      const DeviceMm& at = dialog_->status().position;
+      return norm(at - end) < 3;
+    })) << end.x
+        << ' ' << end.y << ' ' << end.z;
+  }
   ASSERT_TRUE(eventually([this] { return child<QPushButton>("setupSelfTest")->isEnabled(); }));
+  EXPECT_TRUE(child<QPlainTextEdit>("setupResults")->toPlainText().contains("passed: Edges:"))
+      << child<QPlainTextEdit>("setupResults")->toPlainText().toStdString();
   const QString results = child<QPlainTextEdit>("setupResults")->toPlainText();
   EXPECT_TRUE(results.contains("all four work")) << results.toStdString();
   EXPECT_TRUE(results.contains("passed: Encoder of the top arm")) << results.toStdString();

@@ -6,7 +6,7 @@
 #include <QComboBox>
 
 #include "core/region/hand.h"
-#include "plugins/haptics/device_setup_buttons.h"
+#include "plugins/haptics/buttons/device_buttons.h"
 #include "tests/plugins/plugin_fixture.h"
 
 namespace relievo {

@@ -9,6 +9,7 @@
 #include <QImage>
 #include <QPushButton>
 #include <QScreen>
+#include <QStatusBar>
 #include <QtTest/QTest>
 
 #include "core/relief/stereo.h"
@@ -134,6 +135,99 @@ TEST_F(ViewTest, TheAnaglyphSwitchesOnAndOffInBothViewsAndChangesTheirPixels) {
   QTest::keyClick(&detail, Qt::Key_3, Qt::ControlModifier);
   EXPECT_FALSE(child<QCheckBox>("stereo_on")->isChecked());
   EXPECT_EQ(detail.shot(), mono);
+}
+
+/// The left or right half of a picture.
+QImage halfOf(const QImage& picture, int which) {
+  const int half = picture.width() / 2;
+  return picture.copy(which * (picture.width() - half), 0, half, picture.height());
+}
+
+/// How many pixels of two pictures differ by more than the eye would see.
+double share(const QImage& a, const QImage& b) {
+  int other = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      if (std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 16) ++other;
+    }
+  }
+  return static_cast<double>(other) / (a.width() * a.height());
+}
+
+TEST_F(ViewTest, SideBySideShowsEachEyeItsHalfAndThePointerReachesBoth) {
+  auto& detail = window().detailView();
+  document().setRect({60, 60, 100, 100});
+  window().runCommand("relief_height");
+  ASSERT_TRUE(waitFor([this] { return child<QWidget>("colour_bar")->isVisible(); }));
+  const QImage mono = detail.shot();
+  child<QComboBox>("stereo_kind")->setCurrentIndex(3);
+  child<QCheckBox>("stereo_on")->setChecked(true);
+  ASSERT_EQ(detail.sceneState().stereo.mode, StereoMode::side_by_side);
+  const QImage pair = detail.shot();
+  EXPECT_EQ(pair.size(), mono.size());
+  EXPECT_LT(share(halfOf(pair, 0), halfOf(pair, 1)), 0.4) << "the same place";
+  EXPECT_GT(share(halfOf(pair, 0), halfOf(pair, 1)), 0.002) << "seen by two eyes";
+  const QImage squeezed =
+      mono.scaled(mono.width() / 2, mono.height(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  EXPECT_LT(share(halfOf(pair, 0), squeezed), 0.4);
+  EXPECT_EQ(window().referenceView().sceneState().stereo.mode, StereoMode::off)
+      << "no halves beside halves";
+  for (const char* over : {"colour_bar", "light_ball", "overview_inset"}) {
+    for (QWidget* part : detail.findChildren<QWidget*>(QString::fromLatin1(over))) {
+      EXPECT_FALSE(part->isVisible()) << over << ": one eye alone would see it";
+    }
+  }
+  // Where the pointer carries the hand.
+  std::vector<ViewMm> hands;
+  QObject::connect(&detail, &DetailView::handMoved,
+                   [&](const ViewMm& at, bool) { hands.push_back(at); });
+  for (const double part : {0.25, 0.75}) {
+    move(detail, {part * detail.width(), 0.5 * detail.height()});
+  }
+  ASSERT_TRUE(waitFor([&] { return hands.size() >= 2; }));
+  EXPECT_NEAR(hands.front().x, hands.back().x, 3 * detail.mmPerPixel());
+  EXPECT_NEAR(hands.back().x, 110, 3) << "the middle of what is shown";
+  child<QComboBox>("stereo_kind")->setCurrentIndex(0);
+  child<QCheckBox>("stereo_on")->setChecked(false);
+  EXPECT_EQ(detail.shot(), mono);
+}
+
+TEST_F(ViewTest, OnAFullScreenAPairHasTheScreenToItself) {
+  child<QComboBox>("stereo_kind")->setCurrentIndex(3);
+  window().runCommand("stereo");
+  window().runCommand("full_screen");
+  EXPECT_FALSE(window().statusBar()->isVisible());
+  EXPECT_FALSE(child<QWidget>("overview_inset")->isVisible());
+  child<QComboBox>("stereo_kind")->setCurrentIndex(5);
+  EXPECT_TRUE(window().statusBar()->isVisible()) << "rows leave the words readable";
+  EXPECT_TRUE(child<QWidget>("overview_inset")->isVisible());
+  child<QComboBox>("stereo_kind")->setCurrentIndex(4);
+  EXPECT_FALSE(window().statusBar()->isVisible());
+  window().runCommand("full_screen");
+  EXPECT_TRUE(window().statusBar()->isVisible());
+}
+
+TEST_F(ViewTest, InterlacedGivesEachEyeItsRows) {
+  auto& detail = window().detailView();
+  document().setRect({60, 60, 100, 100});
+  const QImage mono = detail.shot();
+  child<QComboBox>("stereo_kind")->setCurrentIndex(5);
+  child<QCheckBox>("stereo_on")->setChecked(true);
+  const QImage rows = detail.shot();
+  child<QCheckBox>("stereo_swap")->setChecked(true);
+  const QImage swapped = detail.shot();
+  EXPECT_NE(rows, mono);
+  EXPECT_NE(rows, swapped);
+  // Every second row of one is a row of one eye, and so is the other second row of the other.
+  const auto unlike = [](const QImage& a, const QImage& b, int first) {
+    int other = 0;
+    for (int y = first; y < a.height(); y += 2) {
+      for (int x = 0; x < a.width(); ++x) other += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+    }
+    return other;
+  };
+  EXPECT_GT(unlike(rows, swapped, 0), 0);
+  EXPECT_GT(unlike(rows, swapped, 1), 0);
 }
 
 TEST_F(ViewTest, EyeSeparationAndZeroPlaneReachTheViews) {

@@ -142,7 +142,7 @@ void LookController::show() {
     view->setLook(look);
   }
   light_ball_->show(look.light);
-  light_ball_->setUsable(hasKeyLight(look));
+  placeLight();
   shareRange();
   warnOfRivalry();
   for (std::size_t i = 0; i < kReliefKindNames.size(); ++i) {
@@ -180,8 +180,9 @@ void LookController::showStereo() {
   const Project& p = document_.project();
   stereo_panel_.show(p.stereo, p.chosen_eye_angle_deg);
   document_.setDrawnEyeAngle(stereo_panel_.options().eye_angle_deg, stereo_panel_.chosenAngleDeg());
-  reference_.setStereo(stereo_panel_.optionsFor(whole_shown_));
+  reference_.setStereo(overviewStereo());
   detail_.setStereo(document_.project().stereo);
+  placeLight();
   commands_[Command::stereo].setChecked(document_.project().stereo.mode != StereoMode::off);
   warnOfRivalry();
 }
@@ -233,7 +234,15 @@ void LookController::showHeights() {
 }
 
 void LookController::placeLight() {
-  light_ball_->place();
+  const Project& p = document_.project();
+  light_ball_->setUsable(hasKeyLight(p.look) && !showsHalves(printed(p.stereo.mode)));
+}
+
+/// The overview is no place for two halves: full screen shows the detail view alone.
+StereoOptions LookController::overviewStereo() const {
+  StereoOptions stereo = stereo_panel_.optionsFor(whole_shown_);
+  if (showsHalves(printed(stereo.mode))) stereo.mode = StereoMode::off;
+  return stereo;
 }
 
 // As it is seen at the views' sizes on this screen.
@@ -244,7 +253,7 @@ void LookController::showParallax() {
   const double screen_mm = kMmPerInch / std::max(window_.screen()->physicalDotsPerInch(), 1.0);
   whole_shown_.screen_per_mm = screen_mm / reference_.mmPerPixel();
   stereo_panel_.setShown({window->min_mm, window->max_mm, screen_mm / detail_.mmPerPixel()});
-  reference_.setStereo(stereo_panel_.optionsFor(whole_shown_));
+  reference_.setStereo(overviewStereo());
 }
 
 void LookController::warnOfRivalry() {

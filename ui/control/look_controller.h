@@ -50,6 +50,8 @@ class LookController : public Controller {
   ReferenceView& reference_;
   ViewPanel& panel_;
   StereoPanel& stereo_panel_;
+  StereoOptions overviewStereo() const;
+
   LightBall* light_ball_;           ///< The detail view owns it.
   StereoPanel::Shown whole_shown_;  ///< By the reference view.
   std::shared_ptr<const Surface> warned_of_rivalry_;

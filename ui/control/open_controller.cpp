@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <QAction>
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
@@ -74,10 +75,17 @@ OpenController::OpenController(const ControllerParts& parts, SaveController& sav
   commands_.on(Command::open, this, [this] { choose(); });
   commands_.on(Command::open_folder, this, [this] { chooseFolder(); });
   commands_.on(Command::prepare, this, [this] { choosePrepare(); });
+  commands_[Command::keep_view].setChecked(
+      settings_.choice(QStringLiteral("keep_view"), false).toBool());
+  commands_.onToggled(Command::keep_view, this, [this](bool on) {
+    settings_.setChoice(QStringLiteral("keep_view"), on);
+    announce(on ? tr("The next file is seen like this one.")
+                : tr("The next file is seen from its own best side."));
+  });
   connect(&document_, &Document::failed, this, &OpenController::showFailure);
   connect(&messages_, &WindowMessages::cancelAsked, this, &OpenController::cancel);
   connect(&packages_, &PackageController::unpacked, this,
-          qOverload<const QString&>(&OpenController::open));
+          [this](const QString& file) { open(file); });
 }
 
 void OpenController::cancel() {
@@ -224,14 +232,15 @@ void OpenController::showDamaged(const QString& text) {
   messages_.show(text, buttons);
 }
 
-void OpenController::open(const QString& file) {
-  saving_.whenNothingIsUnsaved([this, file] {
+void OpenController::open(const QString& file, bool keeps_view) {
+  saving_.whenNothingIsUnsaved([this, file, keeps_view] {
     packages_.cancelUnpacking();  // Else its project would take the place of what is opened now.
     forgetState();                // What is opened now does not hold that work.
     Q_EMIT begun();
     if (restoreFromFile(QFileInfo(file).absoluteFilePath())) return;
     OpenRequest request;
     request.file = file;
+    request.keeps_view = keeps_view || commands_[Command::keep_view].isChecked();
     open(request);
   });
 }
@@ -263,6 +272,16 @@ void OpenController::showFailure(const QString& message, const QString& code, co
                          request.file = file;
                          request.accept_incomplete = true;
                          if (request.project) request.project->accept_incomplete = true;
+                         open(request);
+                       }});
+  }
+  if (const auto every = document_.offeredEvery(); every && !file.isEmpty()) {
+    buttons.push_back({tr("&Load one point in %1").arg(*every), [this, file, every] {
+                         OpenRequest request;
+                         if (restoring_ && restoring_->file == file) request = *restoring_;
+                         request.file = file;
+                         request.scan.every = *every;
+                         if (request.project) request.project->scan.every = *every;
                          open(request);
                        }});
   }
@@ -354,9 +373,11 @@ void OpenController::openFolder(const QString& folder) {
   openTogether(files);
 }
 
-void OpenController::openPaths(const QStringList& paths) {
+void OpenController::openPaths(const QStringList& paths, bool keeps_view) {
   if (paths.size() == 1 && QFileInfo(paths.front()).isDir()) {
     openFolder(paths.front());
+  } else if (paths.size() == 1) {
+    open(paths.front(), keeps_view);
   } else {
     openTogether(paths);
   }

@@ -22,12 +22,13 @@ class OpenController : public Controller {
                  PackageController& packages);
 
   void open(const OpenRequest& request);
-  void open(const QString& file);
+  /// @param keeps_view  as OpenRequest, whatever the command says; of a state there is none to keep
+  void open(const QString& file, bool keeps_view = false);
   /// Several scans of one object: the dialog Prepare joins them into the one that is opened.
   void openTogether(const QStringList& files);
   void openFolder(const QString& folder);
   /// What was dropped or named when the program started: a folder, a file, or several.
-  void openPaths(const QStringList& paths);
+  void openPaths(const QStringList& paths, bool keeps_view = false);
   /// Brings a state back; `from` is the project or picture it came from. Files elsewhere are asked
   /// about before they are read.
   void restore(const Project& project, const QString& from);

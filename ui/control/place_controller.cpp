@@ -22,26 +22,19 @@
 namespace relievo {
 namespace {
 
-constexpr int kMostBeacons = 9;
-constexpr double kSameBeaconMm = 5;  // Of hand: nearer than that is the same beacon.
+constexpr int kMostMarkers = 9;
+constexpr double kSameMarkerMm = 5;  // Of hand: nearer than that is the same marker.
 
-QString beaconName(int number) {
-  return PlaceController::tr("Beacon %1").arg(number);
-}
-
-bool isBeacon(const NamedRegion& place) {
-  for (int n = 1; n <= kMostBeacons; ++n) {
-    if (place.name == beaconName(n).toStdString()) return true;
-  }
-  return false;
+QString markerName(int number) {
+  return PlaceController::tr("Marker %1").arg(number);
 }
 
 /// The first name that is not taken; empty: all are.
-QString freeBeacon(const std::vector<NamedRegion>& places) {
-  for (int n = 1; n <= kMostBeacons; ++n) {
-    const std::string name = beaconName(n).toStdString();
+QString freeMarker(const std::vector<NamedRegion>& places) {
+  for (int n = 1; n <= kMostMarkers; ++n) {
+    const std::string name = markerName(n).toStdString();
     const auto has = [&](const NamedRegion& p) { return p.name == name; };
-    if (std::none_of(places.begin(), places.end(), has)) return beaconName(n);
+    if (std::none_of(places.begin(), places.end(), has)) return markerName(n);
   }
   return {};
 }
@@ -65,7 +58,7 @@ void PlaceController::makeCommands() {
   commands_.on(Command::previous_place, this, [this] { panels_.places.step(-1); });
   commands_.on(Command::copy_view, this, [this] { copyView(); });
   commands_.on(Command::paste_view, this, [this] { pasteView(); });
-  commands_.on(Command::beacon, this, [this] { toggleBeacon(); });
+  commands_.on(Command::beacon, this, [this] { toggleMarker(); });
   commands_.on(Command::suggest_windows, this, [this] {
     commands_[Command::show_panels].setChecked(true);
     panels_.all.reveal(&panels_.suggestions);
@@ -102,30 +95,31 @@ void PlaceController::name() {
   panels_.places.add(std::move(place));
 }
 
-// A beacon's window is centred on the hand wherever that lies; it is put on the map when gone to.
-void PlaceController::toggleBeacon() {
+// A marker's window is centred on the hand wherever that lies; it is put on the map when gone to.
+void PlaceController::toggleMarker() {
   const auto window = document_.window();
   if (!window) return;
   const StepAbout here = touch_.about();
-  const double reach_mm = kSameBeaconMm * handMapping(*window).objectMmPerHandMm();
+  const double reach_mm = kSameMarkerMm * handMapping(*window).objectMmPerHandMm();
   const std::vector<NamedRegion>& places = panels_.places.places();
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Region& r = places[i].region;
     const double away_mm = std::hypot(r.centreX() - here.x_mm, r.centreY() - here.y_mm);
-    if (!isBeacon(places[i]) || away_mm > reach_mm) continue;
+    if (!places[i].is_point || away_mm > reach_mm) continue;
     const QString name = QString::fromStdString(places[i].name);
     panels_.places.removeAt(i);
     announce(tr("%1 removed.").arg(name));
     return;
   }
-  const QString name = freeBeacon(places);
+  const QString name = freeMarker(places);
   if (name.isEmpty()) {
-    announce(tr("There are %1 beacons already. Remove one first.").arg(kMostBeacons));
+    announce(tr("There are %1 markers already. Remove one first.").arg(kMostMarkers));
     return;
   }
   NamedRegion place{.name = name.toStdString(),
                     .region = document_.project().region,
-                    .gain = document_.project().gain};
+                    .gain = document_.project().gain,
+                    .is_point = true};
   place.region.x_mm = here.x_mm - 0.5 * place.region.side_mm;
   place.region.y_mm = here.y_mm - 0.5 * place.region.side_mm;
   panels_.places.put(std::move(place));
@@ -135,15 +129,28 @@ void PlaceController::toggleBeacon() {
 void PlaceController::goTo(const NamedRegion& place) {
   const QString name = QString::fromStdString(place.name);
   if (!document_.isOpen()) return;
+  if (place.is_point) return goToPoint(place);
   if (place.region.level.value >= document_.details()) {
     messages_.show(
         tr("%1 lies on a finer detail than this map has. The window was not moved.").arg(name));
     return;
   }
-  Region to = place.region;
-  if (isBeacon(place)) to = moved(document_.surface()->ladder, to, 0, 0).value_or(to);
   if (place.view) look_.showView(*place.view, tr("Go to %1").arg(name));
-  document_.goTo(to, place.gain, tr("Go to %1").arg(name));
+  document_.goTo(place.region, place.gain, tr("Go to %1").arg(name));
+  announce(tr("%1. Detail %2 of %3").arg(name).arg(document_.detail()).arg(document_.details()));
+}
+
+// The window stays as large and as fine as it is: whoever set the marker far out finds it close up.
+void PlaceController::goToPoint(const NamedRegion& marker) {
+  const QString name = QString::fromStdString(marker.name);
+  Region to = document_.project().region;
+  to.x_mm = marker.region.centreX() - 0.5 * to.side_mm;
+  to.y_mm = marker.region.centreY() - 0.5 * to.side_mm;
+  to = moved(document_.surface()->ladder, to, 0, 0).value_or(to);
+  if (!document_.goTo(to, document_.project().gain, tr("Go to %1").arg(name))) {
+    announce(tr("%1 is in the window already.").arg(name));
+    return;
+  }
   announce(tr("%1. Detail %2 of %3").arg(name).arg(document_.detail()).arg(document_.details()));
 }
 

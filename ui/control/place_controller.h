@@ -14,7 +14,7 @@ class SidePanels;
 class SuggestPanel;
 class TouchController;
 
-/// Where one goes on the map: named places, beacons, views as text, and suggested windows.
+/// Where one goes on the map: named places, markers, views as text, and suggested windows.
 /// [GUI thread]
 class PlaceController : public Controller {
   Q_OBJECT
@@ -31,7 +31,8 @@ class PlaceController : public Controller {
   void makeCommands();
   void connectSuggestions(ReferenceView& reference);
   void name();
-  void toggleBeacon();
+  void toggleMarker();
+  void goToPoint(const NamedRegion& marker);
   void goTo(const NamedRegion& place);
   void copyView();
   void pasteView();

@@ -10,6 +10,7 @@
 #include "core/depth/rules/rasterize.h"
 #include "core/session/source/unit_guess.h"
 #include "ui/dialogs/depth_map_preview.h"
+#include "ui/dialogs/raster_scale_dialog.h"
 #include "ui/style/text.h"
 
 namespace relievo {
@@ -30,7 +31,16 @@ QString shareText(double share_of_box) {
 }  // namespace
 
 QuestionController::QuestionController(const ControllerParts& parts) : Controller(parts) {
-  commands_.on(Command::units, this, [this] { askUnit(); });
+  commands_.on(Command::units, this, [this] {
+    const Surface* surface = document_.surface().get();
+    const bool is_placed = surface == nullptr || !surface->raster_scale ||
+                           surface->raster_scale->is_placed || !document_.source().raster;
+    if (is_placed) {
+      askUnit();
+    } else {
+      chooseScale();
+    }
+  });
   connect(&messages_, &WindowMessages::dismissed, this, &QuestionController::askNext);
   // An answer made the surface anew; two at a time would undo each other.
   connect(&document_, &Document::surfaceChanged, this, &QuestionController::askNext,
@@ -44,7 +54,10 @@ void QuestionController::begin(bool restored, std::size_t withheld) {
   if (surface.strays.points > 0 && !restored) questions_.emplace_back([this] { askStrays(); });
   if (surface.strays.grouped > 0 && !restored) questions_.emplace_back([this] { askGroups(); });
   if (surface.suspect_height) questions_.emplace_back([this] { askNodata(); });
-  if (surface.unit_source == UnitSource::assumed || surface.unit_source == UnitSource::guessed) {
+  if (surface.raster_scale && surface.raster_scale->isOpen()) {
+    questions_.emplace_back([this] { askScale(); });
+  } else if (surface.unit_source == UnitSource::assumed ||
+             surface.unit_source == UnitSource::guessed) {
     questions_.emplace_back([this] { askUnit(); });
   }
   const auto& view = document_.project().options.view;
@@ -222,6 +235,44 @@ void QuestionController::askUnit() {
                     "until you say. (E103)")
                      .arg(numbers, sizes.join(QStringLiteral("; ")), unitText(likely)),
                  buttons);
+}
+
+// A picture of heights says neither how far apart its pixels lie nor how high a step is.
+void QuestionController::askScale() {
+  const ScaleInUse& scale = *document_.surface()->raster_scale;
+  const DepthMap& map = document_.surface()->map;
+  const HeightRange heights = heightRange(map);
+  const QString size =
+      sizeText({map.frame.spacing_mm * (map.frame.size.cols - 1),
+                map.frame.spacing_mm * (map.frame.size.rows - 1), heights.max_mm - heights.min_mm});
+  const auto mm = [](double v) { return QLocale().toString(v, 'g', 4); };
+  const QString shown =
+      tr("This picture of heights does not say how large it is. Shown with pixels "
+         "of %1 mm and steps of %2 mm: %3.")
+          .arg(mm(scale.pixel_mm), mm(scale.height_mm), size);
+  const bool guessed = scale.height_source == UnitSource::guessed;
+  const QString why = guessed ? tr("The steps are a guess: with 1 mm it would be higher than it is "
+                                   "long.")
+                              : tr("Both are a guess.");
+  messages_.show(QStringLiteral("%1 %2").arg(shown, why),
+                 {{tr("&Say how large\u2026"), [this] { chooseScale(); }},
+                  {tr("&Keep it so"), [this, scale] {
+                     document_.setRasterScale(
+                         {.pixel_mm = scale.pixel_mm, .height_mm = scale.height_mm, .zero = {}});
+                   }}});
+}
+
+void QuestionController::chooseScale() {
+  const auto& raster = document_.source().raster;
+  const auto& scale = document_.surface()->raster_scale;
+  if (!raster || !scale) return;
+  auto* dialog = new RasterScaleDialog(*raster, *scale, &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &RasterScaleDialog::chosen, this, [this](const RasterScale& chosen) {
+    messages_.close();
+    document_.setRasterScale(chosen);
+  });
+  dialog->open();
 }
 
 void QuestionController::chooseUnit(LengthUnit unit) {

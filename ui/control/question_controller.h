@@ -26,6 +26,8 @@ class QuestionController : public Controller {
   void begin(bool restored, std::size_t withheld);
   void forget() { questions_.clear(); }
   void askUnit();
+  void askScale();
+  void chooseScale();
   void chooseUnit(LengthUnit unit);
 
  private:

@@ -239,8 +239,7 @@ void DepthMapForm::showSize() {
     size_->setText(tr("unknown"));
     return;
   }
-  const double mm = mmPer(static_cast<LengthUnit>(unit_->currentData().toInt()));
-  const FilePoint size = mm * (info.bounds->max - info.bounds->min);
+  const FilePoint size = sizeMm(source_, options());
   size_->setText(sizeText({size.x, size.y, size.z}));
 }
 

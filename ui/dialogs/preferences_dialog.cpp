@@ -251,12 +251,16 @@ void PreferencesDialog::makeUnits() {
 
 void PreferencesDialog::makeStereo() {
   addPage(tr("Stereo"));
-  addChoice({"stereo_kind", tr("Kind of anaglyph"),
-             tr("What stereo starts with: grey, half colour or Dubois")},
+  addChoice({"stereo_kind", tr("Kind of stereo"),
+             tr("What stereo starts with: an anaglyph for red and cyan glasses, or pictures for a "
+                "screen that shows each eye its own")},
             QStringLiteral("anaglyph"),
             {{tr("Grey"), QStringLiteral("anaglyph")},
              {tr("Half colour"), QStringLiteral("half")},
-             {tr("Dubois"), QStringLiteral("dubois")}});
+             {tr("Dubois"), QStringLiteral("dubois")},
+             {tr("Side by side"), QStringLiteral("sidebyside")},
+             {tr("Over and under"), QStringLiteral("overunder")},
+             {tr("Interlaced"), QStringLiteral("interlaced")}});
   addSwitch({"stereo_automatic", tr("Automatic depth"),
              tr("Eye separation by the heights that are shown, at the start")},
             true);

@@ -153,7 +153,10 @@ void VideoDialog::addStereo(QFormLayout* form) {
   for (const auto& [text, value] : {std::pair{tr("Off"), StereoPrint::off},
                                     {tr("Grey"), StereoPrint::grey},
                                     {tr("Half colour"), StereoPrint::half_colour},
-                                    {tr("Dubois"), StereoPrint::dubois}}) {
+                                    {tr("Dubois"), StereoPrint::dubois},
+                                    {tr("Side by side"), StereoPrint::side_by_side},
+                                    {tr("Over and under"), StereoPrint::over_under},
+                                    {tr("Interlaced"), StereoPrint::interlaced}}) {
     stereo_->addItem(text, static_cast<int>(value));
   }
   angle_ = field<QDoubleSpinBox>(form, tr("Eye sep&aration"), "video_eye_angle",

@@ -60,7 +60,7 @@ class GlassesPicture : public QWidget {
 
 StereoPanel::StereoPanel(QWidget* parent)
     : QWidget(parent),
-      on_(new QCheckBox(tr("Red/cyan &anaglyph"))),
+      on_(new QCheckBox(tr("Show in &stereo"))),
       automatic_(new QCheckBox(tr("At mi&d height"))),
       swap_(new QCheckBox(tr("S&wap eyes"))),
       comfort_(new QCheckBox(tr("&Keep comfortable"))),
@@ -76,14 +76,16 @@ StereoPanel::StereoPanel(QWidget* parent)
   layout->setVerticalSpacing(5);
   layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
   on_->setObjectName(QStringLiteral("stereo_on"));
-  on_->setAccessibleName(tr("Red and cyan anaglyph"));
-  on_->setToolTip(tr("For red and cyan glasses (Ctrl+3)"));
+  on_->setAccessibleName(tr("Show in stereo"));
+  on_->setToolTip(tr("For red and cyan glasses, or for a screen for two eyes (Ctrl+3)"));
   kind_->setObjectName(QStringLiteral("stereo_kind"));
-  kind_->setAccessibleName(tr("Kind of anaglyph"));
+  kind_->setAccessibleName(tr("Kind of stereo"));
   kind_->setToolTip(
       tr("Grey: no colour fights with the glasses. Half colour: some colour. Dubois: least ghosts "
-         "by the filters of common glasses"));
-  kind_->addItems({tr("Grey"), tr("Half colour"), tr("Dubois")});
+         "by the filters of common glasses. The others are for screens that show each eye its own "
+         "half or rows; F11 gives them the whole screen"));
+  kind_->addItems({tr("Grey"), tr("Half colour"), tr("Dubois"), tr("Side by side"),
+                   tr("Over and under"), tr("Interlaced")});
   const StereoOptions first;
   angle_->setObjectName(QStringLiteral("eye_angle"));
   angle_->setAccessibleName(tr("Eye separation"));

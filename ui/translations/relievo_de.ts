@@ -1220,14 +1220,6 @@
         <translation>Gerade auf das Relief sehen, in die Ansicht eingepasst</translation>
     </message>
     <message>
-        <source>&amp;Stereo (red/cyan)</source>
-        <translation>Stereo (rot/c&amp;yan)</translation>
-    </message>
-    <message>
-        <source>Anaglyph for red and cyan glasses</source>
-        <translation>Anaglyphe für rot-cyane Brillen</translation>
-    </message>
-    <message>
         <source>Stereo</source>
         <translation>Stereo</translation>
     </message>
@@ -1564,14 +1556,6 @@
         <translation>Zur Stelle mit Namen vor dieser gehen</translation>
     </message>
     <message>
-        <source>&amp;Beacon here</source>
-        <translation>Leuchtfeuer &amp;hier</translation>
-    </message>
-    <message>
-        <source>Mark the place under the hand, or remove the beacon there</source>
-        <translation>Die Stelle unter der Hand markieren, oder das Leuchtfeuer dort entfernen</translation>
-    </message>
-    <message>
         <source>Prep&amp;are…</source>
         <translation>Auf&amp;bereiten…</translation>
     </message>
@@ -1871,6 +1855,54 @@
         <source>Save &amp;video…</source>
         <translation>V&amp;ideo speichern…</translation>
     </message>
+    <message>
+        <source>Keep view and &amp;zoom for next file</source>
+        <translation>&amp;Jetzigen Blick für nächste Datei behalten</translation>
+    </message>
+    <message>
+        <source>The next file is seen from the same side, turned and placed alike; Ctrl while dropping it does the same once</source>
+        <translation>Die nächste Datei wird von derselben Seite gezeigt, ebenso gedreht und an derselben Stelle; Strg beim Ablegen bewirkt das einmal</translation>
+    </message>
+    <message>
+        <source>&amp;Stereo</source>
+        <translation>Stereo (z&amp;wei Augen)</translation>
+    </message>
+    <message>
+        <source>Depth for two eyes: red and cyan glasses, or a screen for stereo</source>
+        <translation>Tiefe für zwei Augen: Rot-Cyan-Brille oder ein Stereobildschirm</translation>
+    </message>
+    <message>
+        <source>Mar&amp;ker here</source>
+        <translation>Mar&amp;kierung hier</translation>
+    </message>
+    <message>
+        <source>Mark the place under the hand, or remove the marker there</source>
+        <translation>Die Stelle unter der Hand markieren oder die Markierung dort entfernen</translation>
+    </message>
+    <message>
+        <source>Begin s&amp;itting of a study…</source>
+        <translation>Sitzung einer St&amp;udie beginnen…</translation>
+    </message>
+    <message>
+        <source>Places as conditions in random order, under letters, for one participant</source>
+        <translation>Stellen als Bedingungen in zufälliger Reihenfolge, unter Buchstaben, für eine teilnehmende Person</translation>
+    </message>
+    <message>
+        <source>Next con&amp;dition</source>
+        <translation>Nächste Bedin&amp;gung</translation>
+    </message>
+    <message>
+        <source>Show the next condition of the sitting, or end it after the last</source>
+        <translation>Die nächste Bedingung der Sitzung zeigen oder sie nach der letzten beenden</translation>
+    </message>
+    <message>
+        <source>End sittin&amp;g</source>
+        <translation>Sitzung &amp;beenden</translation>
+    </message>
+    <message>
+        <source>End the sitting before all conditions were shown</source>
+        <translation>Die Sitzung beenden, bevor alle Bedingungen gezeigt wurden</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2005,6 +2037,14 @@
     <message>
         <source>settings options configure language theme</source>
         <translation>Optionen konfigurieren Sprache Farben</translation>
+    </message>
+    <message>
+        <source>compare same camera series next scan lock</source>
+        <translation>vergleichen gleiche Kamera Serie nächster Scan festhalten</translation>
+    </message>
+    <message>
+        <source>experiment participant trial blind randomize</source>
+        <translation>Experiment Versuch Teilnehmer Durchgang blind zufällig</translation>
     </message>
 </context>
 <context>
@@ -2721,6 +2761,10 @@
         <source>Vertical exaggeration</source>
         <translation>Überhöhung</translation>
     </message>
+    <message>
+        <source>Size of the samples</source>
+        <translation>Größe der Abtastwerte</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ExportController</name>
@@ -3234,6 +3278,29 @@
     <message>
         <source>height</source>
         <translation>Höhe</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HomingPicture</name>
+    <message>
+        <source>What to do with the grip</source>
+        <translation>Was mit dem Griff zu tun ist</translation>
+    </message>
+    <message>
+        <source>Push the grip all the way in. The light is red.</source>
+        <translation>Drücken Sie den Griff ganz hinein. Das Licht ist rot.</translation>
+    </message>
+    <message>
+        <source>Pull the grip all the way out. The light is blue.</source>
+        <translation>Ziehen Sie den Griff ganz heraus. Das Licht ist blau.</translation>
+    </message>
+    <message>
+        <source>The grip&apos;s place is known. The light is blue.</source>
+        <translation>Der Ort des Griffs ist bekannt. Das Licht ist blau.</translation>
+    </message>
+    <message>
+        <source>Nothing to do with the grip yet.</source>
+        <translation>Mit dem Griff ist noch nichts zu tun.</translation>
     </message>
 </context>
 <context>
@@ -4417,14 +4484,6 @@
         <translation>Breite und Höhe eines Videos müssen gerade sein. Nichts wurde gemacht.</translation>
     </message>
     <message>
-        <source>A video&apos;s stereo must be grey, half or dubois. Nothing was made.</source>
-        <translation>Das Stereo eines Videos muss grey, half oder dubois sein. Nichts wurde gemacht.</translation>
-    </message>
-    <message>
-        <source>The profile talk halves the colours&apos; size, which mixes the two eyes of an anaglyph. Choose the profile anaglyph or archive. Nothing was made.</source>
-        <translation>Das Profil talk halbiert die Größe der Farben und mischt so die beiden Augen eines Anaglyphenbilds. Wählen Sie das Profil anaglyph oder archive. Nichts wurde gemacht.</translation>
-    </message>
-    <message>
         <source>A video needs a recording or a camera path. Nothing was made.</source>
         <translation>Ein Video braucht eine Aufzeichnung oder einen Kamerapfad. Nichts wurde gemacht.</translation>
     </message>
@@ -5105,10 +5164,6 @@
         <translation>Voriger Ort</translation>
     </message>
     <message>
-        <source>Beacon</source>
-        <translation>Leuchtfeuer</translation>
-    </message>
-    <message>
         <source>Help</source>
         <translation>Hilfe</translation>
     </message>
@@ -5407,14 +5462,6 @@
     <message>
         <source>Hold the grip loosely: six small nudges of half a newton.</source>
         <translation>Halten Sie den Griff locker: sechs kleine Stöße von einem halben Newton.</translation>
-    </message>
-    <message>
-        <source>Move the grip all round and press each of the four buttons.</source>
-        <translation>Bewegen Sie den Griff rundherum und drücken Sie jeden der vier Knöpfe.</translation>
-    </message>
-    <message>
-        <source>Move the grip all round and press each of the four buttons. Still missing: %1.</source>
-        <translation>Bewegen Sie den Griff rundherum und drücken Sie jeden der vier Knöpfe. Es fehlen noch: %1.</translation>
     </message>
     <message>
         <source>The self test passed.</source>
@@ -7185,8 +7232,96 @@
         <translation>Betrachten oder fühlen</translation>
     </message>
     <message>
-        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus: look or touch; for two seconds: help; for five: introduction.</source>
-        <translation>Plus: feiner; lang: Detail und Maßstab. Minus: gröber; lang: ganzes Objekt. Vorwärts: verschieben; lang: Leuchtfeuer. Mitte: wo bin ich; lang: Kräfte aus oder an. Plus und Minus: Betrachten oder Fühlen; zwei Sekunden: Hilfe; fünf: Einführung.</translation>
+        <source>A pixel size is above 0 mm, and a height scale is not 0 mm.</source>
+        <translation>Ein Pixelabstand ist größer als 0 mm, und ein Höhenmaßstab ist nicht 0 mm.</translation>
+    </message>
+    <message>
+        <source>--every thins what is read into memory; a map by tiles (--memory) takes all points. Leave one of the two out.</source>
+        <translation>--every dünnt aus, was in den Speicher gelesen wird; eine Karte in Kacheln (--memory) nimmt alle Punkte. Lassen Sie eines von beiden weg.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no participant code: 1 to 32 letters, digits, &apos;-&apos; and &apos;_&apos;, and no name. Nothing was begun.</source>
+        <translation>„%1“ ist kein Teilnehmercode: 1 bis 32 Buchstaben, Ziffern, „-“ und „_“, und kein Name. Es wurde nichts begonnen.</translation>
+    </message>
+    <message>
+        <source>A sitting needs a note on the participant&apos;s consent. Nothing was begun.</source>
+        <translation>Eine Sitzung braucht eine Notiz zur Einwilligung der teilnehmenden Person. Es wurde nichts begonnen.</translation>
+    </message>
+    <message>
+        <source>A study has 2 to 26 conditions, each shown 1 to 100 times; this has {1|%1 condition|%1 conditions}, %2 times. Nothing was begun.</source>
+        <translation>Eine Studie hat 2 bis 26 Bedingungen, jede 1- bis 100-mal gezeigt; diese hat {1|%1 Bedingung|%1 Bedingungen}, %2-mal. Es wurde nichts begonnen.</translation>
+    </message>
+    <message>
+        <source>No folder for the sitting could be made in %1: %2. Nothing was begun. Choose another folder.</source>
+        <translation>In %1 konnte kein Ordner für die Sitzung angelegt werden: %2. Es wurde nichts begonnen. Wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The profile talk halves the colours&apos; size, which mixes the two eyes of an anaglyph and of alternate rows. Choose the profile anaglyph or archive. Nothing was made.</source>
+        <translation>Das Profil talk halbiert die Größe der Farben, was die beiden Augen eines Anaglyphen und abwechselnder Zeilen vermischt. Wählen Sie das Profil anaglyph oder archive. Es wurde nichts erzeugt.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its %2 points need about %3 of memory; %4 are free. Nothing was loaded. Load one point in %5 (--every %5), about %6, or make the map by tiles (--memory).</source>
+        <translation>%1 kann nicht gelesen werden: seine %2 Punkte brauchen etwa %3 Speicher; %4 sind frei. Es wurde nichts geladen. Laden Sie einen von %5 Punkten (--every %5), etwa %6, oder machen Sie die Karte in Kacheln (--memory).</translation>
+    </message>
+    <message>
+        <source>The scan needs about %3 of memory, and %4 are free. Press Control and Enter to load one point in %5.</source>
+        <translation>Der Scan braucht etwa %3 Speicher, %4 sind frei. Mit Steuerung und Eingabe wird einer von %5 Punkten geladen.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its %2 corners need about %3 of memory; %4 are free. Nothing was loaded. Close other programs, or simplify the mesh first.</source>
+        <translation>%1 kann nicht gelesen werden: seine %2 Ecken brauchen etwa %3 Speicher; %4 sind frei. Es wurde nichts geladen. Schließen Sie andere Programme, oder vereinfachen Sie das Netz vorher.</translation>
+    </message>
+    <message>
+        <source>--every: %1 has faces, which need all of its points. Nothing was loaded. Leave the option out, or simplify the mesh first.</source>
+        <translation>--every: %1 hat Flächen, die alle seine Punkte brauchen. Es wurde nichts geladen. Lassen Sie die Option weg, oder vereinfachen Sie das Netz vorher.</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: marker. Centre: where am I; long: forces off or on. Plus and Minus: look or touch; for two seconds: help; for five: introduction.</source>
+        <translation>Plus: feiner; lang: Detail und Maßstab. Minus: gröber; lang: ganzes Objekt. Vorwärts: verschieben; lang: Markierung. Mitte: wo bin ich; lang: Kräfte aus oder an. Plus und Minus: Betrachten oder Fühlen; zwei Sekunden: Hilfe; fünf: Einführung.</translation>
+    </message>
+    <message>
+        <source>Edges: the hand reached %1 mm right, %2 left, %3 up, %4 down, %5 out and %6 in.</source>
+        <translation>Ränder: die Hand kam %1 mm nach rechts, %2 nach links, %3 nach oben, %4 nach unten, %5 heraus und %6 hinein.</translation>
+    </message>
+    <message>
+        <source>Edges: the hand reached %1 mm right, %2 left, %3 up, %4 down, %5 out and %6 in; not to the end: %7.</source>
+        <translation>Ränder: die Hand kam %1 mm nach rechts, %2 nach links, %3 nach oben, %4 nach unten, %5 heraus und %6 hinein; nicht bis zum Ende: %7.</translation>
+    </message>
+    <message>
+        <source>right side</source>
+        <translation>rechte Seite</translation>
+    </message>
+    <message>
+        <source>left side</source>
+        <translation>linke Seite</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>heraus</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>hinein</translation>
+    </message>
+    <message>
+        <source>Move the grip to its end on every side and press each of the four buttons.</source>
+        <translation>Bewegen Sie den Griff auf jeder Seite bis zum Ende und drücken Sie jeden der vier Knöpfe.</translation>
+    </message>
+    <message>
+        <source>Move the grip to its end on every side and press each of the four buttons. Still missing: %1.</source>
+        <translation>Bewegen Sie den Griff auf jeder Seite bis zum Ende und drücken Sie jeden der vier Knöpfe. Es fehlen noch: %1.</translation>
     </message>
     <message>
         <source>Cannot read %1: it is %2; this version reads scans as %3, and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Convert it to one of these, or choose another file.</source>
@@ -7336,6 +7471,18 @@
         <source>Prepare</source>
         <translation>Aufbereiten</translation>
     </message>
+    <message>
+        <source>The next file is seen like this one.</source>
+        <translation>Die nächste Datei wird wie diese gezeigt.</translation>
+    </message>
+    <message>
+        <source>The next file is seen from its own best side.</source>
+        <translation>Die nächste Datei wird von ihrer besten Seite gezeigt.</translation>
+    </message>
+    <message>
+        <source>&amp;Load one point in %1</source>
+        <translation>&amp;Einen von %1 Punkten laden</translation>
+    </message>
 </context>
 <context>
     <name>relievo::OverviewInset</name>
@@ -7482,16 +7629,8 @@
 <context>
     <name>relievo::PlaceController</name>
     <message>
-        <source>Beacon %1</source>
-        <translation>Leuchtfeuer %1</translation>
-    </message>
-    <message>
         <source>%1 removed.</source>
         <translation>%1 entfernt.</translation>
-    </message>
-    <message>
-        <source>There are %1 beacons already. Remove one first.</source>
-        <translation>Es gibt schon %1 Leuchtfeuer. Entfernen Sie zuerst eines.</translation>
     </message>
     <message>
         <source>%1 set.</source>
@@ -7524,6 +7663,18 @@
     <message>
         <source>The copied view is shown. Detail %1 of %2</source>
         <translation>Die kopierte Ansicht wird gezeigt. Detail %1 von %2</translation>
+    </message>
+    <message>
+        <source>Marker %1</source>
+        <translation>Markierung %1</translation>
+    </message>
+    <message>
+        <source>There are %1 markers already. Remove one first.</source>
+        <translation>Es gibt schon %1 Markierungen. Entfernen Sie erst eine.</translation>
+    </message>
+    <message>
+        <source>%1 is in the window already.</source>
+        <translation>%1 ist schon im Ausschnitt.</translation>
     </message>
 </context>
 <context>
@@ -7814,14 +7965,6 @@
         <translation>Stereo</translation>
     </message>
     <message>
-        <source>Kind of anaglyph</source>
-        <translation>Art der Anaglyphe</translation>
-    </message>
-    <message>
-        <source>What stereo starts with: grey, half colour or Dubois</source>
-        <translation>Womit Stereo beginnt: grau, halbfarbig oder Dubois</translation>
-    </message>
-    <message>
         <source>Grey</source>
         <translation>Grau</translation>
     </message>
@@ -8004,6 +8147,26 @@
     <message>
         <source>zooms out</source>
         <translation>zoomt heraus</translation>
+    </message>
+    <message>
+        <source>Kind of stereo</source>
+        <translation>Art des Stereos</translation>
+    </message>
+    <message>
+        <source>What stereo starts with: an anaglyph for red and cyan glasses, or pictures for a screen that shows each eye its own</source>
+        <translation>Womit Stereo beginnt: mit einem Anaglyphen für Rot-Cyan-Brillen oder mit Bildern für einen Bildschirm, der jedem Auge das seine zeigt</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Over and under</source>
+        <translation>Übereinander</translation>
+    </message>
+    <message>
+        <source>Interlaced</source>
+        <translation>Zeilenweise</translation>
     </message>
 </context>
 <context>
@@ -8621,6 +8784,89 @@
             <numerusform>%n Datei, die dieses Projekt nennt, wurde nicht gelesen. Sie bleibt darin genannt und wird für kein Paket und keine Abbildung angeboten.</numerusform>
             <numerusform>%n Dateien, die dieses Projekt nennt, wurden nicht gelesen. Sie bleiben darin genannt und werden für kein Paket und keine Abbildung angeboten.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>This picture of heights does not say how large it is. Shown with pixels of %1 mm and steps of %2 mm: %3.</source>
+        <translation>Dieses Bild von Höhen sagt nicht, wie groß es ist. Gezeigt mit Pixeln von %1 mm und Stufen von %2 mm: %3.</translation>
+    </message>
+    <message>
+        <source>The steps are a guess: with 1 mm it would be higher than it is long.</source>
+        <translation>Die Stufen sind eine Vermutung: mit 1 mm wäre es höher als lang.</translation>
+    </message>
+    <message>
+        <source>Both are a guess.</source>
+        <translation>Beides ist eine Vermutung.</translation>
+    </message>
+    <message>
+        <source>&amp;Say how large…</source>
+        <translation>&amp;Größe angeben…</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it so</source>
+        <translation>So &amp;lassen</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::RasterScaleDialog</name>
+    <message>
+        <source>Distance of the pixels</source>
+        <translation>Abstand der Pixel</translation>
+    </message>
+    <message>
+        <source>From one sample to the next, on the object</source>
+        <translation>Von einem Abtastwert zum nächsten, am Objekt</translation>
+    </message>
+    <message>
+        <source>Height of a step</source>
+        <translation>Höhe einer Stufe</translation>
+    </message>
+    <message>
+        <source>By how much the surface rises where the value grows by 1</source>
+        <translation>Um wie viel die Oberfläche steigt, wo der Wert um 1 wächst</translation>
+    </message>
+    <message>
+        <source>Value on the base plane</source>
+        <translation>Wert auf der Grundebene</translation>
+    </message>
+    <message>
+        <source>Samples with this value lie at height 0, lower ones below it</source>
+        <translation>Abtastwerte mit diesem Wert liegen auf der Höhe 0, niedrigere darunter</translation>
+    </message>
+    <message>
+        <source>&amp;Larger values lie deeper</source>
+        <translation>&amp;Größere Werte liegen tiefer</translation>
+    </message>
+    <message>
+        <source>&amp;Base plane at the value</source>
+        <translation>G&amp;rundebene beim Wert</translation>
+    </message>
+    <message>
+        <source>Size of the samples</source>
+        <translation>Größe der Abtastwerte</translation>
+    </message>
+    <message>
+        <source>As in pictures of distances from a camera</source>
+        <translation>Wie in Bildern von Abständen zu einer Kamera</translation>
+    </message>
+    <message>
+        <source>Otherwise it is the lowest sample</source>
+        <translation>Sonst ist es der niedrigste Abtastwert</translation>
+    </message>
+    <message>
+        <source>Size that follows</source>
+        <translation>Größe, die sich ergibt</translation>
+    </message>
+    <message>
+        <source>&amp;Distance of the pixels</source>
+        <translation>&amp;Abstand der Pixel</translation>
+    </message>
+    <message>
+        <source>&amp;Height of a step of 1</source>
+        <translation>&amp;Höhe einer Stufe von 1</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
     </message>
 </context>
 <context>
@@ -9488,10 +9734,6 @@
 <context>
     <name>relievo::StereoPanel</name>
     <message>
-        <source>Red/cyan &amp;anaglyph</source>
-        <translation>Rot-&amp;cyane Anaglyphe</translation>
-    </message>
-    <message>
         <source>At mi&amp;d height</source>
         <translation>A&amp;uf mittlerer Höhe</translation>
     </message>
@@ -9502,22 +9744,6 @@
     <message>
         <source>&amp;Keep comfortable</source>
         <translation>Angenehm ha&amp;lten</translation>
-    </message>
-    <message>
-        <source>Red and cyan anaglyph</source>
-        <translation>Rot-cyane Anaglyphe</translation>
-    </message>
-    <message>
-        <source>For red and cyan glasses (Ctrl+3)</source>
-        <translation>Für rot-cyane Brillen (Strg+3)</translation>
-    </message>
-    <message>
-        <source>Kind of anaglyph</source>
-        <translation>Art der Anaglyphe</translation>
-    </message>
-    <message>
-        <source>Grey: no colour fights with the glasses. Half colour: some colour. Dubois: least ghosts by the filters of common glasses</source>
-        <translation>Grau: keine Farbe stört sich an der Brille. Halbfarbig: etwas Farbe. Dubois: die wenigsten Geisterbilder durch die Filter üblicher Brillen</translation>
     </message>
     <message>
         <source>Grey</source>
@@ -9626,6 +9852,180 @@
     <message>
         <source>%1, automatic</source>
         <translation>%1, automatisch</translation>
+    </message>
+    <message>
+        <source>Show in &amp;stereo</source>
+        <translation>In &amp;Stereo zeigen</translation>
+    </message>
+    <message>
+        <source>Show in stereo</source>
+        <translation>In Stereo zeigen</translation>
+    </message>
+    <message>
+        <source>For red and cyan glasses, or for a screen for two eyes (Ctrl+3)</source>
+        <translation>Für Rot-Cyan-Brillen oder für einen Bildschirm für zwei Augen (Strg+3)</translation>
+    </message>
+    <message>
+        <source>Kind of stereo</source>
+        <translation>Art des Stereos</translation>
+    </message>
+    <message>
+        <source>Grey: no colour fights with the glasses. Half colour: some colour. Dubois: least ghosts by the filters of common glasses. The others are for screens that show each eye its own half or rows; F11 gives them the whole screen</source>
+        <translation>Grau: keine Farbe streitet mit der Brille. Halbfarbe: etwas Farbe. Dubois: am wenigsten Geisterbilder nach den Filtern üblicher Brillen. Die anderen sind für Bildschirme, die jedem Auge seine Hälfte oder seine Zeilen zeigen; F11 gibt ihnen den ganzen Bildschirm</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Over and under</source>
+        <translation>Übereinander</translation>
+    </message>
+    <message>
+        <source>Interlaced</source>
+        <translation>Zeilenweise</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StudyController</name>
+    <message>
+        <source>Stop the recording first (Ctrl+R): it belongs to this condition.</source>
+        <translation>Beenden Sie erst die Aufnahme (Strg+R): sie gehört zu dieser Bedingung.</translation>
+    </message>
+    <message>
+        <source>Condition %1</source>
+        <translation>Bedingung %1</translation>
+    </message>
+    <message>
+        <source>Condition %1, %2 of %3.</source>
+        <translation>Bedingung %1, %2 von %3.</translation>
+    </message>
+    <message>
+        <source>All %1 conditions were shown. The sitting is in %2.</source>
+        <translation>Alle %1 Bedingungen wurden gezeigt. Die Sitzung ist in %2.</translation>
+    </message>
+    <message>
+        <source>The sitting ended after %1 of %2 conditions. It is in %3.</source>
+        <translation>Die Sitzung endete nach %1 von %2 Bedingungen. Sie ist in %3.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StudyDialog</name>
+    <message>
+        <source>Participant code</source>
+        <translation>Teilnehmercode</translation>
+    </message>
+    <message>
+        <source>Letters, digits, - and _; no name. Who has which code is kept elsewhere</source>
+        <translation>Buchstaben, Ziffern, - und _; kein Name. Wer welchen Code hat, wird anderswo verwahrt</translation>
+    </message>
+    <message>
+        <source>Note on the consent</source>
+        <translation>Notiz zur Einwilligung</translation>
+    </message>
+    <message>
+        <source>What was agreed to, when and how, as: form 3, signed 24 November</source>
+        <translation>Worin wann und wie eingewilligt wurde, etwa: Formular 3, unterschrieben am 24. November</translation>
+    </message>
+    <message>
+        <source>Folder of the study</source>
+        <translation>Ordner der Studie</translation>
+    </message>
+    <message>
+        <source>Each participant gets a folder in it, and each sitting one in that</source>
+        <translation>Jede teilnehmende Person bekommt darin einen Ordner und jede Sitzung darin wieder einen</translation>
+    </message>
+    <message>
+        <source>The participant has a&amp;greed</source>
+        <translation>Die teilnehmende Person hat ein&amp;gewilligt</translation>
+    </message>
+    <message>
+        <source>Sitting of a study</source>
+        <translation>Sitzung einer Studie</translation>
+    </message>
+    <message>
+        <source>To be asked before every sitting</source>
+        <translation>Vor jeder Sitzung zu fragen</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Places with names, each with its detail and exaggeration. They are shown in random order, under letters</source>
+        <translation>Benannte Stellen, jede mit ihrem Detail und ihrer Überhöhung. Sie werden in zufälliger Reihenfolge unter Buchstaben gezeigt</translation>
+    </message>
+    <message>
+        <source>How often each condition is shown</source>
+        <translation>Wie oft jede Bedingung gezeigt wird</translation>
+    </message>
+    <message>
+        <source>All once in random order, then all again in another one</source>
+        <translation>Alle einmal in zufälliger Reihenfolge, dann alle noch einmal in einer anderen</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>&amp;Beginnen</translation>
+    </message>
+    <message>
+        <source>B&amp;rowse…</source>
+        <translation>Du&amp;rchsuchen…</translation>
+    </message>
+    <message>
+        <source>Browse</source>
+        <translation>Durchsuchen</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>Einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Participant code</source>
+        <translation>&amp;Teilnehmercode</translation>
+    </message>
+    <message>
+        <source>&amp;Note on the consent</source>
+        <translation>&amp;Notiz zur Einwilligung</translation>
+    </message>
+    <message>
+        <source>&amp;Conditions</source>
+        <translation>Be&amp;dingungen</translation>
+    </message>
+    <message>
+        <source>&amp;Each shown</source>
+        <translation>&amp;Jede gezeigt</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of the study</source>
+        <translation>&amp;Ordner der Studie</translation>
+    </message>
+    <message>
+        <source>A study needs at least two places with names: Surface &gt; Name this place.</source>
+        <translation>Eine Studie braucht mindestens zwei benannte Stellen: Oberfläche &gt; Diese Stelle benennen.</translation>
+    </message>
+    <message>
+        <source>The code has 1 to 32 letters, digits, - and _.</source>
+        <translation>Der Code hat 1 bis 32 Buchstaben, Ziffern, - und _.</translation>
+    </message>
+    <message>
+        <source>Nothing begins before the participant has agreed.</source>
+        <translation>Nichts beginnt, bevor die teilnehmende Person eingewilligt hat.</translation>
+    </message>
+    <message>
+        <source>Note what was agreed to.</source>
+        <translation>Notieren Sie, worin eingewilligt wurde.</translation>
+    </message>
+    <message>
+        <source>Choose at least two conditions.</source>
+        <translation>Wählen Sie mindestens zwei Bedingungen.</translation>
+    </message>
+    <message>
+        <source>Choose at most 26 conditions: they have letters.</source>
+        <translation>Wählen Sie höchstens 26 Bedingungen: sie haben Buchstaben.</translation>
+    </message>
+    <message>
+        <source>Choose a folder.</source>
+        <translation>Wählen Sie einen Ordner.</translation>
     </message>
 </context>
 <context>
@@ -10397,6 +10797,18 @@
     <message>
         <source>For glasses whose red filter is at the right eye</source>
         <translation>Für Brillen mit dem roten Filter am rechten Auge</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Over and under</source>
+        <translation>Übereinander</translation>
+    </message>
+    <message>
+        <source>Interlaced</source>
+        <translation>Zeilenweise</translation>
     </message>
 </context>
 <context>

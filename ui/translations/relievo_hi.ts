@@ -1220,14 +1220,6 @@
         <translation>उभार को सीधे ऊपर से देखें, दृश्य में समाया हुआ</translation>
     </message>
     <message>
-        <source>&amp;Stereo (red/cyan)</source>
-        <translation>स्टीरियो (लाल/सियान) (&amp;S)</translation>
-    </message>
-    <message>
-        <source>Anaglyph for red and cyan glasses</source>
-        <translation>लाल-सियान चश्मे के लिए एनाग्लिफ़</translation>
-    </message>
-    <message>
         <source>Stereo</source>
         <translation>स्टीरियो</translation>
     </message>
@@ -1564,14 +1556,6 @@
         <translation>इससे पहले की नाम वाली जगह पर जाएँ</translation>
     </message>
     <message>
-        <source>&amp;Beacon here</source>
-        <translation>यहाँ संकेतक (&amp;B)</translation>
-    </message>
-    <message>
-        <source>Mark the place under the hand, or remove the beacon there</source>
-        <translation>हाथ के नीचे की जगह चिह्नित करें, या वहाँ का संकेतक हटाएँ</translation>
-    </message>
-    <message>
         <source>Prep&amp;are…</source>
         <translation>तैयार करें (&amp;A)…</translation>
     </message>
@@ -1871,6 +1855,54 @@
         <source>Save &amp;video…</source>
         <translation>वीडियो सहेजें… (&amp;V)</translation>
     </message>
+    <message>
+        <source>Keep view and &amp;zoom for next file</source>
+        <translation>अगली फ़ाइल के लिए दृश्य और ज़ूम रखें (&amp;Z)</translation>
+    </message>
+    <message>
+        <source>The next file is seen from the same side, turned and placed alike; Ctrl while dropping it does the same once</source>
+        <translation>अगली फ़ाइल उसी ओर से, उतनी ही घुमाई हुई और उसी जगह पर दिखेगी; छोड़ते समय Ctrl यही एक बार करता है</translation>
+    </message>
+    <message>
+        <source>&amp;Stereo</source>
+        <translation>स्टीरियो (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Depth for two eyes: red and cyan glasses, or a screen for stereo</source>
+        <translation>दो आँखों के लिए गहराई: लाल-सियान चश्मा, या स्टीरियो पर्दा</translation>
+    </message>
+    <message>
+        <source>Mar&amp;ker here</source>
+        <translation>यहाँ चिह्न (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Mark the place under the hand, or remove the marker there</source>
+        <translation>हाथ के नीचे की जगह पर चिह्न लगाएँ, या वहाँ का चिह्न हटाएँ</translation>
+    </message>
+    <message>
+        <source>Begin s&amp;itting of a study…</source>
+        <translation>अध्ययन का सत्र शुरू करें… (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Places as conditions in random order, under letters, for one participant</source>
+        <translation>एक प्रतिभागी के लिए, जगहें शर्तों के रूप में, यादृच्छिक क्रम में और अक्षरों के नाम से</translation>
+    </message>
+    <message>
+        <source>Next con&amp;dition</source>
+        <translation>अगली शर्त (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show the next condition of the sitting, or end it after the last</source>
+        <translation>सत्र की अगली शर्त दिखाएँ, या अंतिम के बाद सत्र समाप्त करें</translation>
+    </message>
+    <message>
+        <source>End sittin&amp;g</source>
+        <translation>सत्र समाप्त करें (&amp;G)</translation>
+    </message>
+    <message>
+        <source>End the sitting before all conditions were shown</source>
+        <translation>सभी शर्तें दिखाने से पहले सत्र समाप्त करें</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2005,6 +2037,14 @@
     <message>
         <source>settings options configure language theme</source>
         <translation>विकल्प विन्यास भाषा रंग</translation>
+    </message>
+    <message>
+        <source>compare same camera series next scan lock</source>
+        <translation>तुलना वही कैमरा शृंखला अगला स्कैन</translation>
+    </message>
+    <message>
+        <source>experiment participant trial blind randomize</source>
+        <translation>प्रयोग प्रतिभागी परीक्षण यादृच्छिक</translation>
     </message>
 </context>
 <context>
@@ -2721,6 +2761,10 @@
         <source>Vertical exaggeration</source>
         <translation>ऊर्ध्व अतिरंजन</translation>
     </message>
+    <message>
+        <source>Size of the samples</source>
+        <translation>नमूनों का आकार</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ExportController</name>
@@ -3234,6 +3278,29 @@
     <message>
         <source>height</source>
         <translation>ऊँचाई</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HomingPicture</name>
+    <message>
+        <source>What to do with the grip</source>
+        <translation>पकड़ के साथ क्या करना है</translation>
+    </message>
+    <message>
+        <source>Push the grip all the way in. The light is red.</source>
+        <translation>पकड़ को पूरा अंदर धकेलें। बत्ती लाल है।</translation>
+    </message>
+    <message>
+        <source>Pull the grip all the way out. The light is blue.</source>
+        <translation>पकड़ को पूरा बाहर खींचें। बत्ती नीली है।</translation>
+    </message>
+    <message>
+        <source>The grip&apos;s place is known. The light is blue.</source>
+        <translation>पकड़ की जगह मालूम है। बत्ती नीली है।</translation>
+    </message>
+    <message>
+        <source>Nothing to do with the grip yet.</source>
+        <translation>पकड़ के साथ अभी कुछ नहीं करना है।</translation>
     </message>
 </context>
 <context>
@@ -4417,14 +4484,6 @@
         <translation>वीडियो की चौड़ाई और ऊँचाई सम संख्याएँ होनी चाहिए। कुछ नहीं बना।</translation>
     </message>
     <message>
-        <source>A video&apos;s stereo must be grey, half or dubois. Nothing was made.</source>
-        <translation>वीडियो का स्टीरियो grey, half या dubois होना चाहिए। कुछ नहीं बना।</translation>
-    </message>
-    <message>
-        <source>The profile talk halves the colours&apos; size, which mixes the two eyes of an anaglyph. Choose the profile anaglyph or archive. Nothing was made.</source>
-        <translation>प्रोफ़ाइल talk रंगों का आकार आधा करती है, जिससे एनाग्लिफ़ की दोनों आँखें मिल जाती हैं। प्रोफ़ाइल anaglyph या archive चुनें। कुछ नहीं बना।</translation>
-    </message>
-    <message>
         <source>A video needs a recording or a camera path. Nothing was made.</source>
         <translation>वीडियो को रिकॉर्डिंग या कैमरा पथ चाहिए। कुछ नहीं बना।</translation>
     </message>
@@ -5105,10 +5164,6 @@
         <translation>पिछला स्थान</translation>
     </message>
     <message>
-        <source>Beacon</source>
-        <translation>संकेतक</translation>
-    </message>
-    <message>
         <source>Help</source>
         <translation>सहायता</translation>
     </message>
@@ -5407,14 +5462,6 @@
     <message>
         <source>Hold the grip loosely: six small nudges of half a newton.</source>
         <translation>ग्रिप को ढीला पकड़ें: आधे न्यूटन के छह छोटे धक्के।</translation>
-    </message>
-    <message>
-        <source>Move the grip all round and press each of the four buttons.</source>
-        <translation>ग्रिप को चारों ओर घुमाएँ और चारों बटन दबाएँ।</translation>
-    </message>
-    <message>
-        <source>Move the grip all round and press each of the four buttons. Still missing: %1.</source>
-        <translation>ग्रिप को चारों ओर घुमाएँ और चारों बटन दबाएँ। अभी बाकी: %1।</translation>
     </message>
     <message>
         <source>The self test passed.</source>
@@ -7185,8 +7232,96 @@
         <translation>देखना या स्पर्श</translation>
     </message>
     <message>
-        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus: look or touch; for two seconds: help; for five: introduction.</source>
-        <translation>प्लस: बारीक; देर तक: विवरण और पैमाना। माइनस: मोटा; देर तक: पूरी वस्तु। आगे: खिसकाना; देर तक: संकेतक। बीच: मैं कहाँ हूँ; देर तक: बल बंद या चालू। प्लस और माइनस: देखना या स्पर्श; दो सेकंड: सहायता; पाँच: परिचय।</translation>
+        <source>A pixel size is above 0 mm, and a height scale is not 0 mm.</source>
+        <translation>पिक्सेल का आकार 0 mm से अधिक होता है, और ऊँचाई का पैमाना 0 mm नहीं होता।</translation>
+    </message>
+    <message>
+        <source>--every thins what is read into memory; a map by tiles (--memory) takes all points. Leave one of the two out.</source>
+        <translation>--every उसे विरल करता है जो स्मृति में पढ़ा जाता है; टाइलों वाला मानचित्र (--memory) सभी बिंदु लेता है। दोनों में से एक छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no participant code: 1 to 32 letters, digits, &apos;-&apos; and &apos;_&apos;, and no name. Nothing was begun.</source>
+        <translation>&apos;%1&apos; प्रतिभागी कोड नहीं है: 1 से 32 अक्षर, अंक, &apos;-&apos; और &apos;_&apos;, और कोई नाम नहीं। कुछ शुरू नहीं हुआ।</translation>
+    </message>
+    <message>
+        <source>A sitting needs a note on the participant&apos;s consent. Nothing was begun.</source>
+        <translation>सत्र के लिए प्रतिभागी की सहमति पर टिप्पणी चाहिए। कुछ शुरू नहीं हुआ।</translation>
+    </message>
+    <message>
+        <source>A study has 2 to 26 conditions, each shown 1 to 100 times; this has {1|%1 condition|%1 conditions}, %2 times. Nothing was begun.</source>
+        <translation>अध्ययन में 2 से 26 शर्तें होती हैं, हर एक 1 से 100 बार; इसमें %1 शर्तें हैं, %2 बार। कुछ शुरू नहीं हुआ।</translation>
+    </message>
+    <message>
+        <source>No folder for the sitting could be made in %1: %2. Nothing was begun. Choose another folder.</source>
+        <translation>%1 में सत्र का फ़ोल्डर नहीं बन सका: %2। कुछ शुरू नहीं हुआ। दूसरा फ़ोल्डर चुनें।</translation>
+    </message>
+    <message>
+        <source>The profile talk halves the colours&apos; size, which mixes the two eyes of an anaglyph and of alternate rows. Choose the profile anaglyph or archive. Nothing was made.</source>
+        <translation>प्रोफ़ाइल talk रंगों का आकार आधा करती है, जिससे एनाग्लिफ़ की और बारी-बारी की पंक्तियों की दोनों आँखें मिल जाती हैं। प्रोफ़ाइल anaglyph या archive चुनें। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its %2 points need about %3 of memory; %4 are free. Nothing was loaded. Load one point in %5 (--every %5), about %6, or make the map by tiles (--memory).</source>
+        <translation>%1 नहीं पढ़ी जा सकती: इसके %2 बिंदुओं को लगभग %3 स्मृति चाहिए; %4 खाली है। कुछ लोड नहीं हुआ। %5 में से एक बिंदु लोड करें (--every %5), लगभग %6, या मानचित्र टाइलों से बनाएँ (--memory)।</translation>
+    </message>
+    <message>
+        <source>The scan needs about %3 of memory, and %4 are free. Press Control and Enter to load one point in %5.</source>
+        <translation>स्कैन को लगभग %3 स्मृति चाहिए, और %4 खाली है। %5 में से एक बिंदु लोड करने के लिए कंट्रोल और एंटर दबाएँ।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its %2 corners need about %3 of memory; %4 are free. Nothing was loaded. Close other programs, or simplify the mesh first.</source>
+        <translation>%1 नहीं पढ़ी जा सकती: इसके %2 कोनों को लगभग %3 स्मृति चाहिए; %4 खाली है। कुछ लोड नहीं हुआ। दूसरे प्रोग्राम बंद करें, या पहले जाल को सरल करें।</translation>
+    </message>
+    <message>
+        <source>--every: %1 has faces, which need all of its points. Nothing was loaded. Leave the option out, or simplify the mesh first.</source>
+        <translation>--every: %1 में फलक हैं, जिन्हें इसके सभी बिंदु चाहिए। कुछ लोड नहीं हुआ। विकल्प छोड़ दें, या पहले जाल को सरल करें।</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>चिह्न</translation>
+    </message>
+    <message>
+        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: marker. Centre: where am I; long: forces off or on. Plus and Minus: look or touch; for two seconds: help; for five: introduction.</source>
+        <translation>प्लस: बारीक; देर तक: विवरण और पैमाना। माइनस: मोटा; देर तक: पूरी वस्तु। आगे: खिसकाना; देर तक: चिह्न। बीच: मैं कहाँ हूँ; देर तक: बल बंद या चालू। प्लस और माइनस: देखना या स्पर्श; दो सेकंड: सहायता; पाँच: परिचय।</translation>
+    </message>
+    <message>
+        <source>Edges: the hand reached %1 mm right, %2 left, %3 up, %4 down, %5 out and %6 in.</source>
+        <translation>किनारे: हाथ %1 mm दाएँ, %2 बाएँ, %3 ऊपर, %4 नीचे, %5 बाहर और %6 अंदर तक पहुँचा।</translation>
+    </message>
+    <message>
+        <source>Edges: the hand reached %1 mm right, %2 left, %3 up, %4 down, %5 out and %6 in; not to the end: %7.</source>
+        <translation>किनारे: हाथ %1 mm दाएँ, %2 बाएँ, %3 ऊपर, %4 नीचे, %5 बाहर और %6 अंदर तक पहुँचा; अंत तक नहीं: %7।</translation>
+    </message>
+    <message>
+        <source>right side</source>
+        <translation>दाईं ओर</translation>
+    </message>
+    <message>
+        <source>left side</source>
+        <translation>बाईं ओर</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>ऊपर</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>नीचे</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>बाहर</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>अंदर</translation>
+    </message>
+    <message>
+        <source>Move the grip to its end on every side and press each of the four buttons.</source>
+        <translation>पकड़ को हर ओर अंत तक ले जाएँ और चारों बटनों में से हर एक दबाएँ।</translation>
+    </message>
+    <message>
+        <source>Move the grip to its end on every side and press each of the four buttons. Still missing: %1.</source>
+        <translation>पकड़ को हर ओर अंत तक ले जाएँ और चारों बटनों में से हर एक दबाएँ। अभी बाक़ी: %1।</translation>
     </message>
     <message>
         <source>Cannot read %1: it is %2; this version reads scans as %3, and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Convert it to one of these, or choose another file.</source>
@@ -7336,6 +7471,18 @@
         <source>Prepare</source>
         <translation>तैयार करें</translation>
     </message>
+    <message>
+        <source>The next file is seen like this one.</source>
+        <translation>अगली फ़ाइल इसी की तरह दिखेगी।</translation>
+    </message>
+    <message>
+        <source>The next file is seen from its own best side.</source>
+        <translation>अगली फ़ाइल अपनी सबसे अच्छी ओर से दिखेगी।</translation>
+    </message>
+    <message>
+        <source>&amp;Load one point in %1</source>
+        <translation>%1 में से एक बिंदु लोड करें (&amp;L)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::OverviewInset</name>
@@ -7482,16 +7629,8 @@
 <context>
     <name>relievo::PlaceController</name>
     <message>
-        <source>Beacon %1</source>
-        <translation>संकेतक %1</translation>
-    </message>
-    <message>
         <source>%1 removed.</source>
         <translation>%1 हटाया गया।</translation>
-    </message>
-    <message>
-        <source>There are %1 beacons already. Remove one first.</source>
-        <translation>पहले से %1 संकेतक हैं। पहले एक हटाएँ।</translation>
     </message>
     <message>
         <source>%1 set.</source>
@@ -7524,6 +7663,18 @@
     <message>
         <source>The copied view is shown. Detail %1 of %2</source>
         <translation>कॉपी किया गया दृश्य दिखाया गया। विवरण %2 में से %1</translation>
+    </message>
+    <message>
+        <source>Marker %1</source>
+        <translation>चिह्न %1</translation>
+    </message>
+    <message>
+        <source>There are %1 markers already. Remove one first.</source>
+        <translation>पहले से %1 चिह्न हैं। पहले एक हटाएँ।</translation>
+    </message>
+    <message>
+        <source>%1 is in the window already.</source>
+        <translation>%1 पहले से विंडो में है।</translation>
     </message>
 </context>
 <context>
@@ -7814,14 +7965,6 @@
         <translation>स्टीरियो</translation>
     </message>
     <message>
-        <source>Kind of anaglyph</source>
-        <translation>एनाग्लिफ़ का प्रकार</translation>
-    </message>
-    <message>
-        <source>What stereo starts with: grey, half colour or Dubois</source>
-        <translation>स्टीरियो किससे शुरू हो: धूसर, अर्ध-रंग या Dubois</translation>
-    </message>
-    <message>
         <source>Grey</source>
         <translation>धूसर</translation>
     </message>
@@ -8004,6 +8147,26 @@
     <message>
         <source>zooms out</source>
         <translation>दूर ले जाता है</translation>
+    </message>
+    <message>
+        <source>Kind of stereo</source>
+        <translation>स्टीरियो का प्रकार</translation>
+    </message>
+    <message>
+        <source>What stereo starts with: an anaglyph for red and cyan glasses, or pictures for a screen that shows each eye its own</source>
+        <translation>स्टीरियो किससे शुरू होता है: लाल-सियान चश्मे के लिए एनाग्लिफ़, या ऐसे पर्दे के लिए चित्र जो हर आँख को अपना दिखाता है</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>अगल-बगल</translation>
+    </message>
+    <message>
+        <source>Over and under</source>
+        <translation>ऊपर-नीचे</translation>
+    </message>
+    <message>
+        <source>Interlaced</source>
+        <translation>पंक्ति-दर-पंक्ति</translation>
     </message>
 </context>
 <context>
@@ -8621,6 +8784,89 @@
             <numerusform>%n फ़ाइल, जिसका नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गई। उसका नाम इसमें बना रहता है, और वह किसी पैकेज या चित्र के लिए नहीं दी जाती।</numerusform>
             <numerusform>%n फ़ाइलें, जिनके नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गईं। उनके नाम इसमें बने रहते हैं, और वे किसी पैकेज या चित्र के लिए नहीं दी जातीं।</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>This picture of heights does not say how large it is. Shown with pixels of %1 mm and steps of %2 mm: %3.</source>
+        <translation>ऊँचाइयों का यह चित्र नहीं बताता कि वह कितना बड़ा है। %1 mm के पिक्सेल और %2 mm के चरणों के साथ दिखाया गया: %3।</translation>
+    </message>
+    <message>
+        <source>The steps are a guess: with 1 mm it would be higher than it is long.</source>
+        <translation>चरण एक अनुमान हैं: 1 mm से यह लंबाई से अधिक ऊँचा होता।</translation>
+    </message>
+    <message>
+        <source>Both are a guess.</source>
+        <translation>दोनों अनुमान हैं।</translation>
+    </message>
+    <message>
+        <source>&amp;Say how large…</source>
+        <translation>आकार बताएँ… (&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it so</source>
+        <translation>ऐसे ही रखें (&amp;K)</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::RasterScaleDialog</name>
+    <message>
+        <source>Distance of the pixels</source>
+        <translation>पिक्सेलों की दूरी</translation>
+    </message>
+    <message>
+        <source>From one sample to the next, on the object</source>
+        <translation>वस्तु पर, एक नमूने से अगले तक</translation>
+    </message>
+    <message>
+        <source>Height of a step</source>
+        <translation>एक चरण की ऊँचाई</translation>
+    </message>
+    <message>
+        <source>By how much the surface rises where the value grows by 1</source>
+        <translation>जहाँ मान 1 बढ़ता है वहाँ सतह कितनी उठती है</translation>
+    </message>
+    <message>
+        <source>Value on the base plane</source>
+        <translation>आधार तल पर मान</translation>
+    </message>
+    <message>
+        <source>Samples with this value lie at height 0, lower ones below it</source>
+        <translation>इस मान वाले नमूने ऊँचाई 0 पर हैं, उससे कम नीचे</translation>
+    </message>
+    <message>
+        <source>&amp;Larger values lie deeper</source>
+        <translation>बड़े मान गहरे हैं (&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Base plane at the value</source>
+        <translation>आधार तल इस मान पर (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Size of the samples</source>
+        <translation>नमूनों का आकार</translation>
+    </message>
+    <message>
+        <source>As in pictures of distances from a camera</source>
+        <translation>जैसे कैमरे से दूरियों के चित्रों में</translation>
+    </message>
+    <message>
+        <source>Otherwise it is the lowest sample</source>
+        <translation>अन्यथा सबसे नीचा नमूना</translation>
+    </message>
+    <message>
+        <source>Size that follows</source>
+        <translation>इससे बनने वाला आकार</translation>
+    </message>
+    <message>
+        <source>&amp;Distance of the pixels</source>
+        <translation>पिक्सेलों की दूरी (&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Height of a step of 1</source>
+        <translation>1 के चरण की ऊँचाई (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>आकार</translation>
     </message>
 </context>
 <context>
@@ -9488,10 +9734,6 @@
 <context>
     <name>relievo::StereoPanel</name>
     <message>
-        <source>Red/cyan &amp;anaglyph</source>
-        <translation>लाल/सियान एनाग्लिफ़ (&amp;A)</translation>
-    </message>
-    <message>
         <source>At mi&amp;d height</source>
         <translation>बीच की ऊँचाई पर (&amp;D)</translation>
     </message>
@@ -9502,22 +9744,6 @@
     <message>
         <source>&amp;Keep comfortable</source>
         <translation>आरामदायक रखें (&amp;K)</translation>
-    </message>
-    <message>
-        <source>Red and cyan anaglyph</source>
-        <translation>लाल-सियान एनाग्लिफ़</translation>
-    </message>
-    <message>
-        <source>For red and cyan glasses (Ctrl+3)</source>
-        <translation>लाल-सियान चश्मे के लिए (Ctrl+3)</translation>
-    </message>
-    <message>
-        <source>Kind of anaglyph</source>
-        <translation>एनाग्लिफ़ का प्रकार</translation>
-    </message>
-    <message>
-        <source>Grey: no colour fights with the glasses. Half colour: some colour. Dubois: least ghosts by the filters of common glasses</source>
-        <translation>धूसर: कोई रंग चश्मे से नहीं टकराता। अर्ध-रंग: कुछ रंग। Dubois: आम चश्मों के फ़िल्टरों से सबसे कम छाया-चित्र</translation>
     </message>
     <message>
         <source>Grey</source>
@@ -9626,6 +9852,180 @@
     <message>
         <source>%1, automatic</source>
         <translation>%1, स्वचालित</translation>
+    </message>
+    <message>
+        <source>Show in &amp;stereo</source>
+        <translation>स्टीरियो में दिखाएँ (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show in stereo</source>
+        <translation>स्टीरियो में दिखाएँ</translation>
+    </message>
+    <message>
+        <source>For red and cyan glasses, or for a screen for two eyes (Ctrl+3)</source>
+        <translation>लाल-सियान चश्मे के लिए, या दो आँखों वाले पर्दे के लिए (Ctrl+3)</translation>
+    </message>
+    <message>
+        <source>Kind of stereo</source>
+        <translation>स्टीरियो का प्रकार</translation>
+    </message>
+    <message>
+        <source>Grey: no colour fights with the glasses. Half colour: some colour. Dubois: least ghosts by the filters of common glasses. The others are for screens that show each eye its own half or rows; F11 gives them the whole screen</source>
+        <translation>धूसर: कोई रंग चश्मे से नहीं टकराता। अर्ध-रंग: कुछ रंग। Dubois: सामान्य चश्मों के फ़िल्टरों के अनुसार सबसे कम छाया। बाक़ी ऐसे पर्दों के लिए हैं जो हर आँख को उसका आधा भाग या उसकी पंक्तियाँ दिखाते हैं; F11 उन्हें पूरा पर्दा देता है</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>अगल-बगल</translation>
+    </message>
+    <message>
+        <source>Over and under</source>
+        <translation>ऊपर-नीचे</translation>
+    </message>
+    <message>
+        <source>Interlaced</source>
+        <translation>पंक्ति-दर-पंक्ति</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StudyController</name>
+    <message>
+        <source>Stop the recording first (Ctrl+R): it belongs to this condition.</source>
+        <translation>पहले रिकॉर्डिंग रोकें (Ctrl+R): वह इस शर्त की है।</translation>
+    </message>
+    <message>
+        <source>Condition %1</source>
+        <translation>शर्त %1</translation>
+    </message>
+    <message>
+        <source>Condition %1, %2 of %3.</source>
+        <translation>शर्त %1, %3 में से %2।</translation>
+    </message>
+    <message>
+        <source>All %1 conditions were shown. The sitting is in %2.</source>
+        <translation>सभी %1 शर्तें दिखाई गईं। सत्र %2 में है।</translation>
+    </message>
+    <message>
+        <source>The sitting ended after %1 of %2 conditions. It is in %3.</source>
+        <translation>सत्र %2 में से %1 शर्तों के बाद समाप्त हुआ। वह %3 में है।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StudyDialog</name>
+    <message>
+        <source>Participant code</source>
+        <translation>प्रतिभागी कोड</translation>
+    </message>
+    <message>
+        <source>Letters, digits, - and _; no name. Who has which code is kept elsewhere</source>
+        <translation>अक्षर, अंक, - और _; कोई नाम नहीं। किसका कौन-सा कोड है, यह कहीं और रखा जाता है</translation>
+    </message>
+    <message>
+        <source>Note on the consent</source>
+        <translation>सहमति पर टिप्पणी</translation>
+    </message>
+    <message>
+        <source>What was agreed to, when and how, as: form 3, signed 24 November</source>
+        <translation>किस बात पर, कब और कैसे सहमति हुई, जैसे: प्रपत्र 3, 24 नवंबर को हस्ताक्षरित</translation>
+    </message>
+    <message>
+        <source>Folder of the study</source>
+        <translation>अध्ययन का फ़ोल्डर</translation>
+    </message>
+    <message>
+        <source>Each participant gets a folder in it, and each sitting one in that</source>
+        <translation>हर प्रतिभागी को इसमें एक फ़ोल्डर मिलता है, और हर सत्र को उसमें एक</translation>
+    </message>
+    <message>
+        <source>The participant has a&amp;greed</source>
+        <translation>प्रतिभागी सहमत है (&amp;G)</translation>
+    </message>
+    <message>
+        <source>Sitting of a study</source>
+        <translation>अध्ययन का सत्र</translation>
+    </message>
+    <message>
+        <source>To be asked before every sitting</source>
+        <translation>हर सत्र से पहले पूछना है</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>शर्तें</translation>
+    </message>
+    <message>
+        <source>Places with names, each with its detail and exaggeration. They are shown in random order, under letters</source>
+        <translation>नाम वाली जगहें, हर एक अपने विवरण और अतिरंजन के साथ। वे यादृच्छिक क्रम में, अक्षरों के नाम से दिखाई जाती हैं</translation>
+    </message>
+    <message>
+        <source>How often each condition is shown</source>
+        <translation>हर शर्त कितनी बार दिखाई जाती है</translation>
+    </message>
+    <message>
+        <source>All once in random order, then all again in another one</source>
+        <translation>सब एक बार यादृच्छिक क्रम में, फिर सब दोबारा किसी और क्रम में</translation>
+    </message>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>शुरू करें (&amp;B)</translation>
+    </message>
+    <message>
+        <source>B&amp;rowse…</source>
+        <translation>ब्राउज़… (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Browse</source>
+        <translation>ब्राउज़</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>दूसरी जगह चुनें</translation>
+    </message>
+    <message>
+        <source>&amp;Participant code</source>
+        <translation>प्रतिभागी कोड (&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Note on the consent</source>
+        <translation>सहमति पर टिप्पणी (&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Conditions</source>
+        <translation>शर्तें (&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Each shown</source>
+        <translation>हर एक दिखाई जाए (&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of the study</source>
+        <translation>अध्ययन का फ़ोल्डर (&amp;F)</translation>
+    </message>
+    <message>
+        <source>A study needs at least two places with names: Surface &gt; Name this place.</source>
+        <translation>अध्ययन के लिए नाम वाली कम से कम दो जगहें चाहिए: सतह &gt; इस जगह को नाम दें।</translation>
+    </message>
+    <message>
+        <source>The code has 1 to 32 letters, digits, - and _.</source>
+        <translation>कोड में 1 से 32 अक्षर, अंक, - और _ होते हैं।</translation>
+    </message>
+    <message>
+        <source>Nothing begins before the participant has agreed.</source>
+        <translation>प्रतिभागी की सहमति से पहले कुछ शुरू नहीं होता।</translation>
+    </message>
+    <message>
+        <source>Note what was agreed to.</source>
+        <translation>लिखें कि किस बात पर सहमति हुई।</translation>
+    </message>
+    <message>
+        <source>Choose at least two conditions.</source>
+        <translation>कम से कम दो शर्तें चुनें।</translation>
+    </message>
+    <message>
+        <source>Choose at most 26 conditions: they have letters.</source>
+        <translation>अधिक से अधिक 26 शर्तें चुनें: उनके नाम अक्षर हैं।</translation>
+    </message>
+    <message>
+        <source>Choose a folder.</source>
+        <translation>एक फ़ोल्डर चुनें।</translation>
     </message>
 </context>
 <context>
@@ -10397,6 +10797,18 @@
     <message>
         <source>For glasses whose red filter is at the right eye</source>
         <translation>उन चश्मों के लिए जिनमें लाल फ़िल्टर दाईं आँख पर है</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>अगल-बगल</translation>
+    </message>
+    <message>
+        <source>Over and under</source>
+        <translation>ऊपर-नीचे</translation>
+    </message>
+    <message>
+        <source>Interlaced</source>
+        <translation>पंक्ति-दर-पंक्ति</translation>
     </message>
 </context>
 <context>

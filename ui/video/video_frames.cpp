@@ -94,7 +94,7 @@ struct VideoFrames::Impl {
   std::optional<PlotStrip> plots;
   VideoSurface shown;
   std::optional<Region> overview_region;
-  RgbaImage left, page;
+  RgbaImage left, page, right_page;
 
   Impl(const Surface& s, const TouchRecording* r, const VideoRequest& v, const Task& t)
       : surface(s),
@@ -109,6 +109,7 @@ struct VideoFrames::Impl {
         v.width_px, v.height_px,
         std::vector<std::uint8_t>(
             4 * static_cast<std::size_t>(v.width_px) * static_cast<std::size_t>(v.height_px), 255)};
+    right_page = {page.width, page.height, {}};
     task.check();
     prepareScene(detail.scene());
     detail.scene().setScaleBar(v.scale_bar);
@@ -171,8 +172,32 @@ struct VideoFrames::Impl {
     scene.setEyeTurn(red);
     left = detail.draw(task);
     scene.setEyeTurn(-red);
-    mixAnaglyph(request.stereo, left.rgba, detail.draw(task).rgba);
+    const RgbaImage& right = detail.draw(task);
+    if (isPair(request.stereo)) {
+      right_page.rgba.assign(page.rgba.begin(), page.rgba.end());
+      paste(right, places.detail, right_page);
+    } else {
+      mixAnaglyph(request.stereo, left.rgba, right.rgba);
+    }
     paste(left, places.detail, page);
+  }
+
+  /// The whole page twice, what lies beside the surface in the plane of the screen.
+  const RgbaImage& paired() {
+    left = page;
+    copyOthers(right_page);
+    pairPictures(request.stereo, left.rgba, right_page.rgba,
+                 {.width = page.width, .height = page.height});
+    return left;
+  }
+
+  void copyOthers(RgbaImage& to) const {
+    for (const Box& box : {places.overview, places.plots}) {
+      for (int row = box.y; row < box.y + box.height; ++row) {
+        const auto at = static_cast<std::ptrdiff_t>(4) * (row * page.width + box.x);
+        std::copy_n(page.rgba.begin() + at, 4 * box.width, to.rgba.begin() + at);
+      }
+    }
   }
 
   /// What a picture of another shape than the square shows of the surface.
@@ -221,7 +246,7 @@ const RgbaImage& VideoFrames::draw(std::uint64_t frame) {
     paste(impl_->plots->draw(t, words(*row, t, impl_->surface.ladder.levels())),
           impl_->places.plots, impl_->page);
   }
-  return impl_->page;
+  return isPair(impl_->request.stereo) ? impl_->paired() : impl_->page;
 }
 
 }  // namespace relievo

@@ -8,6 +8,7 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkUnsignedCharArray.h>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <QAccessible>
 #include <QAccessibleWidget>
@@ -81,6 +82,7 @@ class MixingWindow : public vtkGenericOpenGLRenderWindow {
  public:
   static MixingWindow* New();
   void follow(const ReliefScene* scene) { scene_ = scene; }
+  void setFirstRow(int row) { first_row_ = row; }  ///< Of the screen: PixelRows.
 
  protected:
   void StereoRenderComplete() override {
@@ -97,13 +99,19 @@ class MixingWindow : public vtkGenericOpenGLRenderWindow {
     std::span<std::uint8_t> second(right->GetPointer(0), bytes);
     const StereoOptions& stereo = scene_->stereo();
     if (stereo.swap_eyes) std::swap(first, second);
-    mixAnaglyph(printed(stereo.mode), first, second, 3);
+    joinEyes(printed(stereo.mode), first, second,
+             {.width = size[0],
+              .height = size[1],
+              .channels = 3,
+              .from_bottom = true,
+              .first_row = first_row_});
     ResultFrame = stereo.swap_eyes ? right.GetPointer() : StereoBuffer.GetPointer();
     StereoBuffer = vtkSmartPointer<vtkUnsignedCharArray>::New();
   }
 
  private:
   const ReliefScene* scene_ = nullptr;
+  int first_row_ = 0;
 };
 vtkStandardNewMacro(MixingWindow);
 
@@ -249,6 +257,8 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     if (window_->GetSize()[0] != width || window_->GetSize()[1] != height) {
       window_->SetSize(width, height);
     }
+    const double top = mapToGlobal(QPoint(0, 0)).y() * devicePixelRatioF();
+    window_->setFirstRow(static_cast<int>(std::lround(top)) & 1);
     scene_.prepare(width, height);
   }
 
@@ -375,7 +385,7 @@ void SurfaceView::paintGrid() {
 
 void SurfaceView::showPlain() {
   patience_.stop();
-  bar_->hide();
+  bar_->leave();
   shown_range_.reset();
   showGrid(plain_);
 }
@@ -402,7 +412,9 @@ void SurfaceView::showGrid(std::shared_ptr<const HeldGrid> grid) {
 }
 
 void SurfaceView::showLegend() {
-  if (state_.look.unmeasured && state_.grid) {
+  const bool halves = showsHalves(printed(state_.stereo.mode));
+  labels_->setOff(halves);
+  if (state_.look.unmeasured && state_.grid && !halves) {
     legend_->show(state_.grid->origins, printed(state_.stereo.mode));
   } else {
     legend_->hide();
@@ -465,10 +477,31 @@ void SurfaceView::setProbeDrawn(const std::optional<Probe>& probe, double ball_r
   requestRender();
 }
 
+namespace {
+
+/// Where a point of either eye's half lies in the whole picture.
+QPointF unpaired(const QPointF& p, const QSize& pixels, StereoPrint print) {
+  const double half_w = pixels.width() / 2, half_h = pixels.height() / 2;  // Whole pixels.
+  if (print == StereoPrint::side_by_side && half_w > 0) {
+    const bool second = p.x() >= half_w;
+    const double part = second ? pixels.width() - half_w : half_w;
+    return {(p.x() - (second ? half_w : 0)) * pixels.width() / part, p.y()};
+  }
+  if (print == StereoPrint::over_under && half_h > 0) {
+    const bool second = p.y() >= half_h;
+    const double part = second ? pixels.height() - half_h : half_h;
+    return {p.x(), (p.y() - (second ? half_h : 0)) * pixels.height() / part};
+  }
+  return p;
+}
+
+}  // namespace
+
 ViewMm SurfaceView::at(const QPointF& point, double z_mm) const {
   const double ratio = canvas_->devicePixelRatioF();
-  const QPointF p = (point - QPointF(canvas_->pos())) * ratio;
   const QSize pixels = canvas_->size() * ratio;
+  const QPointF p =
+      unpaired((point - QPointF(canvas_->pos())) * ratio, pixels, printed(state_.stereo.mode));
   return scene_->viewFromPixel(p.x(), p.y(), std::max(1, pixels.width()),
                                std::max(1, pixels.height()), z_mm);
 }

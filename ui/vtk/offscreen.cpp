@@ -142,7 +142,7 @@ std::vector<std::uint8_t> storedBytes(const RgbaImage& image) {
 namespace {
 
 /// Each eye's picture by itself, mixed as on paper.
-RgbaImage renderAnaglyph(const ReliefScene& scene, const PictureOptions& size, const Task& task) {
+RgbaImage renderBothEyes(const ReliefScene& scene, const PictureOptions& size, const Task& task) {
   const StereoOptions stereo = scene.stereo();
   const std::unique_ptr<ReliefScene> eye = scene.copy();
   StereoOptions one_eye = stereo;
@@ -152,7 +152,8 @@ RgbaImage renderAnaglyph(const ReliefScene& scene, const PictureOptions& size, c
   eye->setEyeTurn(-half_deg);
   RgbaImage left = renderPicture(*eye, size, task);
   eye->setEyeTurn(half_deg);
-  mixAnaglyph(printed(stereo.mode), left.rgba, renderPicture(*eye, size, task).rgba);
+  joinEyes(printed(stereo.mode), left.rgba, renderPicture(*eye, size, task).rgba,
+           {.width = left.width, .height = left.height});
   return left;
 }
 
@@ -162,7 +163,7 @@ RgbImage renderOffscreen(const ReliefScene& scene, int width, int height, const 
   const PictureOptions size{.width = width, .height = height};
   const RgbaImage picture = scene.stereo().mode == StereoMode::off
                                 ? renderPicture(scene, size, task)
-                                : renderAnaglyph(scene, size, task);
+                                : renderBothEyes(scene, size, task);
   RgbImage image{width, height, {}};
   image.rgb.reserve(picture.rgba.size() / 4 * 3);
   for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {

@@ -55,6 +55,7 @@ enum class Command {
   turn_down,
   use_view,
   fit,
+  keep_view,
   stereo,
   show_reference,
   show_panels,
@@ -139,6 +140,9 @@ enum class Command {
   key_view,
   path_play,
   path_clear,
+  study,
+  study_next,
+  study_end,
   // Help
   manual,
   search_commands,

@@ -12,7 +12,7 @@ struct OtherWords {
   const char* words;
 };
 
-constexpr std::array<OtherWords, 36> kWords{
+constexpr std::array<OtherWords, 38> kWords{
     {{"open", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import file read")},
      {"open_folder", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import directory images")},
      {"save_project", QT_TRANSLATE_NOOP("relievo::CommandWords", "store keep session")},
@@ -41,6 +41,10 @@ constexpr std::array<OtherWords, 36> kWords{
       QT_TRANSLATE_NOOP("relievo::CommandWords", "crop region coordinates selection go to")},
      {"suggest_windows",
       QT_TRANSLATE_NOOP("relievo::CommandWords", "best feel where find interesting places")},
+     {"keep_view",
+      QT_TRANSLATE_NOOP("relievo::CommandWords", "compare same camera series next scan lock")},
+     {"study",
+      QT_TRANSLATE_NOOP("relievo::CommandWords", "experiment participant trial blind randomize")},
      {"turn_left", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit spin")},
      {"turn_right", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit spin")},
      {"turn_up", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit tilt")},

@@ -32,12 +32,20 @@ Controllers::Controllers(const ControllerParts& parts, WorkArea& area)
       exports(parts, {area.detail(), area.reference(), *area.panels().measure, pictures}),
       questions(parts),
       pointer(parts, area.detail()),
-      surface(parts, area.detail(), touch) {
+      surface(parts, area.detail(), touch),
+      study(parts, look) {
   saving.watch({pictures, packages, exports, videos});
   QObject::connect(&opening, &OpenController::recordingChosen, &replays, &ReplayController::open);
   QObject::connect(&opening, &OpenController::begun, &replays.control(),
                    &ReplayControl::forgetWaiting);
   QObject::connect(&touch, &TouchController::readoutShown, &pointer, &PointerController::follow);
+  study.setStudiesFolder([this] {
+    const QString recordings = replays.folder();
+    return recordings.isEmpty() ? QString() : recordings + QLatin1String("/studies");
+  });
+  QObject::connect(&touch, &TouchController::readoutShown, &study, &StudyController::follow);
+  QObject::connect(&replays, &ReplayController::recordingNoted, &study,
+                   &StudyController::noteRecording);
   QObject::connect(&touch, &TouchController::readoutShown, &recordings_end,
                    [this](const TouchReadout& now) { recordings_end.noteRunning(now.recording); });
   QObject::connect(&parts.messages, &WindowMessages::errorShown, &recordings_end,

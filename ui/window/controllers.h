@@ -13,6 +13,7 @@
 #include "ui/control/question_controller.h"
 #include "ui/control/replay_controller.h"
 #include "ui/control/save_controller.h"
+#include "ui/control/study_controller.h"
 #include "ui/control/surface_controller.h"
 #include "ui/control/touch_controller.h"
 #include "ui/control/video_controller.h"
@@ -42,6 +43,7 @@ struct Controllers {
   QuestionController questions;
   PointerController pointer;
   SurfaceController surface;
+  StudyController study;
 };
 
 }  // namespace relievo

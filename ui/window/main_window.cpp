@@ -129,6 +129,7 @@ void MainWindow::connectDocument() {
   QObject* heard = hearing_.get();
   connect(&document_, &Document::surfaceChanged, heard, [this] { showSurface(); });
   connect(&document_, &Document::windowChanged, heard, [this] { showWindow(); });
+  connect(&document_, &Document::stereoChanged, heard, [this] { showAroundDetail(); });
   messages_->follow(document_);
   connect(messages_.get(), &WindowMessages::workBegan, heard, [this] {
     area_->reference().warmUp();  // Pictures will be wanted.
@@ -163,7 +164,7 @@ void MainWindow::connectParts() {
   Controllers& c = *controllers_;
   connect(start_, &StartPage::openAsked, &c.opening, &OpenController::choose);
   connect(start_, &StartPage::fileChosen, &c.opening,
-          qOverload<const QString&>(&OpenController::open));
+          [&opening = c.opening](const QString& file) { opening.open(file); });
   connect(first_view_, &FirstViewCard::said, messages_.get(), &WindowMessages::announce);
   connect(&c.saving, &SaveController::saved, heard, [this] { showRecent(); });
   connect(&c.replays, &ReplayController::shownChanged, heard, [this](bool on) {
@@ -284,7 +285,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (files.size() < urls.size()) {
     messages_->show(tr("Only files on this computer can be opened. Nothing was opened."));
   } else {
-    openPaths(files);
+    const bool keeps_view = event->keyboardModifiers().testFlag(Qt::ControlModifier);
+    controllers_->opening.openPaths(files, keeps_view);
   }
 }
 

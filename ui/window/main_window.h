@@ -101,6 +101,7 @@ class MainWindow : public QMainWindow {
   void setFullScreenDetail(bool on);
   /// Where they are wanted and leave the views enough height.
   void showPlots();
+  void showAroundDetail();  ///< On a full screen, and when that ends.
   void focusNextPart(int direction);
   void setTheme(Theme theme);
   void showPreferences();

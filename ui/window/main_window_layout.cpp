@@ -8,6 +8,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 
+#include "core/relief/stereo.h"
 #include "ui/dialogs/preferences_dialog.h"
 #include "ui/frame/message_strip.h"
 #include "ui/frame/side_panels.h"
@@ -39,11 +40,20 @@ void MainWindow::setFullScreenDetail(bool on) {
   area_->showReference(!on && commands_[Command::show_reference].isChecked());
   area_->panels().all->setVisible(!on && commands_[Command::show_panels].isChecked());
   showPlots();
-  area_->showInset(on);
-  controllers_->look.placeLight();
+  showAroundDetail();
   if (!on) restoreState(layout_before_full_screen_);
   commands_[Command::full_screen].setChecked(on);
   area_->detail().setFocus();
+}
+
+// A screen for two eyes takes the left and the right half of all it shows: then there is nothing
+// beside the picture.
+void MainWindow::showAroundDetail() {
+  if (!controllers_) return;
+  const bool halves = showsHalves(printed(document_.project().stereo.mode));
+  statusBar()->setVisible(!isFullScreen() || !halves);
+  area_->showInset(isFullScreen() && !halves);
+  controllers_->look.placeLight();
 }
 
 void MainWindow::focusNextPart(int direction) {

@@ -63,18 +63,21 @@ double tilted(double elevation_deg) {
 struct Document::Work {
   bool reads = false;  ///< Reads `open.file`; otherwise works on what is in memory.
   std::uint64_t first_view_from = 0;
+  std::optional<std::uint64_t> free_bytes;
   OpenRequest open;
   OpenedInput source;
   SurfaceOptions options;
   QString name;  ///< In the history.
   SurfaceOutcome outcome;
   QString sha256;
+  std::optional<Project> kept;  ///< Whose view this file is shown with.
 
   std::filesystem::path path() const { return QFile::encodeName(open.file).toStdString(); }
   ImportOptions import() const {
     ImportOptions import;
     import.accept_incomplete = open.accept_incomplete;
     import.scan = open.scan;
+    import.free_bytes = free_bytes;
     return import;
   }
 };
@@ -107,8 +110,22 @@ void Document::open(const OpenRequest& request) {
   } else {
     work.options.unit = request.unit;
     work.options.view = request.view;
+    if (request.keeps_view && isOpen()) {
+      work.kept = state_.project;
+      work.kept->options.view = shownView();
+    }
   }
   start(std::move(work));
+}
+
+/// Also where it was found automatically.
+std::optional<ViewChoice> Document::shownView() const {
+  const Surface& surface = *state_.surface;
+  const auto& chosen = state_.project.options.view;
+  if (surface.is_raster || !standardRotation(surface.view_name)) return chosen;
+  return ViewChoice{.name = surface.view_name,
+                    .rotation = std::nullopt,
+                    .turn_deg = chosen ? chosen->turn_deg : std::array<double, 3>{}};
 }
 
 void Document::close() {
@@ -183,59 +200,6 @@ int Document::details() const {
   return isOpen() ? state_.surface->ladder.levels() : 0;
 }
 
-void Document::setView(const ViewChoice& view) {
-  if (!isOpen()) return;
-  SurfaceOptions options = state_.project.options;
-  options.view = view;
-  remake(options, tr("View %1 \u2192 %2")
-                      .arg(QString::fromStdString(state_.surface->view_name),
-                           QString::fromStdString(view.name)));
-}
-
-void Document::setEngine(const QString& engine) {
-  if (!isOpen() || engine.toStdString() == state_.project.options.engine) return;
-  SurfaceOptions options = state_.project.options;
-  options.engine = engine.toStdString();
-  remake(
-      options,
-      tr("Depth method \u2192 %1").arg(engine == QLatin1String("cpu") ? tr("CPU") : tr("OpenGL")));
-}
-
-void Document::setUnit(LengthUnit unit) {
-  if (!isOpen()) return;
-  SurfaceOptions options = state_.project.options;
-  options.unit = unit;
-  options.unit_source = UnitSource::given;
-  const auto text = [](LengthUnit u) { return QString::fromUtf8(name(u).data()); };
-  remake(options, tr("Unit %1 \u2192 %2").arg(text(state_.surface->unit), text(unit)));
-}
-
-void Document::setStrays(StrayRule rule) {
-  if (!isOpen() || rule == state_.project.options.strays) return;
-  SurfaceOptions options = state_.project.options;
-  options.strays = rule;
-  remake(options, rule == StrayRule::keep          ? tr("Keep far-off points")
-                  : rule == StrayRule::drop_groups ? tr("Leave out far-off groups")
-                                                   : tr("Leave out far-off points"));
-}
-
-void Document::setNodata(const NodataChoice& nodata) {
-  if (!isOpen() || nodata == state_.project.options.nodata) return;
-  SurfaceOptions options = state_.project.options;
-  options.nodata = nodata;
-  remake(options, nodata.value ? tr("Take heights as missing") : tr("Keep all heights"));
-}
-
-bool Document::canRemake() {
-  if (!isOpen()) return false;
-  if (!state_.surface->tiles) return true;
-  Q_EMIT failed(tr("This map is read by tiles, as it was made; nothing was changed. To make it "
-                   "otherwise, run relievo depthmap --memory on its scan, with the choices you "
-                   "want."),
-                {}, {});
-  return false;
-}
-
 void Document::remake(const SurfaceOptions& options, const QString& name) {
   if (!canRemake()) return;
   Work work;
@@ -248,7 +212,9 @@ void Document::remake(const SurfaceOptions& options, const QString& name) {
 void Document::start(Work work) {
   const auto shared = std::make_shared<Work>(std::move(work));
   shared->first_view_from = first_view_from_;
+  shared->free_bytes = free_bytes_;
   in_hand_ = shared;
+  offered_every_.reset();
   Q_EMIT workStarted();
   worker_.start(
       [this, shared](const Task& task) {
@@ -293,9 +259,10 @@ void Document::read(Work& w, const Task& task) {
     w.options.unit = w.open.remembered_unit;
     w.options.unit_source = UnitSource::remembered;
   }
+  // A raster has its own.
+  if (w.kept && w.source.scan && !w.options.view) w.options.view = w.kept->options.view;
   if (info.bounds) {
-    const double mm = mmPer(unitInUse(info, w.options.unit, w.options.unit_source).unit);
-    const FilePoint size = mm * (info.bounds->max - info.bounds->min);
+    const FilePoint size = sizeMm(w.source, w.options);
     Q_EMIT scanRead(w.open.file, size.x, size.y, size.z, info.points);
   }
   w.sha256 = QString::fromStdString(sha256OfFile(file, task));
@@ -307,6 +274,7 @@ void Document::finish(const Work& work) {
     return;
   }
   if (!work.outcome.surface) {
+    offered_every_ = work.outcome.every;
     Q_EMIT failed(work.outcome.error, work.outcome.code, work.open.file);
     return;
   }
@@ -352,6 +320,12 @@ DocumentState Document::stateOf(const Work& work) const {
     p.chosen_eye_angle_deg = state_.project.chosen_eye_angle_deg;
   }
   if (is_step || !work.open.project) p.azimuth_deg = p.elevation_deg = 0;
+  if (work.kept) {
+    p.azimuth_deg = work.kept->azimuth_deg;
+    p.elevation_deg = work.kept->elevation_deg;
+    p.region = work.kept->region;
+    p.gain = work.kept->gain;
+  }
   p.file = bytesOfPath(work.open.file);
   p.sha256 = work.sha256.toStdString();
   p.bytes = static_cast<std::uint64_t>(QFileInfo(work.open.file).size());
@@ -362,6 +336,20 @@ DocumentState Document::stateOf(const Work& work) const {
   return next;
 }
 
+namespace {
+
+/// The same square of view millimetres, as finely as this map can show it, if it has such a place.
+void keepPlace(const Project& kept, const DetailLadder& ladder, Project& project) {
+  project.gain = kept.gain;
+  const Region& r = kept.region;
+  if (!onMap(ladder, r)) return;
+  if (r.side_mm >= wholeRegion(ladder).side_mm) return;  // All of it, here as there.
+  project.region = regionFromRect(
+      ladder, {.x_mm = r.x_mm, .y_mm = r.y_mm, .width_mm = r.side_mm, .height_mm = r.side_mm});
+}
+
+}  // namespace
+
 /// On the whole object, unless the request says otherwise and the map has it.
 void Document::placeWindow(const Work& work, DocumentState& next) {
   const DetailLadder& ladder = next.surface->ladder;
@@ -371,6 +359,7 @@ void Document::placeWindow(const Work& work, DocumentState& next) {
     region = wholeRegion(ladder);
     next.project.gain = 1;
   }
+  if (work.kept) keepPlace(*work.kept, ladder, next.project);
   try {
     if (work.open.region) region = regionFromRect(ladder, *work.open.region);
     for (int d = 1; work.open.detail && d < *work.open.detail && !work.open.region; ++d) {

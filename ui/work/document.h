@@ -34,7 +34,8 @@ struct OpenRequest {
   std::optional<RectMm> region;  ///< First window, view mm.
   std::optional<int> detail;     ///< First detail, 1 = whole.
   bool accept_incomplete = false;
-  ScanChoices scan = {};                  ///< What of the file is read.
+  ScanChoices scan = {};    ///< What of the file is read.
+  bool keeps_view = false;  ///< Side, turn, exaggeration and place of what is open, if anything is.
   std::optional<SurfaceOptions> options;  ///< In place of `unit` and `view`.
   /// A state that comes back, in place of the choices above; its `file` is `file`.
   std::optional<Project> project = {};
@@ -76,6 +77,11 @@ class Document : public QObject {
   bool busy() const { return worker_.busy(); }
   /// Files with fewer points are opened without a first view (core/session/first_view.h).
   void setFirstViewFrom(std::uint64_t points) { first_view_from_ = points; }
+
+  /// What the memory is taken to hold, in place of what the system says.
+  void setFreeBytes(std::uint64_t bytes) { free_bytes_ = bytes; }
+  /// One point in how many the memory would hold; nothing: the last failure was another one.
+  const std::optional<std::uint64_t>& offeredEvery() const { return offered_every_; }
 
   bool isOpen() const { return state_.surface != nullptr; }
   /// The state of the work. While nothing is open, what the next file will be shown with.
@@ -126,6 +132,7 @@ class Document : public QObject {
   void setUnit(LengthUnit unit);
   void setStrays(StrayRule rule);
   void setNodata(const NodataChoice& nodata);
+  void setRasterScale(const RasterScale& scale);
   void remake(const SurfaceOptions& options, const QString& name);
   /// A surface made elsewhere from source() takes the place of the present one.
   void adopt(std::shared_ptr<const Surface> surface, const SurfaceOptions& options,
@@ -188,6 +195,7 @@ class Document : public QObject {
  private:
   struct Work;
 
+  std::optional<ViewChoice> shownView() const;  ///< @pre isOpen()
   void start(Work work);
   void read(Work& work, const Task& task);  ///< [worker]
   /// Tells of first views while this is the work in hand. [worker]
@@ -219,6 +227,7 @@ class Document : public QObject {
 
   DepthEngine depth_buffer_;
   std::uint64_t first_view_from_ = FirstViewOptions{}.least_points;
+  std::optional<std::uint64_t> free_bytes_, offered_every_;
   std::weak_ptr<Work> in_hand_;  ///< The newest work.
   DocumentState state_;
   // Of the surface named beside it; it takes a look at each cell, and states are asked for often.

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <QString>
 
 #include "core/session/open_input.h"
@@ -15,6 +16,7 @@ struct SurfaceOutcome {
   std::shared_ptr<const Surface> surface;
   bool cancelled = false;
   QString error, code;
+  std::optional<std::uint64_t> every;  ///< E102 of a scan: one point in so many would fit.
 };
 
 /// Runs `work` and turns what it throws into words. [worker]
@@ -23,5 +25,8 @@ SurfaceOutcome outcomeOf(const std::function<std::shared_ptr<const Surface>()>& 
 /// The surface of a source by the engine that options name. [worker] @throw as makeSurface
 std::shared_ptr<const Surface> makeSurface(const OpenedInput& source, const SurfaceOptions& options,
                                            const DepthEngine& depth_buffer, const Task& task);
+
+/// How large a source will be with these options, millimetres along the file's axes. @pre bounds
+FilePoint sizeMm(const OpenedInput& source, const SurfaceOptions& options);
 
 }  // namespace relievo

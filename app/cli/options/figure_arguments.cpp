@@ -22,7 +22,9 @@ std::vector<std::string> split(const std::string& text, char at) {
 
 /// Also by the word of `render` and of the window.
 std::optional<StereoPrint> stereoOf(const std::string& text) {
-  return text == name(StereoMode::anaglyph) ? StereoPrint::grey : stereoPrint(text);
+  if (text == name(StereoMode::anaglyph)) return StereoPrint::grey;
+  const auto print = stereoPrint(text);
+  return print == StereoPrint::interlaced ? std::nullopt : print;
 }
 
 /// N of "N" and "1:N"; half of "2:1", twice as large as life, is "1:0.5".
@@ -62,7 +64,7 @@ void addFigureOptions(CLI::App& verb, FigureArguments& a) {
   takes(verb.add_option("--text-pt", a.text_pt, "Text size in points; 8"),
         {.low = 4, .high = 36, .unit = "pt"});
   addLookOptions(verb, a.look);
-  verb.add_option("--stereo", a.stereo, listOf(kStereoPrintNames));
+  verb.add_option("--stereo", a.stereo, listOf(kPaperStereoNames));
   takes(verb.add_option("--eye-angle", a.eye_angle_deg, "Between the eyes' directions, degrees; 4"),
         {.low = 0.01, .high = 20, .unit = "degrees"});
   takes(verb.add_option("--zero-plane", a.zero_plane_mm, "Height of zero parallax, mm; mid height"),
@@ -84,7 +86,7 @@ FigureRequest figureRequest(const FigureArguments& a, FigureRequest f) {
     f.layout = word("--layout", a.layout, figureLayout(a.layout), kFigureLayoutNames);
   }
   if (!a.stereo.empty()) {
-    f.stereo = word("--stereo", a.stereo, stereoOf(a.stereo), kStereoPrintNames);
+    f.stereo = word("--stereo", a.stereo, stereoOf(a.stereo), kPaperStereoNames);
   }
   f.look = reliefLook(a.look, f.look);
   if (a.width_mm && !a.scale.empty()) {

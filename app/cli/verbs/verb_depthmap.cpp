@@ -149,6 +149,7 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   json["view"] = surface.view_name;
   json["unit"] = name(surface.unit);
   json["unit_source"] = name(surface.unit_source);
+  json["raster_scale"] = scaleJson(surface.raster_scale);
   json["holes"] = holesJson(surface.holes);
   json["colour_file"] = own.colours.empty() ? Json(nullptr) : Json(colourFileOf(a.out).string());
   json["intensity_file"] =

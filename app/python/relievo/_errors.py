@@ -51,6 +51,8 @@ class Cancelled(Error):
 PARAMETERS = {
     "turn": "turn_deg",
     "spacing": "spacing_mm",
+    "pixel-size": "pixel_mm",
+    "height-scale": "height_scale_mm",
     "region": "region_mm",
     "stiffness": "stiffness_n_per_mm",
     "level-stiffness": "level_stiffness_n_per_mm",

@@ -29,11 +29,15 @@ def open(
     holes: Optional[str] = None,
     strays: Optional[str] = None,
     nodata: Union[str, float, None] = None,
+    pixel_mm: Optional[float] = None,
+    height_scale_mm: Optional[float] = None,
+    height_zero: Optional[float] = None,
     factor: Optional[float] = None,
     load_incomplete: bool = False,
     parts: Optional[Sequence[int]] = None,
     reader: Optional[str] = None,
     keep_withheld: bool = False,
+    every: Optional[int] = None,
 ) -> "Surface":
     """Opens a scan, a raster of heights, or a map that relievo wrote, and makes its surface.
 
@@ -49,11 +53,15 @@ def open(
     holes: "base", "interpolate:MAX_MM2", "membrane", "membrane:MAX_MM2", "none"
     strays: few points far from all others: "drop", "keep", "drop-groups"
     nodata: a height of the file that stands for none; "none": every height is one
+    pixel_mm: of a raster, distance of its samples, whatever the file says
+    height_scale_mm: of a raster, what a step of 1 of its values is; below 0: larger lie deeper
+    height_zero: of a raster, the value that lies on the base plane; None: the lowest
     factor: the paper's M between levels, 1.1 to 8
     load_incomplete: take the complete records of a cut file (E101)
     parts: which scans of an E57 or PTX file, from 1
     reader: whose code reads points: "auto", "pcl", "own"
     keep_withheld: of LAS, also points that are marked as not to be used
+    every: of clouds, one point in so many
     """
     words = Words([path("file", file)])
     words.add("unit", unit, text)
@@ -65,11 +73,15 @@ def open(
     words.add("holes", holes, text)
     words.add("strays", strays, text)
     words.add("nodata", nodata, text_or_number)
+    words.add("pixel_mm", pixel_mm, number)
+    words.add("height_scale_mm", height_scale_mm, number)
+    words.add("height_zero", height_zero, number)
     words.add("factor", factor, number)
     words.add_flag("load_incomplete", load_incomplete)
     words.add("parts", parts, lambda name, v: several(name, v, range(1, 10_000), whole))
     words.add("reader", reader, text)
     words.add_flag("keep_withheld", keep_withheld)
+    words.add("every", every, whole)
     opened = _relievo.open(words.words)
     for sentence in opened.not_done:
         warnings.warn(sentence, RuntimeWarning, stacklevel=2)

@@ -237,7 +237,7 @@ FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const Fill
     radius = samplingGapRadius(measured, frame.size);
   }
   task.check();
-  result.base_z_mm = baseOf(filled, measured, source.base_quantile);
+  result.base_z_mm = source.base_z_mm.value_or(baseOf(filled, measured, source.base_quantile));
   const Mask covered = source.gaps_are_known
                            ? closed(withBetween(measured, depths.between), frame.size, kCrackRadius)
                            : closed(measured, frame.size, radius);

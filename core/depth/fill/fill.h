@@ -65,6 +65,7 @@ struct FilledMap {
 struct FillSource {
   bool has_sampling_gaps = true;  ///< Points leave empty cells between them; triangles do not.
   double base_quantile = 0.001;   ///< Of the measured cells: the base plane. 0 is the lowest.
+  std::optional<double> base_z_mm = std::nullopt;  ///< View z of it, where somebody said so.
   /// `between` has the surface wherever a gap is: nothing shows through, and no others are closed
   /// but cracks of one cell.
   bool gaps_are_known = false;

@@ -130,7 +130,7 @@ class LeftOut {
 class E57Reader {
  public:
   explicit E57Reader(const ReadJob& job)
-      : job_(job), pages_(job), builder_(job.file, job.options.max_points) {}
+      : job_(job), pages_(job), builder_(job.file, job.options) {}
 
   Scan read() {
     builder_.info().format = "E57";
@@ -141,12 +141,7 @@ class E57Reader {
           sound.scan.records > ~promised_ ? ~std::uint64_t{0} : promised_ + sound.scan.records;
     }
     // Refused here, because points that are all the same need no bytes in the file.
-    if (promised_ > job_.options.max_points) {
-      refuseScan(job_.file, "it promises " + grouped(promised_) +
-                                " points, more than the limit of " +
-                                grouped(job_.options.max_points) +
-                                ". Thin it out or cut it into parts first.");
-    }
+    builder_.requireRoom(promised_);
     for (const SoundScan& sound : scans) readScan(sound);
     const std::uint64_t found = builder_.pointCount();
     if (found < promised_) {

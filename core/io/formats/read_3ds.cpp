@@ -39,8 +39,7 @@ struct Chunk {
 /// The file is a tree of chunks, each with its length; a chunk beyond its parent is cut there.
 class ThreeDsReader {
  public:
-  explicit ThreeDsReader(const ReadJob& job)
-      : job_(job), builder_(job.file, job.options.max_points) {}
+  explicit ThreeDsReader(const ReadJob& job) : job_(job), builder_(job.file, job.options) {}
 
   Scan read() {
     builder_.info().format = "3DS";

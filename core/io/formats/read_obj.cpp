@@ -22,10 +22,7 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 class ObjReader {
  public:
   explicit ObjReader(const ReadJob& job)
-      : job_(job),
-        builder_(job.file, job.options.max_points),
-        materials_(job, builder_),
-        lines_(job.bytes) {}
+      : job_(job), builder_(job.file, job.options), materials_(job, builder_), lines_(job.bytes) {}
 
   Scan read() {
     builder_.info().format = "OBJ";

@@ -31,7 +31,7 @@ class PcdReader {
   PcdReader(const ReadJob& job, const PcdHeader& header)
       : job_(job),
         header_(header),
-        builder_(job.file, job.options.max_points),
+        builder_(job.file, job.options),
         layout_(recordLayoutOf(header)),
         body_(job.bytes.substr(header.body_start)) {}
 

@@ -31,7 +31,7 @@ class PlyReader {
   PlyReader(const ReadJob& job, const PlyHeader& header)
       : job_(job),
         header_(header),
-        builder_(job.file, job.options.max_points),
+        builder_(job.file, job.options),
         layout_(recordLayoutOf(header)),
         body_(job.bytes.substr(header.body_start)),
         lines_(body_, header.body_first_line) {}
@@ -72,7 +72,7 @@ class PlyReader {
     const std::uint64_t most = std::min(element.count, possibleRecords(element));
     // Records of one length are counted; as text, or with lists in them, there may be fewer.
     const bool counted = header_.encoding != PlyEncoding::ascii && !element.hasList() && most > 0;
-    if (counted) builder_.requireRoom(most - 1);
+    if (counted) builder_.requireRoom(most - 1, header_.face_element.has_value());
     expectRecords(layout_, most, has_byte_colours_, builder_);
   }
 

@@ -24,7 +24,7 @@ using Matrix = std::array<double, 16>;  ///< Row-major; the translation is the l
 class PtxReader {
  public:
   explicit PtxReader(const ReadJob& job)
-      : job_(job), builder_(job.file, job.options.max_points), lines_(job.bytes) {
+      : job_(job), builder_(job.file, job.options), lines_(job.bytes) {
     if (job.bytes.starts_with("\xEF\xBB\xBF")) lines_ = Lines(job.bytes.substr(3));
   }
 

@@ -41,7 +41,7 @@ void readBinary(const ReadJob& job, ScanBuilder& builder) {
   } else if (job.bytes.size() > kHeader + found * kTriangle) {
     builder.info().warnings.emplace_back("Bytes after the last triangle were ignored.");
   }
-  builder.requireRoom(3 * found);
+  builder.requireRoom(3 * found, true);
   builder.expectPoints(3 * found);
   for (std::uint64_t i = 0; i < found; ++i) {
     if (i % kReportEvery == 0) {
@@ -173,7 +173,7 @@ bool isText(std::string_view bytes) {
 }  // namespace
 
 Scan readStl(const ReadJob& job) {
-  ScanBuilder builder(job.file, job.options.max_points);
+  ScanBuilder builder(job.file, job.options);
   const bool text = isText(job.bytes);
   builder.info().format = text ? "STL ascii" : "STL binary";
   if (text) {

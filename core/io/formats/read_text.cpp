@@ -26,7 +26,7 @@ constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 class TextReader {
  public:
   explicit TextReader(const ReadJob& job)
-      : job_(job), builder_(job.file, job.options.max_points), lines_(job.bytes) {
+      : job_(job), builder_(job.file, job.options), lines_(job.bytes) {
     if (job.bytes.starts_with("\xEF\xBB\xBF")) lines_ = Lines(job.bytes.substr(3));
   }
 
@@ -38,6 +38,7 @@ class TextReader {
     if (!at_end_) chooseValues();
     while (!at_end_) {
       if (builder_.pointCount() % kReportEvery == 0) report();
+      if (builder_.pointCount() == kReportEvery) builder_.requireMemory(estimatedPoints());
       if (!readRow()) break;
       nextRow();
     }
@@ -50,6 +51,12 @@ class TextReader {
   }
 
  private:
+  /// If all rows are as long as those that were read.
+  std::uint64_t estimatedPoints() const {
+    const std::size_t read = job_.bytes.size() - lines_.rest().size();
+    return builder_.pointCount() * job_.bytes.size() / std::max<std::size_t>(read, 1);
+  }
+
   void report() const {
     job_.task.check();
     const std::size_t read = job_.bytes.size() - lines_.rest().size();

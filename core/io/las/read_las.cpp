@@ -44,7 +44,7 @@ void readPoints(const ReadJob& job, LasRecords& records, const LasHeader& header
 }  // namespace
 
 Scan readLas(const ReadJob& job) {
-  ScanBuilder builder(job.file, job.options.max_points);
+  ScanBuilder builder(job.file, job.options);
   ScanInfo& info = builder.info();
   const LasHeader header = parseLasHeader(job.bytes, job.file);
   info.format = (header.packed ? "LAZ 1." : "LAS 1.") + std::to_string(header.minor) +

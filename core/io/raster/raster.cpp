@@ -66,8 +66,8 @@ Placement placementOf(GDALDataset& dataset, RasterHead& raster) {
   std::array<double, 6> g{0, 1, 0, static_cast<double>(raster.size.rows), 0, -1};
   if (dataset.GetGeoTransform(g.data()) != CE_None) {
     g = {0, 1, 0, static_cast<double>(raster.size.rows), 0, -1};
-    raster.info.warnings.emplace_back(
-        "The raster has no georeference; one pixel was taken as one unit.");
+    raster.is_placed = false;
+    raster.info.warnings.emplace_back(kNoGeoreference);
   }
   if (!std::all_of(g.begin(), g.end(), [](double v) { return std::isfinite(v); }) || g[1] == 0) {
     refuse(file, "its georeference holds no usable numbers. Write it again with gdal_translate.");

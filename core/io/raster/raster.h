@@ -23,11 +23,16 @@ struct RasterHead {
   GridSize size;
   double pixel = 1;         ///< Sample distance, file unit; x and y agree to 1e-6.
   FilePoint first;          ///< File position of sample (0, 0), z = 0.
+  bool is_placed = true;    ///< The file says where its samples lie; else `pixel` is 1.
   bool is_own_map = false;  ///< Written by writeMap.
   std::optional<ViewFromFile> view_from_file;  ///< Of an own map.
   std::string projection;  ///< Well-known text, true of these heights; empty if none is stated.
   std::string set;         ///< MapFileOptions::set of an own map; empty: none is stated.
 };
+
+/// What is said of a raster that is not placed (RasterHead::is_placed).
+inline constexpr const char* kNoGeoreference =
+    "The raster has no georeference; one pixel was taken as one unit.";
 
 /// A height raster in memory.
 struct RasterMap : RasterHead {

@@ -58,6 +58,7 @@ void pack(const ScanInfo& info, Packer& packer) {
   packer.put(info.reader);
   packer.put(info.reference_system);
   packer.put(info.withheld);
+  packer.put(info.height_step);
   packer.put(static_cast<std::uint64_t>(info.colour.has_value()));
   if (info.colour) {
     packer.put(info.colour->source);
@@ -85,6 +86,8 @@ bool unpackValues(Unpacker& unpacker, ScanInfo& info) {
   info.reader = unpacker.text();
   info.reference_system = unpacker.text();
   info.withheld = unpacker.get<std::uint64_t>();
+  info.height_step = unpacker.get<double>();
+  if (!std::isfinite(info.height_step) || info.height_step < 0) return false;
   if (unpacker.get<std::uint64_t>() != 0) {
     ColourFact fact;
     fact.source = unpacker.text();

@@ -103,6 +103,13 @@ std::optional<WorkerArguments> parseArguments(int argc, char** argv) {
     if (!part) return std::nullopt;
     arguments.options.scan.parts.push_back(*part);
   }
+  const auto every = parseWhole<std::uint64_t>(argv[11]);
+  if (!every || *every < 1) return std::nullopt;
+  arguments.options.scan.every = *every;
+  if (std::string_view(argv[12]) != "-") {
+    arguments.options.free_bytes = parseWhole<std::uint64_t>(argv[12]);
+    if (!arguments.options.free_bytes) return std::nullopt;
+  }
   arguments.more.assign(argv + kWorkerArgumentCount, argv + argc);
   if (arguments.kind != ImportKind::points) return arguments;
   const auto stream = streamSetupOf(arguments.more);

@@ -101,6 +101,7 @@ std::string textOf(const RasterHead& raster) {
   packer.put(raster.size);
   packer.put(raster.pixel);
   packer.put(raster.first);
+  packer.put(static_cast<std::uint64_t>(raster.is_placed));
   packer.put(static_cast<std::uint64_t>(raster.is_own_map));
   packer.put(static_cast<std::uint64_t>(raster.view_from_file.has_value()));
   packer.put(raster.view_from_file.value_or(ViewFromFile{}));
@@ -272,6 +273,7 @@ WorkerAnswer takeRaster(int fd, const AnswerHeader& header, Unpacker& unpacker) 
   raster.size = unpacker.get<GridSize>();
   raster.pixel = unpacker.get<double>();
   raster.first = unpacker.get<FilePoint>();
+  raster.is_placed = unpacker.get<std::uint64_t>() != 0;
   raster.is_own_map = unpacker.get<std::uint64_t>() != 0;
   const bool has_view = unpacker.get<std::uint64_t>() != 0;
   const auto view = unpacker.get<ViewFromFile>();

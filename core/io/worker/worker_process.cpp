@@ -61,16 +61,19 @@ std::filesystem::path importProgram(ImportProgram program, const std::filesystem
 
 WorkerProcess::WorkerProcess(const ImportAsk& ask) {
   const ImportOptions& options = ask.options;
-  std::vector<std::string> arguments{kWorkerArgument,
-                                     std::filesystem::absolute(ask.file).string(),
-                                     std::string(1, static_cast<char>(ask.kind)),
-                                     options.accept_incomplete ? "1" : "0",
-                                     std::to_string(options.max_points),
-                                     std::to_string(options.max_memory_bytes),
-                                     roundTripText(std::array{options.max_cpu_s}),
-                                     options.scan.keep_withheld ? "1" : "0",
-                                     std::to_string(static_cast<int>(options.scan.reader)),
-                                     partsText(options.scan.parts)};
+  std::vector<std::string> arguments{
+      kWorkerArgument,
+      std::filesystem::absolute(ask.file).string(),
+      std::string(1, static_cast<char>(ask.kind)),
+      options.accept_incomplete ? "1" : "0",
+      std::to_string(options.max_points),
+      std::to_string(options.max_memory_bytes),
+      roundTripText(std::array{options.max_cpu_s}),
+      options.scan.keep_withheld ? "1" : "0",
+      std::to_string(static_cast<int>(options.scan.reader)),
+      partsText(options.scan.parts),
+      std::to_string(options.scan.every),
+      options.free_bytes ? std::to_string(*options.free_bytes) : "-"};
   arguments.insert(arguments.end(), ask.more.begin(), ask.more.end());
   start(importProgram(ask.program, ownFolder("Files cannot be read:")), std::move(arguments),
         answerFile(ask.answer_folder), ask.fds);

@@ -19,7 +19,7 @@ inline constexpr int kProgressFd = 3;            ///< Lines "fraction step".
 inline constexpr int kAnswerFd = 4;              ///< scan_transport.h
 inline constexpr int kInputFd = 5;               ///< What a worker without a file works on.
 inline constexpr int kFirstChannelFd = 5;        ///< Of a stream (stream_protocol.h).
-inline constexpr int kWorkerArgumentCount = 11;  ///< And those of ImportAsk::more.
+inline constexpr int kWorkerArgumentCount = 13;  ///< And those of ImportAsk::more.
 
 /// What the worker is to answer with: its third argument.
 enum class ImportKind : char {

@@ -356,6 +356,53 @@ void writeOwnMap(LargeMap& map, const RasterRows& raster, const GridFrame& frame
   map.seconds.pyramid = secondsSince(start);
 }
 
+GridFrame frameOf(GridSize size, double spacing_mm) {
+  return {.size = size,
+          .spacing_mm = spacing_mm,
+          .first_x_mm = 0.5 * spacing_mm,
+          .first_y_mm = 0.5 * spacing_mm};
+}
+
+/// A raster from elsewhere: its samples stay, the lowest lies on the base plane.
+void writeForeign(LargeMap& map, Surface& facts, const RasterRows& rows,
+                  const SurfaceOptions& options, LargeMapOptions& large, Clock::time_point start,
+                  const Task& task) {
+  const RasterHead& raster = rows.head();
+  if (options.view && options.view->name != "top" && options.view->name != "auto" &&
+      options.view->name != kEarlierAutomatic) {
+    throw failure<MessageId::raster_from_the_top_only>();
+  }
+  const RasterInUse in_use(rows, options.nodata, task);
+  const ScaleInUse scale = scaleInUse(raster, facts.unit, facts.unit_source, options.raster,
+                                      in_use.lowest(), in_use.highest());
+  sayScale(facts, scale);
+  copyFacts(facts, map);
+  map.missing = in_use.missing();
+  map.messages.insert(map.messages.end(), in_use.messages().begin(), in_use.messages().end());
+  const GridFrame frame = frameOf(raster.size, scale.pixel_mm);
+  const MemoryPlan plan = planWork(frame, options, large, std::nullopt, {});
+  map.seconds.read = secondsSince(start);
+  const double lowest = scale.lowest(in_use.lowest(), in_use.highest());
+  fillAndWrite(
+      map,
+      {.depths = {.front = in_use.depths(scale.height_mm, lowest), .between = {}},
+       .frame = frame,
+       .fill = {.has_sampling_gaps = false,
+                .base_quantile = 0,
+                .base_z_mm = scale.baseAbove(lowest)},
+       .left_out = {}},
+      options, large, plan,
+      [&](double base_z_mm) {
+        const double mm = scale.pixel_mm / raster.pixel;
+        ViewFromFile view = viewFromFile(
+            *standardRotation("top"), mm, frame.first_x_mm - mm * raster.first.x,
+            frame.first_y_mm - mm * raster.first.y, -(base_z_mm + lowest * scale.height_mm));
+        view.m[kHeightScale] = scale.height_mm;
+        return view;
+      },
+      task);
+}
+
 LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& options,
                     const LargeMapOptions& asked, const ImportOptions& import, const Task& task) {
   const auto start = Clock::now();
@@ -381,45 +428,19 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
         "Colours beside a map are not read by tiles; its levels are made without. Leave out "
         "--memory, or make the map from its scan.");
   }
-  copyFacts(facts, map);
   map.engine = raster.is_own_map ? "as stored" : "raster";
   map.rule = "as stored";
-  const double mm = mmPer(facts.unit);
-  const double spacing = raster.pixel * mm;
-  GridFrame frame{.size = raster.size,
-                  .spacing_mm = spacing,
-                  .first_x_mm = 0.5 * spacing,
-                  .first_y_mm = 0.5 * spacing};
-  if (raster.is_own_map) {
-    frame.first_x_mm = raster.first.x;
-    frame.first_y_mm = raster.first.y;
-  }
-  const MemoryPlan plan = planWork(frame, options, large, std::nullopt, {});
-  map.seconds.read = secondsSince(start);
-  if (raster.is_own_map) {
-    writeOwnMap(map, rows, frame, options, large, task);
+  if (!raster.is_own_map) {
+    writeForeign(map, facts, rows, options, large, start, task);
     return map;
   }
-  if (options.view && options.view->name != "top" && options.view->name != "auto" &&
-      options.view->name != kEarlierAutomatic) {
-    throw failure<MessageId::raster_from_the_top_only>();
-  }
-  const RasterInUse in_use(rows, options.nodata, task);
-  map.missing = in_use.missing();
-  map.messages.insert(map.messages.end(), in_use.messages().begin(), in_use.messages().end());
-  const double lowest = in_use.lowest();
-  fillAndWrite(
-      map,
-      {.depths = {.front = in_use.depths(mm), .between = {}},
-       .frame = frame,
-       .fill = {.has_sampling_gaps = false, .base_quantile = 0},
-       .left_out = {}},
-      options, large, plan,
-      [&](double base_z_mm) {
-        return viewFromFile(*standardRotation("top"), mm, frame.first_x_mm - mm * raster.first.x,
-                            frame.first_y_mm - mm * raster.first.y, -(base_z_mm + lowest * mm));
-      },
-      task);
+  copyFacts(facts, map);
+  GridFrame frame = frameOf(raster.size, raster.pixel);
+  frame.first_x_mm = raster.first.x;
+  frame.first_y_mm = raster.first.y;
+  planWork(frame, options, large, std::nullopt, {});
+  map.seconds.read = secondsSince(start);
+  writeOwnMap(map, rows, frame, options, large, task);
   return map;
 }
 

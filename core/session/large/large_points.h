@@ -15,7 +15,7 @@
 #include "core/io/point_files.h"
 #include "core/session/large/large_map.h"
 #include "core/session/large/large_memory.h"
-#include "core/session/source_in_use.h"
+#include "core/session/source/source_in_use.h"
 #include "core/session/surface.h"
 #include "core/tiles/band_fill.h"
 #include "core/tiles/job_folder.h"

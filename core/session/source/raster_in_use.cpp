@@ -15,7 +15,8 @@ RasterInUse::RasterInUse(const RasterRows& raster, const std::optional<NodataCho
                          const Task& task)
     : raster_(raster),
       value_(nodata ? nodata->value : std::nullopt),
-      lowest_(raster.head().info.bounds->min.z) {
+      lowest_(raster.head().info.bounds->min.z),
+      highest_(raster.head().info.bounds->max.z) {
   const FileBounds& box = *raster.head().info.bounds;
   if (!nodata && (isUsualNodata(box.min.z) || isUsualNodata(box.max.z))) {
     if (const auto suspect = suspectAmong(heights(task))) {
@@ -24,11 +25,13 @@ RasterInUse::RasterInUse(const RasterRows& raster, const std::optional<NodataCho
   }
   if (!value_) return;
   lowest_ = std::numeric_limits<double>::infinity();
+  highest_ = -lowest_;
   heights(task)([this](double z) {
     if (isHeight(z, *value_, 0)) {
       ++missing_;
     } else {
       lowest_ = std::min(lowest_, z);
+      highest_ = std::max(highest_, z);
     }
   });
   if (!std::isfinite(lowest_)) {
@@ -51,8 +54,8 @@ Heights RasterInUse::heights(const Task& task) const {
   };
 }
 
-RowsOf RasterInUse::depths(double mm) const {
-  return [this, mm](int first, int rows, float* out) {
+RowsOf RasterInUse::depths(double mm, double value) const {
+  return [this, mm, value](int first, int rows, float* out) {
     raster_.read(first, rows, out, nullptr);
     const float* const end =
         out + static_cast<std::size_t>(rows) * static_cast<std::size_t>(raster_.head().size.cols);
@@ -60,8 +63,8 @@ RowsOf RasterInUse::depths(double mm) const {
     for (; out != end; ++out) {
       const auto z = static_cast<double>(*out);
       const bool is_none = value_ && isHeight(z, *value_, 0);
-      *out = is_none ? std::numeric_limits<float>::quiet_NaN()
-                     : static_cast<float>((z - lowest_) * mm);
+      *out =
+          is_none ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>((z - value) * mm);
     }
   };
 }

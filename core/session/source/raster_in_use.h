@@ -22,18 +22,19 @@ class RasterInUse {
               const Task& task);
 
   double lowest() const { return lowest_; }  ///< File unit.
+  double highest() const { return highest_; }
   std::uint64_t missing() const { return missing_; }
   /// What to say of heights that stand for none.
   const std::vector<std::string>& messages() const { return messages_; }
-  /// In millimetres above the lowest; NaN: none. @param mm  in a file unit
-  RowsOf depths(double mm) const;
+  /// In millimetres above `value`; NaN: none. @param mm  in a step of the file's heights
+  RowsOf depths(double mm, double value) const;
 
  private:
   Heights heights(const Task& task) const;
 
   const RasterRows& raster_;
   std::optional<double> value_;  ///< Stands for none.
-  double lowest_ = 0;
+  double lowest_ = 0, highest_ = 0;
   std::uint64_t missing_ = 0;
   std::vector<std::string> messages_;
 };

@@ -16,6 +16,7 @@ constexpr double kLeastRateHz = 800;  // Below, surfaces must be made softer (E3
 constexpr std::uint64_t kMostMalformedPerThousand = 1;
 constexpr double kMovedMm = 0.2;
 constexpr int kMovedCounts = 200;
+constexpr double kEdgeShare = 0.8;  // Of the workspace's half: there its end can be felt.
 constexpr std::array<DeviceN, 6> kDirections{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 constexpr std::array<std::uint8_t, 3> kLights{red, green, blue};
@@ -103,6 +104,11 @@ bool SelfTest::step(std::int64_t now_ns) {
       break;
     case Phase::person: {
       pressed_ |= reading.buttons;
+      for (std::size_t i = 0; i < kDirections.size(); ++i) {
+        const DeviceN& d = kDirections[i];
+        const DeviceMm& p = reading.position;
+        reached_mm_[i] = std::max(reached_mm_[i], p.x * d.x + p.y * d.y + p.z * d.z);
+      }
       const LinkStatus& status = device_.status();
       bool moved = true;
       for (std::size_t i = 0; i < kArms; ++i) {
@@ -110,7 +116,7 @@ bool SelfTest::step(std::int64_t now_ns) {
         most_[i] = std::max<int>(most_[i], status.encoders[i]);
         moved = moved && most_[i] - least_[i] > kMovedCounts;
       }
-      const bool all = moved && pressed_ == kAllButtons;
+      const bool all = moved && pressed_ == kAllButtons && missingSides().empty();
       if (all || since_s > options_.wait_for_person_s) {
         judgePerson();
         next(Phase::done, now_ns);
@@ -200,6 +206,34 @@ void SelfTest::judgePerson() {
         {range > kMovedCounts ? SelfTestLine::Result::passed : SelfTestLine::Result::not_seen,
          said<MessageId::self_test_encoder>(Message{kNames[i], {}}, range)});
   }
+  judgeEdges();
+}
+
+std::vector<Message> SelfTest::missingSides() const {
+  constexpr std::array<MessageId, 6> kNames{
+      MessageId::self_test_side_right, MessageId::self_test_side_left,
+      MessageId::self_test_side_up,    MessageId::self_test_side_down,
+      MessageId::self_test_side_out,   MessageId::self_test_side_in};
+  const DeviceMm& half = device_.info().workspace.half_extent;
+  const std::array<double, 6> ends{half.x, half.x, half.y, half.y, half.z, half.z};
+  std::vector<Message> missing;
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (reached_mm_[i] < kEdgeShare * ends[i]) missing.push_back({kNames[i], {}});
+  }
+  return missing;
+}
+
+void SelfTest::judgeEdges() {
+  const auto mm = [this](std::size_t i) { return fixed(reached_mm_[i], 0); };
+  const std::vector<Message> missing = missingSides();
+  if (missing.empty()) {
+    lines_.push_back({SelfTestLine::Result::passed,
+                      said<MessageId::self_test_edges>(mm(0), mm(1), mm(2), mm(3), mm(4), mm(5))});
+  } else {
+    lines_.push_back(
+        {SelfTestLine::Result::not_seen, said<MessageId::self_test_edges_missing>(
+                                             mm(0), mm(1), mm(2), mm(3), mm(4), mm(5), missing)});
+  }
 }
 
 Message SelfTest::prompt() const {
@@ -211,7 +245,8 @@ Message SelfTest::prompt() const {
     case Phase::nudges:
       return said<MessageId::self_test_hold_loosely>();
     case Phase::person: {
-      const std::vector<Message> missing = missingButtons(pressed_);
+      std::vector<Message> missing = missingButtons(pressed_);
+      for (Message& side : missingSides()) missing.push_back(std::move(side));
       return missing.empty() ? said<MessageId::self_test_move_and_press>()
                              : said<MessageId::self_test_still_missing>(missing);
     }

@@ -24,7 +24,8 @@ struct SelfTestOptions {
   double wait_for_person_s = 0;  ///< Longest wait for buttons and movement; 0: they are not tried.
 };
 
-/// Tries an open, ready Falcon: evenness of answers, lights, nudges, buttons, encoders. Plays the
+/// Tries an open, ready Falcon: evenness of answers, lights, nudges, buttons, encoders, and whether
+/// the hand gets to the edges of what the workspace uses. Plays the
 /// loop's part: calls exchange() itself, once a step. [any one thread, about 1000 steps a second]
 class SelfTest {
  public:
@@ -45,6 +46,8 @@ class SelfTest {
   void judgeRate(double measured_s);
   void judgeNudges();
   void judgePerson();
+  void judgeEdges();
+  std::vector<Message> missingSides() const;
   DeviceN nudge(const DeviceReading& reading, double since_s);
 
   FalconDevice& device_;
@@ -62,6 +65,7 @@ class SelfTest {
   std::array<double, 6> moved_mm_{};
   std::uint32_t pressed_ = 0;
   std::array<int, kArms> least_{}, most_{};
+  std::array<double, 6> reached_mm_{};  ///< Right, left, up, down, out, in.
 };
 
 }  // namespace relievo::falcon

@@ -29,6 +29,7 @@
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/rt/realtime_thread.h"
+#include "plugins/haptics/device/homing_picture.h"
 #include "plugins/haptics/shown_file.h"
 #include "ui/message/message_text.h"
 
@@ -172,7 +173,11 @@ QWidget* DeviceSetupDialog::buildStart() {
 
 QWidget* DeviceSetupDialog::buildHoming() {
   auto* group = new QGroupBox(tr("Homing"));
-  auto* form = new QFormLayout(group);
+  auto* row = new QHBoxLayout(group);
+  homing_ = new HomingPicture;
+  row->addWidget(homing_, 0, Qt::AlignTop);
+  auto* form = new QFormLayout;
+  row->addLayout(form, 1);
   const std::array<QString, falcon::kArms> names{tr("Top arm"), tr("Right arm"), tr("Left arm")};
   constexpr std::array<const char*, falcon::kArms> kNames{"armTop", "armRight", "armLeft"};
   for (std::size_t i = 0; i < falcon::kArms; ++i) {
@@ -266,6 +271,7 @@ void DeviceSetupDialog::showStatus() {
     const bool homed = (status.homed >> i & 1U) != 0;
     setTextIfNew(arms_[i], homed ? tr("✓ found") : tr("– missing"));
   }
+  if (homing_->state() != status.state) homing_->show(status.state);
   const bool ready = status.state == LinkState::ready;
   setTextIfNew(hand_, ready ? tr("%1 right, %2 up, %3 out, in millimetres; %4 answers per second")
                                   .arg(withoutMinusZero(status.position.x), 0, 'f', 1)
@@ -330,7 +336,7 @@ void DeviceSetupDialog::endBeforeSleep() {
 }
 
 void DeviceSetupDialog::startSelfTest() {
-  constexpr double kWaitForPersonSeconds = 20;
+  constexpr double kWaitForPersonSeconds = 40;  // All sides and all buttons.
   notice_.clear();
   calibration_.reset();
   test_.emplace(*device_, falcon::SelfTestOptions{.nudges = true,

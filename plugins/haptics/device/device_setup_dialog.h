@@ -23,6 +23,8 @@ class QScrollArea;
 
 namespace relievo {
 
+class HomingPicture;
+
 /// From plug to touch, step by step: find, permission, firmware, homing, self test, calibration,
 /// handedness. All of it by keyboard, every change said. Holds the Falcon while it is open.
 /// [GUI thread]
@@ -79,6 +81,7 @@ class DeviceSetupDialog : public QDialog {
   QPushButton* browse_ = nullptr;
   QProgressBar* upload_ = nullptr;
   std::array<QLabel*, falcon::kArms> arms_{};
+  HomingPicture* homing_ = nullptr;
   QLabel* hand_ = nullptr;
   QPushButton* self_test_ = nullptr;
   QPlainTextEdit* results_ = nullptr;

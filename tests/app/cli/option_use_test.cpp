@@ -77,6 +77,13 @@ TEST_F(OptionUse, OfOtherVerbsLikewise) {
   const std::string m = map(), out = path("o.csv"), log = path("log.csv");
   isRefused({"measure", m, "--plane", "3", "--point", "4,4", "-o", out}, "--plane needs --area.",
             out);
+  const std::string cloud = write("c.xyz", "0 0 0\n1 0 1\n0 1 2\n1 1 3\n");
+  for (const char* option : {"--pixel-size", "--height-scale", "--height-zero"}) {
+    isRefused({"depthmap", cloud, "--unit", "mm", option, "2", "-o", path("d.tif")},
+              std::string(option) + " needs a raster that relievo did not write.", path("d.tif"));
+  }
+  isRefused({"depthmap", m, "--unit", "mm", "--height-scale", "0", "-o", path("d.tif")},
+            "A pixel size is above 0 mm, and a height scale is not 0 mm.", path("d.tif"));
   isRefused({"convert", m, path("o.tif"), "--plate", "2"}, "--plate needs an OUT.stl.",
             path("o.tif"));
   isRefused({"touch", m, "--stroke", kFlatStroke, "--magnet-reach", "2", "-o", out},

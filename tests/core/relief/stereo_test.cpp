@@ -105,5 +105,62 @@ TEST(Rivalry, CountsStrongRedsAndCyans) {
   EXPECT_NEAR(rivalShare(mixed), 0.3, 1e-12);
 }
 
+/// One byte a pixel, rows from the top.
+Bytes paired(StereoPrint print, Bytes left, const Bytes& right, PixelRows rows) {
+  rows.channels = 1;
+  pairPictures(print, left, right, rows);
+  return left;
+}
+
+TEST(StereoForScreens, SideBySideSqueezesEachPictureIntoItsHalf) {
+  EXPECT_EQ(paired(StereoPrint::side_by_side, {10, 20, 30, 40, 1, 1, 3, 3},
+                   {50, 50, 70, 70, 5, 7, 9, 9}, {.width = 4, .height = 2}),
+            (Bytes{15, 35, 50, 70, 1, 3, 6, 9}));
+}
+
+TEST(StereoForScreens, OverAndUnderHasTheLeftEyeAboveWhereverMemoryBegins) {
+  const Bytes left{10, 30, 50, 70}, right{100, 120, 140, 160};  // A column of four.
+  EXPECT_EQ(paired(StereoPrint::over_under, left, right, {.width = 1, .height = 4}),
+            (Bytes{20, 60, 110, 150}));
+  const Bytes left_up(left.rbegin(), left.rend()), right_up(right.rbegin(), right.rend());
+  EXPECT_EQ(paired(StereoPrint::over_under, left_up, right_up,
+                   {.width = 1, .height = 4, .from_bottom = true}),
+            (Bytes{150, 110, 60, 20}));
+}
+
+TEST(StereoForScreens, InterlacedGivesTheLeftEyeTheEvenRowsOfTheScreen) {
+  const Bytes left(6, 1), right(6, 2);
+  EXPECT_EQ(paired(StereoPrint::interlaced, left, right, {.width = 2, .height = 3}),
+            (Bytes{1, 1, 2, 2, 1, 1}));
+  EXPECT_EQ(paired(StereoPrint::interlaced, left, right, {.width = 2, .height = 3, .first_row = 1}),
+            (Bytes{2, 2, 1, 1, 2, 2}))
+      << "a window that begins in an odd row";
+  EXPECT_EQ(paired(StereoPrint::interlaced, Bytes(4, 1), Bytes(4, 2),
+                   {.width = 1, .height = 4, .from_bottom = true}),
+            (Bytes{2, 1, 2, 1}));
+}
+
+TEST(StereoForScreens, OddSizesLoseNothingAndTwoSizesAreRefused) {
+  EXPECT_EQ(paired(StereoPrint::side_by_side, {9, 9, 9}, {5, 5, 7}, {.width = 3, .height = 1}),
+            (Bytes{9, 5, 6}));
+  EXPECT_EQ(paired(StereoPrint::side_by_side, {9}, {5}, {.width = 1, .height = 1}), (Bytes{5}));
+  EXPECT_THROW(paired(StereoPrint::side_by_side, {9, 9}, {5}, {.width = 1, .height = 1}),
+               ArgumentError);
+}
+
+TEST(StereoForScreens, EveryKindOnScreenHasItsNameOnPaper) {
+  for (std::size_t i = 0; i < kStereoModeNames.size(); ++i) {
+    const auto mode = static_cast<StereoMode>(i);
+    if (mode == StereoMode::anaglyph) continue;  // "grey".
+    EXPECT_EQ(name(printed(mode)), name(mode));
+  }
+  EXPECT_TRUE(isPair(StereoPrint::interlaced));
+  EXPECT_FALSE(isPair(StereoPrint::dubois));
+  Bytes joined{120, 120, 120, 255};
+  joinEyes(StereoPrint::grey, joined, Bytes{0, 0, 0, 255}, {.width = 1, .height = 1});
+  EXPECT_NEAR(joined[0], 120, 1);
+  EXPECT_EQ(joined[1], 0);
+}
+
 }  // namespace
 }  // namespace relievo

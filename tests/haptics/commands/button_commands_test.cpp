@@ -278,7 +278,7 @@ TEST_F(Buttons, HelpNamesEveryPressOfItsMode) {
   };
   all(englishText(buttons_.help(now_)),
       {"Plus: finer; long: detail and scale.", "Minus: coarser; long: whole",
-       "Forward: move; long: beacon.", "Centre: where am I; long: forces off or",
+       "Forward: move; long: marker.", "Centre: where am I; long: forces off or",
        "Plus and Minus: look or touch; for two seconds: help; for five: introduction."});
   buttons_.toggleMoving();
   all(englishText(buttons_.help(now_)),

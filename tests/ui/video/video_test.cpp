@@ -202,6 +202,37 @@ TEST_F(VideoTest, EachProfileIsPackedForItsUse) {
   EXPECT_THROW(check(request_), ArgumentError) << "an anaglyph with halved colours";
 }
 
+TEST_F(VideoTest, PairsAreOfTheWholeFrameAndGoIntoEveryProfileButRows) {
+  request_.stereo = StereoPrint::side_by_side;
+  request_.eye_angle_deg = 12;
+  VideoFrames frames(*surface_, &recording_, request_);
+  const RgbaImage pair = frames.draw(5);
+  EXPECT_EQ(pair.width, request_.width_px);
+  EXPECT_EQ(pair.height, request_.height_px);
+  const auto at = [&pair](int x, int y) {
+    return pair.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(pair.width) +
+                          static_cast<std::size_t>(x)) +
+                     1];
+  };
+  const int half = pair.width / 2;
+  int in_relief = 0, beside = 0;
+  for (int y = 0; y < pair.height; ++y) {
+    for (int x = 0; x < half; ++x) {
+      // The detail is square and stands at the left.
+      const bool is_relief = 2 * x < pair.height;
+      if (at(x, y) != at(x + half, y)) ++(is_relief ? in_relief : beside);
+    }
+  }
+  EXPECT_GT(in_relief, 50) << "two eyes";
+  EXPECT_EQ(beside, 0) << "plots lie in the plane of the screen";
+  write("screen.mp4");
+  EXPECT_EQ(probed("screen.mp4", "stream=pix_fmt,nb_read_frames"), "yuv420p,11\n");
+  request_.stereo = StereoPrint::interlaced;
+  EXPECT_THROW(check(request_), ArgumentError) << "halved colours mix the rows";
+  request_.profile = VideoProfile::archive;
+  EXPECT_NO_THROW(check(request_));
+}
+
 TEST_F(VideoTest, ImagesNeedNoOtherProgramAndCarryTheirState) {
   const std::string before = std::getenv("PATH");
   ::setenv("PATH", path("nothing").c_str(), 1);

@@ -14,6 +14,7 @@
 #include <QtTest/QTest>
 
 #include "core/project/autosave.h"
+#include "core/project/project.h"
 #include "tests/ui/gui_fixture.h"
 #include "ui/frame/message_strip.h"
 #include "ui/panels/measure_panel.h"
@@ -89,27 +90,51 @@ TEST_F(WorkTest, APlaceIsNamedGoneToRenamedAndDeletedByKeys) {
   EXPECT_EQ(places().places().size(), 1U);
 }
 
-TEST_F(WorkTest, ABeaconIsSetAndRemovedUnderTheHandAndGoneTo) {
+TEST_F(WorkTest, AMarkerIsSetAndRemovedUnderTheHandAndGoneTo) {
   openRelief();
   window().runCommand("finer");
   document().setRect({40, 40, 50, 50});
   const Region there = document().project().region;  // The pointer is elsewhere: its centre counts.
   QTest::keyClick(&window().detailView(), Qt::Key_B, Qt::ControlModifier);
   ASSERT_EQ(places().places().size(), 1U);
-  EXPECT_EQ(places().places()[0].name, "Beacon 1");
-  EXPECT_EQ(child<QLabel>("status_message")->text(), "Beacon 1 set.");
+  EXPECT_EQ(places().places()[0].name, "Marker 1");
+  EXPECT_EQ(child<QLabel>("status_message")->text(), "Marker 1 set.");
   document().move(1, 0);
   window().runCommand("beacon");
   ASSERT_EQ(places().places().size(), 2U);
   document().move(-0.95, 0);  // 0.05 of the window: 4 mm of hand.
   window().runCommand("beacon");
   ASSERT_EQ(places().places().size(), 1U);
-  EXPECT_EQ(child<QLabel>("status_message")->text(), "Beacon 1 removed.");
-  EXPECT_EQ(places().places()[0].name, "Beacon 2");
+  EXPECT_EQ(child<QLabel>("status_message")->text(), "Marker 1 removed.");
+  EXPECT_EQ(places().places()[0].name, "Marker 2");
   window().runCommand("beacon");
-  EXPECT_EQ(places().places()[1].name, "Beacon 1") << "the first number that is free";
+  EXPECT_EQ(places().places()[1].name, "Marker 1") << "the first number that is free";
   window().runCommand("next_place");
   EXPECT_NEAR(document().project().region.x_mm, there.x_mm + there.side_mm, 1e-9);
+}
+
+TEST_F(WorkTest, AMarkerIsAPointThatEveryResolutionFindsAgain) {
+  openRelief();
+  window().runCommand("finer");
+  window().runCommand("finer");
+  document().setRect({30, 40, 20, 20});
+  const int fine = document().detail();
+  const Region there = document().project().region;
+  window().runCommand("beacon");
+  ASSERT_TRUE(places().places().at(0).is_point);
+  window().runCommand("coarser");
+  document().move(2, 0);
+  const Region coarse = document().project().region;
+  ASSERT_LT(document().detail(), fine);
+  window().runCommand("next_place");
+  const Region found = document().project().region;
+  EXPECT_EQ(found.level, coarse.level) << "as fine as before, not as fine as where it was set";
+  EXPECT_EQ(found.side_mm, coarse.side_mm);
+  EXPECT_NEAR(found.centreX(), there.centreX(), 1e-9);
+  EXPECT_NEAR(found.centreY(), there.centreY(), 1e-9);
+  const QString file = path("marked.json");
+  writeProject(QFile::encodeName(file).toStdString(), document().stored());
+  EXPECT_TRUE(readProject(QFile::encodeName(file).toStdString()).places.at(0).is_point);
 }
 
 TEST_F(WorkTest, AViewIsKeptWithItsLightAndReliefByTheMouse) {

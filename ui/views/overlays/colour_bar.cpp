@@ -31,7 +31,8 @@ void ColourBar::show(const ReliefValues& values, const ReliefLook& look) {
         QString::fromUtf8(values.unit.data(), static_cast<int>(values.unit.size())));
   }
   setAccessibleDescription(tr("%1 from %2 to %3").arg(title_, endText(low_), endText(high_)));
-  setVisible(hasLegend(look.kind));
+  wanted_ = hasLegend(look.kind);
+  setVisible(wanted_ && !showsHalves(print_));
   place();
   update();
 }
@@ -51,7 +52,13 @@ QString ColourBar::endText(double value) const {
 void ColourBar::setPrint(StereoPrint print) {
   if (print == print_) return;
   print_ = print;
+  setVisible(wanted_ && !showsHalves(print_));
   update();
+}
+
+void ColourBar::leave() {
+  wanted_ = false;
+  hide();
 }
 
 std::array<std::uint8_t, 3> ColourBar::colourAt(double share) const {

@@ -18,6 +18,7 @@ class ColourBar : public QWidget {
   explicit ColourBar(QWidget* parent);
   /// Hides for relief images that need no explanation.
   void show(const ReliefValues& values, const ReliefLook& look);
+  void leave();  ///< There is nothing to explain.
   /// How two eyes' pictures are mixed: a grey anaglyph has grey colours, and so has its bar.
   void setPrint(StereoPrint print);
   /// The colour that stands for a share of the way from the low end to the high one.
@@ -33,6 +34,7 @@ class ColourBar : public QWidget {
   ReliefLook look_;
   StereoPrint print_ = StereoPrint::off;
   double low_ = 0, high_ = 1;
+  bool wanted_ = false;
   QString title_;
 };
 

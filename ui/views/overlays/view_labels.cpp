@@ -35,9 +35,15 @@ void ViewLabels::setMark(const std::optional<ViewMm>& mark) {
   place();
 }
 
+void ViewLabels::setOff(bool off) {
+  if (off == off_) return;
+  off_ = off;
+  place();
+}
+
 void ViewLabels::place() {
   setGeometry(parentWidget()->rect());
-  setVisible(!labels_.empty() || mark_.has_value());
+  setVisible(!off_ && (!labels_.empty() || mark_.has_value()));
   update();
 }
 

@@ -30,6 +30,8 @@ class ViewLabels : public QWidget {
 
   void setLabels(const std::vector<ViewLabel>& labels);
   void setMark(const std::optional<ViewMm>& mark);
+  /// The picture is one for each eye, side by side: nothing can lie over it.
+  void setOff(bool off);
   const std::vector<ViewLabel>& labels() const { return labels_; }
   const std::optional<ViewMm>& mark() const { return mark_; }
   void place();  ///< After view or camera changed.
@@ -43,6 +45,7 @@ class ViewLabels : public QWidget {
   std::function<QPointF(const ViewMm&)> point_over_;
   std::vector<ViewLabel> labels_;
   std::optional<ViewMm> mark_;
+  bool off_ = false;
 };
 
 }  // namespace relievo

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "haptics/device/falcon/calibration.h"
@@ -40,19 +42,45 @@ TEST_F(FalconSelfTest, AGoodFalconPasses) {
   for (int ms = 0; ms < 20'000 && test.step(clock_->now()); ++ms) {
     step();
     if (test.phase() != SelfTest::Phase::person) continue;
+    // To the end of each side and back, as a hand does it.
+    const double way = 38 * std::sin(ms * 0.01);
+    const int side = ms / 700 % 3;
     falcon([&](auto& f) {
       f.buttons = 1 << (ms / 50 % 4);
-      f.body.carry({0, 0, 110.0 + ms % 40});
+      f.body.carry({side == 0 ? way : 0, side == 1 ? way : 0, 125.0 + (side == 2 ? way : 0)});
     });
   }
   EXPECT_EQ(test.phase(), SelfTest::Phase::done);
   EXPECT_TRUE(test.passed()) << textOf(test);
   EXPECT_THAT(textOf(test), HasSubstr("Buttons: all four work."));
+  EXPECT_THAT(textOf(test), HasSubstr("Edges: the hand reached 3")) << textOf(test);
   for (const SelfTestLine& line : test.lines()) {
     EXPECT_TRUE(line.result == SelfTestLine::Result::passed ||
                 englishText(line.text).starts_with("Lights"))
         << englishText(line.text);
   }
+}
+
+TEST_F(FalconSelfTest, ASideThatTheHandDidNotReachIsAskedForAndNeverPassed) {
+  falcon([](auto& f) { f.body.pullToward({0, 0, 125}); });
+  SelfTest test(*device_, {.wait_for_person_s = 3});
+  std::string asked;
+  for (int ms = 0; ms < 20'000 && test.step(clock_->now()); ++ms) {
+    step();
+    if (test.phase() != SelfTest::Phase::person) continue;
+    asked = englishText(test.prompt());
+    const double way = 38 * std::sin(ms * 0.01);
+    const int side = ms / 700 % 3;
+    falcon([&](auto& f) {
+      f.buttons = 1 << (ms / 50 % 4);
+      // Something stands in the way on the left.
+      f.body.carry({side == 0 ? std::max(way, -10.0) : 0, side == 1 ? way : 0,
+                    125.0 + (side == 2 ? way : 0)});
+    });
+  }
+  EXPECT_THAT(asked, HasSubstr("Still missing: left side."));
+  EXPECT_THAT(textOf(test), HasSubstr("not to the end: left side."));
+  EXPECT_TRUE(test.passed()) << "what nobody did is not seen, and no failure";
 }
 
 TEST_F(FalconSelfTest, TimesAreThoseOfTheTest) {
