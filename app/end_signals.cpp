@@ -38,7 +38,7 @@ void onSignal(int signal) {
     // A terminal that closes sends SIGHUP by the shell and by the kernel, a session SIGTERM and
     // SIGHUP: they are one request. Where nobody answers it the window hangs; then the process is
     // ended by the standard action of a signal that an open device handles: it sends zero first
-    // (haptics/device/falcon/last_words.h).
+    // (haptics/device/falcon/emergency_stop.h).
     const std::int64_t since = nowNs() - first;
     if (since > kPatienceNs || (signal == SIGINT && since > kTwiceNs)) raise(SIGUSR1);
     return;

@@ -19,7 +19,7 @@
 #include "core/region/window.h"
 #include "core/session/finer_heights.h"
 #include "core/session/firmness.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/message/message_text.h"
 #include "ui/views/detail_view.h"
 #include "ui/work/file_names.h"

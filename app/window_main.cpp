@@ -8,7 +8,7 @@
 #include <QIcon>
 #include <QSurfaceFormat>
 
-#include "app/cli/companions.h"
+#include "app/cli/dependencies.h"
 #include "app/cli/options/falcon_setting.h"
 #include "app/cli/state.h"
 #include "app/end_signals.h"
@@ -79,7 +79,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   }
   MainWindow window(captureDepths, mode);
   shareFalconFirmware(window);
-  window.controllers().packages.setCompanions(batch::companionsOf);
+  window.controllers().packages.setDependencies(batch::dependenciesOf);
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());
   QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });

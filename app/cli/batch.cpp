@@ -46,7 +46,7 @@ Verb drawingVerb(std::string_view name) {
   return {.name = std::string(name),
           .help = helpOfDrawingVerb(name),
           .declare = [](CLI::App&) {},
-          .run = [](const Task&) -> Outcome { throw NeedsDrawing{}; }};
+          .run = [](const Task&) -> CommandResult { throw NeedsDrawing{}; }};
 }
 
 }  // namespace
@@ -121,7 +121,7 @@ class InterruptWatch {
   std::jthread thread_;
 };
 
-int report(const Outcome& outcome, const std::string& format) {
+int report(const CommandResult& outcome, const std::string& format) {
   if (format == "json") {
     std::cout << outcome.json << '\n';
   } else {

@@ -191,8 +191,8 @@ std::vector<std::filesystem::path> filesOf(const MapArguments& arguments,
   return filesNamed(names);
 }
 
-Outcome runByTiles(const MapArguments& arguments, const TileArguments& tiles,
-                   const std::filesystem::path& finest, const Task& task) {
+CommandResult runByTiles(const MapArguments& arguments, const TileArguments& tiles,
+                         const std::filesystem::path& finest, const Task& task) {
   const double memory_mb = tiles.memory_mb.value_or(0);
   if (!(memory_mb > 0) || !(memory_mb < 1e9)) {
     throw failure<MessageId::option_memory>();
@@ -228,7 +228,7 @@ Outcome runByTiles(const MapArguments& arguments, const TileArguments& tiles,
   for (const std::string& message : map.messages) tell(message);
   for (const std::string& left : map.not_done) tell(left);
   const Json json = reportOf(map, arguments.factor);
-  Outcome outcome{.json = reportText(json), .lines = {}};
+  CommandResult outcome{.json = reportText(json), .lines = {}};
   for (const Json& level : json["levels"]) {
     outcome.lines.push_back(level["file"].get<std::string>() + ": " + level["cells"][0].dump() +
                             " x " + level["cells"][1].dump());

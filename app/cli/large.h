@@ -36,8 +36,8 @@ std::string timeLeftWords(double seconds, double began_at, double fraction);
 
 /// Makes all levels by tiles within a budget and reports them. @pre areGiven(tiles)
 /// @param finest  file of level 0 @throw Error
-Outcome runByTiles(const MapArguments& arguments, const TileArguments& tiles,
-                   const std::filesystem::path& finest, const Task& task);
+CommandResult runByTiles(const MapArguments& arguments, const TileArguments& tiles,
+                         const std::filesystem::path& finest, const Task& task);
 
 /// A tiled map as it is, anything else as loadForVerb; for verbs that only need windows.
 Surface openForVerb(const MapArguments& arguments, const Task& task);

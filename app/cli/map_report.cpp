@@ -6,12 +6,12 @@
 namespace relievo::batch {
 
 Json sharesJson(const std::array<double, kOriginCount>& shares) {
-  const auto share = [&](Origin origin) { return shares[static_cast<std::size_t>(origin)]; };
-  return {{"measured", share(Origin::measured)},
-          {"interpolated", share(Origin::interpolated)},
-          {"hole", share(Origin::base_plane)},
-          {"steep", share(Origin::steep)},
-          {"outside", share(Origin::outside)}};
+  const auto share = [&](CellStatus origin) { return shares[static_cast<std::size_t>(origin)]; };
+  return {{"measured", share(CellStatus::measured)},
+          {"interpolated", share(CellStatus::interpolated)},
+          {"hole", share(CellStatus::base_plane)},
+          {"steep", share(CellStatus::steep)},
+          {"outside", share(CellStatus::outside)}};
 }
 
 Json holesJson(const std::vector<Hole>& holes) {
@@ -30,7 +30,7 @@ Json lossesJson(const std::optional<DepthLosses>& losses) {
   return {{"hidden_share", losses->hidden_share},
           {"undercut_share", losses->undercut_share},
           {"steep_share", losses->steep_share},
-          {"flyers", losses->flyers}};
+          {"flyers", losses->outliers}};
 }
 
 Json straysJson(const Strays& strays) {
@@ -61,7 +61,8 @@ std::string lossesText(const std::optional<DepthLosses>& losses) {
   const auto percent = [](double share) { return shortNumber(100 * share, 3) + " % "; };
   return "losses: " + percent(losses->hidden_share) + "of the scan hidden, " +
          percent(losses->undercut_share) + "of the cells with an undercut, " +
-         percent(losses->steep_share) + "too steep, " + std::to_string(losses->flyers) + " flyers";
+         percent(losses->steep_share) + "too steep, " + std::to_string(losses->outliers) +
+         " stray points";
 }
 
 }  // namespace relievo::batch

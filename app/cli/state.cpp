@@ -9,7 +9,7 @@
 #include "app/cli/verb.h"
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/session/large/tiled_surface.h"
 #include "core/tiles/tiled_map.h"
 
@@ -44,27 +44,28 @@ void addOutsideOption(CLI::App& verb, OutsideFiles& outside) {
       ->check(CLI::IsMember({"allow", "refuse"}));
 }
 
-void requireOwn(const fs::path& carrier, const InputFile& named, OutsideFiles outside,
+void requireOwn(const fs::path& host_file, const InputFile& named, OutsideFiles outside,
                 const std::string& instead, const Task& task) {
-  if (outside == OutsideFiles::allow || mayBeRead(carrier, named, task)) return;
-  throw failure<MessageId::named_file_outside>(shownName(carrier), printable(named.file), instead);
+  if (outside == OutsideFiles::allow || mayBeRead(host_file, named, task)) return;
+  throw failure<MessageId::named_file_outside>(shownName(host_file), printable(named.file),
+                                               instead);
 }
 
-void findInput(Project& project, const fs::path& carrier, const InputChoice& choice,
+void findInput(Project& project, const fs::path& host_file, const InputChoice& choice,
                const Task& task) {
   const bool is_given = !choice.given.empty();
-  const fs::path file = is_given ? fs::path(choice.given) : foundInput(carrier, project.file);
+  const fs::path file = is_given ? fs::path(choice.given) : foundInput(host_file, project.file);
   project.file = file.string();
   const bool asks = !is_given && choice.outside == OutsideFiles::refuse;
   // Of what differs, with leave to differ, or has no checksum, only its place can tell.
   if (asks && (choice.accept_changed || project.sha256.empty())) {
-    requireOwn(carrier, {project.file, project.sha256, project.bytes}, choice.outside,
+    requireOwn(host_file, {project.file, project.sha256, project.bytes}, choice.outside,
                "Give it as FILE if it is the right one.", task);
   }
   if (project.sha256.empty()) return;  // Without a checksum nobody can tell.
   const std::string sha256 = sha256OfFile(file, task);
   if (sha256 == project.sha256) return;
-  const std::string name = file.filename().string(), made = carrier.filename().string();
+  const std::string name = file.filename().string(), made = host_file.filename().string();
   if (!choice.accept_changed) {
     throw ChangedInputError(said<MessageId::input_is_not_that_file>(name, made));
   }
@@ -130,7 +131,7 @@ Project projectOfVerb(const MapArguments& arguments, const Surface& surface, con
   return p;
 }
 
-void addCarrierOptions(CLI::App& verb, CarrierArguments& a) {
+void addHostFileOptions(CLI::App& verb, HostFileArguments& a) {
   verb.get_option("FILE")->required(false);
   verb.add_option("--from-image", a.from_image,
                   "Draw again what this picture of relievo shows; FILE is then found by itself, or "
@@ -144,7 +145,7 @@ void addCarrierOptions(CLI::App& verb, CarrierArguments& a) {
   addOutsideOption(verb, a.outside_files);
 }
 
-void refuseBeside(const CLI::App& verb, const CarrierArguments& a,
+void refuseBeside(const CLI::App& verb, const HostFileArguments& a,
                   std::initializer_list<const char*> allowed) {
   if (!a.from_image.empty() && !a.project.empty()) {
     throw failure<MessageId::image_or_project>();
@@ -163,9 +164,10 @@ void refuseBeside(const CLI::App& verb, const CarrierArguments& a,
   }
 }
 
-void requireOwnRecording(const Project& p, const CarrierArguments& carrier, const Task& task) {
-  if (carrier.outside_files == OutsideFiles::allow) return;
-  const std::filesystem::path from = carrier.project.empty() ? carrier.from_image : carrier.project;
+void requireOwnRecording(const Project& p, const HostFileArguments& host_file, const Task& task) {
+  if (host_file.outside_files == OutsideFiles::allow) return;
+  const std::filesystem::path from =
+      host_file.project.empty() ? host_file.from_image : host_file.project;
   Project only;
   only.sha256 = p.sha256;
   only.recordings = p.recordings;
@@ -173,23 +175,23 @@ void requireOwnRecording(const Project& p, const CarrierArguments& carrier, cons
                 [&](const InputFile& one) { return one.file != p.figure.recording; });
   only.figure.recording = p.figure.recording;
   for (const auto& foreign : foreignFiles(from, only, task)) {
-    requireOwn(from, {.file = foreign.string(), .sha256 = {}}, carrier.outside_files,
+    requireOwn(from, {.file = foreign.string(), .sha256 = {}}, host_file.outside_files,
                "Give it with --recording if it is the right one.", task);
   }
 }
 
-Project storedProject(const CarrierArguments& a, const std::string& given, const Task& task) {
-  const fs::path carrier = a.from_image.empty() ? a.project : a.from_image;
-  auto project = carriedProject(carrier);
+Project storedProject(const HostFileArguments& a, const std::string& given, const Task& task) {
+  const fs::path host_file = a.from_image.empty() ? a.project : a.from_image;
+  auto project = embeddedProject(host_file);
   if (!project) {
-    throw failure<MessageId::carrier_without_region>(carrier.filename().string());
+    throw failure<MessageId::carrier_without_region>(host_file.filename().string());
   }
-  findInput(*project, carrier,
+  findInput(*project, host_file,
             {.given = given, .accept_changed = a.changed_input, .outside = a.outside_files}, task);
   return std::move(*project);
 }
 
-Stored loadStored(const CarrierArguments& a, const std::string& given, const Task& task) {
+Stored loadStored(const HostFileArguments& a, const std::string& given, const Task& task) {
   Project project = storedProject(a, given, task);
   Surface surface = surfaceOf(project, task);
   Stored stored{.surface = std::move(surface), .project = std::move(project)};
@@ -224,7 +226,7 @@ void requireLevelOf(const DetailLadder& ladder, Level level, const std::string& 
 
 }  // namespace
 
-bool showChosen(Stored& state, const CarrierArguments& carrier, const std::string& view,
+bool showChosen(Stored& state, const HostFileArguments& host_file, const std::string& view,
                 const RegionArguments& region) {
   Project& p = state.project;
   const DetailLadder& ladder = state.surface.ladder;
@@ -237,9 +239,9 @@ bool showChosen(Stored& state, const CarrierArguments& carrier, const std::strin
     p.figure.zero_plane_mm = p.stereo.zero_plane_mm;
     p.figure.swap_eyes = p.stereo.swap_eyes;
   }
-  if (!carrier.place.empty()) {
-    const NamedRegion& place = namedPlace(p, "--place", carrier.place, false);
-    requireLevelOf(ladder, place.region.level, "--place " + carrier.place);
+  if (!host_file.place.empty()) {
+    const NamedRegion& place = namedPlace(p, "--place", host_file.place, false);
+    requireLevelOf(ladder, place.region.level, "--place " + host_file.place);
     const Region at = place.region;
     p.gain = place.gain;
     p.region = at;
@@ -252,7 +254,7 @@ bool showChosen(Stored& state, const CarrierArguments& carrier, const std::strin
     p.region.level = level;
   }
   if (region.gain_given) p.gain = region.gain;
-  return !view.empty() || !carrier.place.empty() || !region.region.empty() || region.level ||
+  return !view.empty() || !host_file.place.empty() || !region.region.empty() || region.level ||
          region.gain_given;
 }
 

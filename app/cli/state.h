@@ -45,22 +45,22 @@ Project projectOfVerb(const MapArguments& arguments, const Surface& surface, con
 enum class OutsideFiles { refuse, allow };
 void addOutsideOption(CLI::App& verb, OutsideFiles& outside);
 /// @throw FileError  `named` must not be read; `instead`: how to give the file by oneself
-void requireOwn(const std::filesystem::path& carrier, const InputFile& named, OutsideFiles outside,
-                const std::string& instead, const Task& task);
+void requireOwn(const std::filesystem::path& host_file, const InputFile& named,
+                OutsideFiles outside, const std::string& instead, const Task& task);
 
 /// Which state comes back, and whether what it was made from may have changed.
-struct CarrierArguments {
+struct HostFileArguments {
   std::string from_image, project;  ///< At most one.
   std::string place = {};           ///< Which of its places; empty: what it shows.
   bool changed_input = false;
   OutsideFiles outside_files = OutsideFiles::refuse;
   bool given() const { return !from_image.empty() || !project.empty(); }
 };
-void addCarrierOptions(CLI::App& verb, CarrierArguments& arguments);
+void addHostFileOptions(CLI::App& verb, HostFileArguments& arguments);
 
 /// What the state says must not be said again, differently.
 /// @throw ArgumentError  naming an option that is given beside it and not among `allowed`
-void refuseBeside(const CLI::App& verb, const CarrierArguments& arguments,
+void refuseBeside(const CLI::App& verb, const HostFileArguments& arguments,
                   std::initializer_list<const char*> allowed);
 
 /// Which file is taken for the one that a state names.
@@ -71,20 +71,21 @@ struct InputChoice {
 };
 
 /// Sets file and checksum of a state to what is there now, as loadStored does.
-/// @throw FileError  E501, nowhere there, or outside of the carrier's folder and not
+/// @throw FileError  E501, nowhere there, or outside of the host file's folder and not
 /// accepted  @throw ChangedInputError  not accepted
-void findInput(Project& project, const std::filesystem::path& carrier, const InputChoice& choice,
+void findInput(Project& project, const std::filesystem::path& host_file, const InputChoice& choice,
                const Task& task);
 Surface surfaceOf(const Project& project, const Task& task);
 
 /// The state that a file carries, its input found and checked; no surface is made.
 /// @throw FileError, ChangedInputError  as loadStored
-Project storedProject(const CarrierArguments& arguments, const std::string& given,
+Project storedProject(const HostFileArguments& arguments, const std::string& given,
                       const Task& task);
 
 /// The recording that the state would have plotted: one of the project's, or of its very input.
 /// @throw FileError  it must not be read
-void requireOwnRecording(const Project& project, const CarrierArguments& carrier, const Task& task);
+void requireOwnRecording(const Project& project, const HostFileArguments& host_file,
+                         const Task& task);
 
 /// A state that came back, and the surface it belongs to.
 struct Stored {
@@ -92,14 +93,14 @@ struct Stored {
   Project project;
 };
 /// Finds and checks the input: `given` if it is not empty, else where the state says, beside the
-/// carrier, and in the working folder; then makes the surface.
+/// host file, and in the working folder; then makes the surface.
 /// @throw FileError  no state, or (E501) no input  @throw ChangedInputError  not accepted
-Stored loadStored(const CarrierArguments& arguments, const std::string& given, const Task& task);
+Stored loadStored(const HostFileArguments& arguments, const std::string& given, const Task& task);
 
 /// What of the state is shown: a view of its places, one of them, a region, in this order; each
 /// goes beyond those before. @param view  a view's name; empty: none
 /// @return whether anything was asked for  @throw ArgumentError  no such place, view or level
-bool showChosen(Stored& state, const CarrierArguments& carrier, const std::string& view,
+bool showChosen(Stored& state, const HostFileArguments& host_file, const std::string& view,
                 const RegionArguments& region);
 
 }  // namespace relievo::batch

@@ -16,7 +16,7 @@
 namespace relievo::batch {
 
 /// What a verb leaves behind: a JSON object as text for `--report json`, lines for people else.
-struct Outcome {
+struct CommandResult {
   std::string json;
   std::vector<std::string> lines;
   int exit_code = 0;
@@ -29,7 +29,7 @@ struct Verb {
   std::function<void(CLI::App&)> declare;
   /// Looked at before it runs; empty: it replaces no file that it reads.
   std::function<VerbFiles()> files = {};
-  std::function<Outcome(const Task&)> run;
+  std::function<CommandResult(const Task&)> run;
 };
 
 // Each makes a verb whose options live as long as the verb does.

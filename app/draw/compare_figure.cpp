@@ -4,7 +4,7 @@
 #include "app/cli/json.h"
 #include "app/cli/library_versions.h"
 #include "app/cli/report_text.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/provenance/program.h"
 #include "core/session/large/tiled_surface.h"
 #include "ui/figure/figure.h"
@@ -62,7 +62,8 @@ std::string sizeText(const StoredPixels& p) {
 
 }  // namespace
 
-Outcome compareFigure(const CarrierArguments& picture, const std::string& given, const Task& task) {
+CommandResult compareFigure(const HostFileArguments& picture, const std::string& given,
+                            const Task& task) {
   const fs::path file = picture.from_image;
   const std::string name = file.filename().string();
   const std::optional<StoredPixels> before = importPixels(file, task);
@@ -81,7 +82,7 @@ Outcome compareFigure(const CarrierArguments& picture, const std::string& given,
   const bool one_size = before->width == now.width && before->height == now.height;
   const PixelDifference difference = one_size ? differenceOf(*before, now) : PixelDifference{};
   const bool same = one_size && difference.pixels == 0;
-  const Json others = otherPrograms(stateCarriedBy(file).value_or(std::string()));
+  const Json others = otherPrograms(embeddedStateOf(file).value_or(std::string()));
   Json json;
   json["file"] = picture.from_image;
   json["same"] = same;
@@ -90,7 +91,7 @@ Outcome compareFigure(const CarrierArguments& picture, const std::string& given,
   json["differing_pixels"] = one_size ? Json(difference.pixels) : Json(nullptr);
   json["largest_difference"] = one_size ? Json(difference.largest) : Json(nullptr);
   json["other_programs"] = others;
-  Outcome outcome{.json = reportText(json), .lines = {}, .exit_code = same ? 0 : 5};
+  CommandResult outcome{.json = reportText(json), .lines = {}, .exit_code = same ? 0 : 5};
   if (same) {
     outcome.lines.push_back(name + ": drawn again with the same " + sizeText(now));
   } else if (!one_size) {

@@ -10,6 +10,7 @@ namespace relievo::batch {
 /// nothing. Exit status 5 where any pixel differs.
 /// @param picture  its `from_image` is the picture  @param given  the scan; empty: as it says
 /// @throw ArgumentError, FileError, GraphicsError, Cancelled
-Outcome compareFigure(const CarrierArguments& picture, const std::string& given, const Task& task);
+CommandResult compareFigure(const HostFileArguments& picture, const std::string& given,
+                            const Task& task);
 
 }  // namespace relievo::batch

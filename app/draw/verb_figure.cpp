@@ -24,7 +24,7 @@ struct Arguments {
   MapArguments map;
   RegionArguments region;
   FigureArguments figure;
-  CarrierArguments carrier;
+  HostFileArguments host_file;
   std::string out, caption, heights;
   std::string compare;  ///< A picture that is drawn again; empty: one is made.
 };
@@ -41,14 +41,14 @@ Stored fromArguments(const Arguments& a, const Task& task) {
 
 /// What is asked for beside a state takes the place of what the state says.
 Stored fromState(const Arguments& a, const Task& task) {
-  Stored state = loadStored(a.carrier, a.map.file, task);
+  Stored state = loadStored(a.host_file, a.map.file, task);
   Project& p = state.project;
   p.picture.reset();
-  showChosen(state, a.carrier, a.map.view, a.region);
+  showChosen(state, a.host_file, a.map.view, a.region);
   const std::string plotted = p.figure.recording;
   p.figure = figureRequest(a.figure, p.figure);
   if (!plotted.empty() && p.figure.recording == plotted && a.figure.recording.empty()) {
-    requireOwnRecording(p, a.carrier, task);
+    requireOwnRecording(p, a.host_file, task);
   }
   for (const Measurement& m : measurements(a.figure)) p.measurements.push_back(m);
   return state;
@@ -80,14 +80,14 @@ FigureFiles figureFiles(const Arguments& a) {
           .caption = a.caption == "-" ? "" : a.caption};  // Shown in any case.
 }
 
-Outcome runFigure(const Arguments& a, const Task& task) {
-  if (!a.compare.empty()) return compareFigure(a.carrier, a.map.file, task);
-  if (!a.carrier.given() && a.map.file.empty()) {
+CommandResult runFigure(const Arguments& a, const Task& task) {
+  if (!a.compare.empty()) return compareFigure(a.host_file, a.map.file, task);
+  if (!a.host_file.given() && a.map.file.empty()) {
     throw failure<MessageId::figure_of_nothing>();
   }
   const FigureFiles files = figureFiles(a);
   check(files);  // Refused before the work.
-  const Stored state = a.carrier.given() ? fromState(a, task) : fromArguments(a, task);
+  const Stored state = a.host_file.given() ? fromState(a, task) : fromArguments(a, task);
   const Surface& surface = state.surface;
   const Project& project = state.project;
   warnIfAliased(surface, project.region);
@@ -141,20 +141,20 @@ void checkCompare(const CLI::App& verb, Arguments& a) {
   }
   for (const auto& [option, text] : {std::pair<const char*, const std::string*>{"-o", &a.out},
                                      {"--caption", &a.caption},
-                                     {"--from-image", &a.carrier.from_image},
-                                     {"--project", &a.carrier.project}}) {
+                                     {"--from-image", &a.host_file.from_image},
+                                     {"--project", &a.host_file.project}}) {
     if (text->empty()) continue;
     throw ArgumentError(std::string(option) +
                         ": --compare draws again what its picture shows, and writes nothing. "
                         "Nothing was drawn. Leave one of them out.");
   }
-  a.carrier.from_image = a.compare;
-  refuseBeside(verb, a.carrier, {"compare"});
+  a.host_file.from_image = a.compare;
+  refuseBeside(verb, a.host_file, {"compare"});
 }
 
 VerbFiles filesOf(const Arguments& a) {
   VerbFiles files;
-  files.readsStateOf(a.carrier, a.map.file);
+  files.readsStateOf(a.host_file, a.map.file);
   files.reads(a.figure.recording, "the recording that is read");
   for (const auto& out : namesOf(figureFiles(a))) files.writes(out);
   files.writesMap(a.region.window_out);
@@ -171,7 +171,7 @@ Verb figureVerb() {
       .declare =
           [arguments](CLI::App& verb) {
             addMapOptions(verb, arguments->map);
-            addCarrierOptions(verb, arguments->carrier);
+            addHostFileOptions(verb, arguments->host_file);
             addRegionOptions(verb, arguments->region);
             addFigureOptions(verb, arguments->figure);
             verb.add_option("--caption", arguments->caption, "Also write the caption as text");
@@ -184,11 +184,11 @@ Verb figureVerb() {
             verb.final_callback([arguments, &verb] {
               checkCompare(verb, *arguments);
               if (!arguments->compare.empty()) return;
-              requireCarrier(arguments->carrier);
-              requireProject(arguments->carrier);
-              if (!arguments->carrier.given()) return;
+              requireHostFile(arguments->host_file);
+              requireProject(arguments->host_file);
+              if (!arguments->host_file.given()) return;
               refuseBeside(
-                  verb, arguments->carrier,
+                  verb, arguments->host_file,
                   {"place",     "view",       "region",    "level",        "gain",    "window-out",
                    "layout",    "width-mm",   "dpi",       "scale",        "text-pt", "relief",
                    "colours",   "light",      "radius",    "range",        "shading", "stereo",

@@ -35,7 +35,7 @@ struct RenderArguments {
   int pixels = 800;
   bool scale_bar = false, swap_eyes = false;
   std::string out, caption;
-  CarrierArguments carrier;
+  HostFileArguments host_file;
   // Given beside a state, they take the place of what it says.
   bool stereo_given = false, pixels_given = false, look_given = false;
 };
@@ -115,10 +115,10 @@ Stored fromArguments(const RenderArguments& a, const Task& task) {
 /// What is asked for beside a state takes the place of what the state says; it is a picture of the
 /// region then, and no figure.
 Stored fromState(const RenderArguments& a, const Task& task) {
-  Stored state = loadStored(a.carrier, a.map.file, task);
+  Stored state = loadStored(a.host_file, a.map.file, task);
   Project& p = state.project;
   const Region before = p.region;
-  const bool chosen = showChosen(state, a.carrier, a.map.view, a.region);
+  const bool chosen = showChosen(state, a.host_file, a.map.view, a.region);
   if (!chosen && !a.stereo_given && !a.pixels_given && !a.look_given && !a.scale_bar) return state;
   checkEnding(a.out);
   p.look = p.figure.look = reliefLook(a.look, p.look);
@@ -148,8 +148,8 @@ void takePlaces(const RenderArguments& a, const std::string& caption, OutputSet&
 }
 
 /// Two eyes' pictures, or what a figure of ours shows, drawn as `figure` draws it.
-Outcome drawAsFigure(const RenderArguments& a, const Stored& stored, OutputSet& set,
-                     const Task& task) {
+CommandResult drawAsFigure(const RenderArguments& a, const Stored& stored, OutputSet& set,
+                           const Task& task) {
   const DisplayGuard display;
   const FigureSession session;
   OutputSet picture;
@@ -163,19 +163,19 @@ Outcome drawAsFigure(const RenderArguments& a, const Stored& stored, OutputSet& 
   json["gain"] = stored.project.gain;
   json["stereo"] = name(stored.project.figure.stereo);
   json["caption"] = facts.caption;
-  Outcome outcome{.json = reportText(json),
-                  .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
-                            std::to_string(facts.height_px) + " pixels, " +
-                            (a.carrier.given() ? "as the figure" : "two eyes' pictures")},
-                  .exit_code = exitCodeAfter(stored.surface)};
+  CommandResult outcome{.json = reportText(json),
+                        .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
+                                  std::to_string(facts.height_px) + " pixels, " +
+                                  (a.host_file.given() ? "as the figure" : "two eyes' pictures")},
+                        .exit_code = exitCodeAfter(stored.surface)};
   if (a.caption == "-") outcome.lines.push_back(facts.caption);
   return outcome;
 }
 
-Outcome runRender(const RenderArguments& a, const Task& task) {
+CommandResult runRender(const RenderArguments& a, const Task& task) {
   requireReplaceable(a.out);
   if (a.caption != "-") requireReplaceable(a.caption);
-  Stored state = a.carrier.given() ? fromState(a, task) : fromArguments(a, task);
+  Stored state = a.host_file.given() ? fromState(a, task) : fromArguments(a, task);
   OutputSet set;
   if (!state.project.picture) {
     if (!a.region.window_out.empty()) {
@@ -208,19 +208,19 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   json["view"] = surface.view_name;
   json["view_from_file"] = jsonOf(surface.view_from_file);
   json["caption"] = facts.caption;
-  Outcome outcome{.json = reportText(json),
-                  .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
-                            std::to_string(facts.height_px) + " pixels, " +
-                            ShownLengths(surface).text(facts.mm_per_pixel) + " each, level " +
-                            std::to_string(p.region.level.value)},
-                  .exit_code = exitCodeAfter(surface)};
+  CommandResult outcome{.json = reportText(json),
+                        .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
+                                  std::to_string(facts.height_px) + " pixels, " +
+                                  ShownLengths(surface).text(facts.mm_per_pixel) + " each, level " +
+                                  std::to_string(p.region.level.value)},
+                        .exit_code = exitCodeAfter(surface)};
   if (a.caption == "-") outcome.lines.push_back(facts.caption);
   return outcome;
 }
 
 VerbFiles filesOf(const RenderArguments& a) {
   VerbFiles files;
-  files.readsStateOf(a.carrier, a.map.file);
+  files.readsStateOf(a.host_file, a.map.file);
   files.writes(a.out);
   files.writes(a.caption);
   files.writesMap(a.region.window_out);
@@ -229,8 +229,8 @@ VerbFiles filesOf(const RenderArguments& a) {
 
 /// What the image says must not be said again, differently.
 void checkUse(const CLI::App& verb, RenderArguments& a) {
-  requireCarrier(a.carrier);
-  requireProject(a.carrier);
+  requireHostFile(a.host_file);
+  requireProject(a.host_file);
   const auto given = [&](const char* option) { return verb.get_option(option)->count() > 0; };
   a.stereo_given = given("--stereo");
   a.pixels_given = given("--pixels");
@@ -238,12 +238,12 @@ void checkUse(const CLI::App& verb, RenderArguments& a) {
        {"--relief", "--colours", "--light", "--radius", "--range", "--shading"}) {
     a.look_given = a.look_given || given(option);
   }
-  if (a.carrier.given()) {
+  if (a.host_file.given()) {
     const bool eyes = a.stereo_given && a.stereo != name(StereoMode::off);
     for (const char* option : {"--eye-angle", "--zero-plane", "--swap-eyes"}) {
       requireUse(option, given(option), eyes, "a kind of --stereo");
     }
-    refuseBeside(verb, a.carrier,
+    refuseBeside(verb, a.host_file,
                  {"place", "view", "region", "level", "gain", "window-out", "pixels", "scale-bar",
                   "relief", "colours", "light", "radius", "range", "shading", "stereo", "eye-angle",
                   "zero-plane", "swap-eyes"});
@@ -280,7 +280,7 @@ Verb renderVerb() {
             verb.add_option("-o,--output", arguments->out, "FIG.png or .tif")->required();
             verb.add_option("--caption", arguments->caption,
                             "Also write the text under the picture: FILE, or - for the report");
-            addCarrierOptions(verb, arguments->carrier);
+            addHostFileOptions(verb, arguments->host_file);
             verb.final_callback([arguments, &verb] { checkUse(verb, *arguments); });
           },
       .files = [arguments] { return filesOf(*arguments); },

@@ -93,8 +93,9 @@ Recorded loadRecorded(const TouchRecording& recording, const VideoArguments& a, 
                     a, task);
 }
 
-Outcome drawOne(const Surface& surface, const TouchRecording* recording,
-                const VideoRequest& request, const VideoArguments& a, const std::string& state) {
+CommandResult drawOne(const Surface& surface, const TouchRecording* recording,
+                      const VideoRequest& request, const VideoArguments& a,
+                      const std::string& state) {
   VideoFrames frames(surface, recording, request);
   if (*a.frame >= frames.times().frames) {
     throw failure<MessageId::video_frame_beyond>(frames.times().frames);
@@ -116,7 +117,7 @@ Recorded loadOfProject(const VideoArguments& a, const Task& task) {
                     a, task);
 }
 
-Outcome runVideo(const VideoArguments& a, const Task& task) {
+CommandResult runVideo(const VideoArguments& a, const Task& task) {
   VideoRequest request = requestOf(a);
   std::optional<Project> project;
   if (!a.path.empty()) {

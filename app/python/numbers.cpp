@@ -43,7 +43,7 @@ struct Field {
 };
 
 static_assert(std::is_standard_layout_v<TouchRow>);
-static_assert(sizeof(bool) == 1 && sizeof(Origin) == 1 && sizeof(int) == 4);
+static_assert(sizeof(bool) == 1 && sizeof(CellStatus) == 1 && sizeof(int) == 4);
 constexpr std::size_t kX = 0;
 constexpr std::size_t kY = sizeof(double);
 constexpr std::size_t kZ = 2 * sizeof(double);
@@ -107,7 +107,7 @@ py::array gridArray(const float* numbers, GridSize size, Owner owner) {
   return gridView(py::dtype::of<float>(), numbers, size, std::move(owner));
 }
 
-py::array gridArray(const Origin* origins, GridSize size, Owner owner) {
+py::array gridArray(const CellStatus* origins, GridSize size, Owner owner) {
   return gridView(py::dtype::of<std::uint8_t>(), origins, size, std::move(owner));
 }
 

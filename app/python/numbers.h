@@ -22,8 +22,8 @@ using Owner = std::shared_ptr<const void>;
 
 /// Shape (rows, cols), row 0 at the lowest y.
 pybind11::array gridArray(const float* numbers, GridSize size, Owner owner);
-/// The same of origins: uint8, the codes of `Origin`.
-pybind11::array gridArray(const Origin* origins, GridSize size, Owner owner);
+/// The same of origins: uint8, the codes of `CellStatus`.
+pybind11::array gridArray(const CellStatus* origins, GridSize size, Owner owner);
 /// Shape (n,).
 pybind11::array lineArray(const double* numbers, std::size_t count, Owner owner);
 /// Shape (4, 4) of the 16 numbers of a transform.

@@ -9,7 +9,7 @@
 #include "app/python/interruptible.h"
 #include "app/python/numbers.h"
 #include "core/region/smoothing.h"
-#include "core/session/large/level_cut.h"
+#include "core/session/large/crop_level.h"
 #include "core/session/large/memory_guard.h"
 #include "core/session/large/tiled_surface.h"
 
@@ -25,8 +25,8 @@ struct Grid {
   int level = 0;
   double sigma_mm = 0;
   const float* heights_mm = nullptr;
-  const Origin* origins = nullptr;  ///< Null of levels beyond the depth map.
-  const float* measured = nullptr;  ///< Null of the finest.
+  const CellStatus* origins = nullptr;  ///< Null of levels beyond the depth map.
+  const float* measured = nullptr;      ///< Null of the finest.
 };
 
 using Opened = std::shared_ptr<OpenedSurface>;
@@ -43,7 +43,7 @@ Grid tiledGrid(const Opened& opened, Level level) {
   return interruptible([&](const Task&) {
     const Surface& surface = opened->surface;
     requireMemory(levelFrame(surface, level), availableBytes());
-    return gridOf(std::make_shared<const DepthMap>(levelCut(surface, level)), level.value,
+    return gridOf(std::make_shared<const DepthMap>(cropLevel(surface, level)), level.value,
                   smoothingMm(surface.ladder, level));
   });
 }

@@ -23,7 +23,7 @@ int threadsFor(std::size_t cells, int wanted) {
   return std::clamp(worth, 1, std::min(cores, kMostThreads));
 }
 
-void inBands(int rows, int threads, const std::function<void(int first, int end)>& work) {
+void parallelFor(int rows, int threads, const std::function<void(int first, int end)>& work) {
   const auto count = static_cast<std::size_t>(std::clamp(threads, 1, std::max(rows, 1)));
   std::vector<std::exception_ptr> errors(count);
   const auto band = [&](std::size_t k) noexcept {

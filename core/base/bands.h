@@ -13,6 +13,6 @@ int threadsFor(std::size_t cells, int wanted);
 
 /// Calls work(first, end) for `threads` bands of 0 ... rows - 1, one of them on this thread, and
 /// waits for all. What `work` throws on any thread is thrown here.
-void inBands(int rows, int threads, const std::function<void(int first, int end)>& work);
+void parallelFor(int rows, int threads, const std::function<void(int first, int end)>& work);
 
 }  // namespace relievo

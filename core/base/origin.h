@@ -8,7 +8,7 @@
 namespace relievo {
 
 /// Where a height comes from. The numbers are those of files and logs (origin masks).
-enum class Origin : std::uint8_t {
+enum class CellStatus : std::uint8_t {
   measured = 0,
   interpolated = 1,  ///< Sampling gap, or a hole filled on request.
   base_plane = 2,    ///< Enclosed hole resting on the base plane (paper, sec. 6).
@@ -20,7 +20,7 @@ inline constexpr std::size_t kOriginCount = 5;
 inline constexpr std::array<std::string_view, kOriginCount> kOriginNames{
     "measured", "interpolated", "base plane", "steep", "outside"};
 
-inline constexpr std::string_view name(Origin o) noexcept {
+inline constexpr std::string_view name(CellStatus o) noexcept {
   return kOriginNames[static_cast<std::size_t>(o)];
 }
 

@@ -41,7 +41,7 @@ Histogram histogramOf(const PointsView& view, const AxisBox& box, const At& at) 
     scale[axis] = width > 0 ? kBins / width : 0;
     if (!std::isfinite(scale[axis])) scale[axis] = 0;  // Narrower than numbers can divide.
   }
-  inBands(threads, threads, [&](int band, int) {
+  parallelFor(threads, threads, [&](int band, int) {
     const auto part = static_cast<std::size_t>(band);
     Histogram& mine = parts[part];
     const std::size_t end = count * (part + 1) / parts.size();

@@ -8,7 +8,7 @@ namespace relievo {
 
 OriginCounts originCounts(const DepthMap& map) {
   OriginCounts counts{};
-  for (const Origin origin : map.origins) ++counts[static_cast<std::size_t>(origin)];
+  for (const CellStatus origin : map.origins) ++counts[static_cast<std::size_t>(origin)];
   return counts;
 }
 
@@ -26,7 +26,7 @@ HeightRange heightRange(const DepthMap& map) {
   float low = std::numeric_limits<float>::infinity();
   float high = -low;
   for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
-    if (map.origins[i] == Origin::outside) continue;
+    if (map.origins[i] == CellStatus::outside) continue;
     low = std::min(low, map.heights_mm[i]);
     high = std::max(high, map.heights_mm[i]);
   }

@@ -18,10 +18,10 @@ namespace relievo {
 struct DepthMap {
   GridFrame frame;
   std::vector<float> heights_mm;  ///< Row-major, row 0 at the lowest y; frame.size.count() values.
-  std::vector<Origin> origins;    ///< Same order and size.
+  std::vector<CellStatus> origins;  ///< Same order and size.
 
   float heightMm(Cell c) const noexcept { return heights_mm[frame.size.index(c)]; }
-  Origin origin(Cell c) const noexcept { return origins[frame.size.index(c)]; }
+  CellStatus origin(Cell c) const noexcept { return origins[frame.size.index(c)]; }
 
   /// The map covers half a sample more than its samples, all round (view mm).
   double widthMm() const noexcept { return frame.size.cols * frame.spacing_mm; }
@@ -30,7 +30,7 @@ struct DepthMap {
   double bottomMm() const noexcept { return frame.first_y_mm - 0.5 * frame.spacing_mm; }
 };
 
-/// Fractions of all cells by origin, in the order of `Origin`; they sum to 1.
+/// Fractions of all cells by origin, in the order of `CellStatus`; they sum to 1.
 std::array<double, kOriginCount> originShares(const DepthMap& map);
 
 /// Cells by origin.

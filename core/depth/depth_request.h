@@ -21,10 +21,10 @@ namespace relievo {
 /// Which height a cell gets from the points in and around it.
 enum class PointRule {
   front,      ///< The front-most; noise lifts it.
-  second,     ///< The second from the front: one flyer is not it.
+  second,     ///< The second from the front: one outlier is not it.
   top_mean,   ///< The mean of the layer nearest the viewer; keeps front and back apart.
-  median,     ///< Not moved by flyers; for surfaces of one layer.
-  mean,       ///< All points; for one layer without flyers.
+  median,     ///< Not moved by outliers; for surfaces of one layer.
+  mean,       ///< All points; for one layer without outliers.
   splat,      ///< Mean with bilinear weights: a point counts for the four samples around it.
   quadratic,  ///< Local quadratic through the points around the sample; for one layer.
   lowest,     ///< The rear-most: the ground below plants; noise lowers it; for one layer.
@@ -49,7 +49,7 @@ struct DepthRequest {
   int threads = 0;  ///< 0: as many as pay. The bytes are the same for every number.
   /// Noise of the points for PointRule::quadratic; nothing: from the points (pointNoise).
   std::optional<double> noise_mm = std::nullopt;
-  /// Cells whose flyers and hidden points are counted, where the grid is a part of a larger one;
+  /// Cells whose outliers and hidden points are counted, where the grid is a part of a larger one;
   /// nothing: all.
   std::optional<CellRange> counted = std::nullopt;
 };
@@ -81,8 +81,8 @@ struct CapturedDepths {
   std::optional<HiddenSurface> hidden;  ///< If the engine counted it.
   bool one_layer = false;  ///< The rule is one for surfaces without a back: nothing shows through.
   std::string rule;        ///< Which rule and why, in words; empty where there was no choice.
-  std::size_t flyers =
-      0;  ///< Points far off all their neighbours (core/depth/layers/flyers.h); left out.
+  std::size_t outliers =
+      0;  ///< Points far off all their neighbours (core/depth/layers/outliers.h); left out.
 
   std::optional<DepthBufferFormat> depth_buffer;  ///< If the depths come from one.
 

@@ -23,8 +23,8 @@ struct DepthLosses {
   double hidden_share = 0;    ///< Lies behind the surface nearest the viewer, [0, 1].
   double undercut_share = 0;  ///< Of the cells that are not outside: more surfaces lie one behind
                               ///< the other than the front and the back of a body.
-  double steep_share = 0;     ///< Of the cells that are not outside: Origin::steep.
-  std::size_t flyers = 0;     ///< Points (meshes: none) far off every neighbour, left out.
+  double steep_share = 0;     ///< Of the cells that are not outside: CellStatus::steep.
+  std::size_t outliers = 0;   ///< Points (meshes: none) far off every neighbour, left out.
 };
 
 }  // namespace relievo

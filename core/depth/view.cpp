@@ -38,7 +38,7 @@ FilePoint localPoint(const Scan& scan, std::size_t i) noexcept {
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
 }
 
-constexpr double kTrimmedShare = 0.02;  // Flyers and stray points do not tilt the plane.
+constexpr double kTrimmedShare = 0.02;  // Outliers and stray points do not tilt the plane.
 constexpr double kCertain = 1.02;       // Spreads closer than this could change places.
 
 Axis cross(const Axis& a, const Axis& b) {
@@ -250,7 +250,7 @@ RotatedBounds rotatedBounds(const Scan& scan, const Rotation& rotation, double m
   const std::size_t blocks = scan.points.size() / kLanes;
   const int threads = threadsFor(scan.points.size(), 0);
   std::vector<BoxLanes> lanes(static_cast<std::size_t>(threads));
-  inBands(threads, threads, [&](int first, int) {
+  parallelFor(threads, threads, [&](int first, int) {
     const auto part = static_cast<std::size_t>(first);
     for (auto& axis : lanes[part].min) axis.fill(kHuge);
     for (auto& axis : lanes[part].max) axis.fill(-kHuge);

@@ -26,8 +26,8 @@ constexpr double kMuchRougher = 3;
 constexpr double kRoughAtLeast = 0.002;  // Of the span; below, it is what the grid left.
 constexpr int kFewestSamples = 50;       // In a ninth.
 
-bool isMeasured(Origin origin) {
-  return origin == Origin::measured || origin == Origin::steep;
+bool isMeasured(CellStatus origin) {
+  return origin == CellStatus::measured || origin == CellStatus::steep;
 }
 
 struct Span {
@@ -161,8 +161,8 @@ void findRoughness(const HeightGrid& grid, const RegionWindow& whole, const Span
 
 void findGap(const HeightGrid& grid, const RegionWindow& whole, int surface, Description& d) {
   const auto gaps = grid.areas([&](int i) {
-    const Origin origin = whole.origins[static_cast<std::size_t>(i)];
-    return origin != Origin::outside && !isMeasured(origin);
+    const CellStatus origin = whole.origins[static_cast<std::size_t>(i)];
+    return origin != CellStatus::outside && !isMeasured(origin);
   });
   if (gaps.empty() || gaps.front().samples < kSmallest * surface) return;
   d.largest_gap = ninthOf(d.object, grid.xMm(gaps.front().col), grid.yMm(gaps.front().row));
@@ -175,10 +175,10 @@ Description describe(const RegionWindow& whole, const RectMm& object, const Heig
   Description d;
   d.object = object;
   d.heights = heights;
-  const auto share = [&](Origin origin) { return shares[static_cast<std::size_t>(origin)]; };
-  const double on_object = 1 - share(Origin::outside);
+  const auto share = [&](CellStatus origin) { return shares[static_cast<std::size_t>(origin)]; };
+  const double on_object = 1 - share(CellStatus::outside);
   if (on_object > 0) {
-    d.not_measured = (share(Origin::interpolated) + share(Origin::base_plane)) / on_object;
+    d.not_measured = (share(CellStatus::interpolated) + share(CellStatus::base_plane)) / on_object;
   }
   const HeightGrid grid(whole);
   const std::vector<float> ascending = sortedHeights(grid);
@@ -186,7 +186,7 @@ Description describe(const RegionWindow& whole, const RectMm& object, const Heig
   if (!d.has_heights) return d;
   const int surface =
       kWindowSamples * kWindowSamples -
-      static_cast<int>(std::count(whole.origins.begin(), whole.origins.end(), Origin::outside));
+      static_cast<int>(std::count(whole.origins.begin(), whole.origins.end(), CellStatus::outside));
   findGap(grid, whole, surface, d);
   const Span span{ascending.front(), ascending.back()};
   d.most_span_mm = quantile(ascending, 0.98) - quantile(ascending, 0.02);

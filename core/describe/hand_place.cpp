@@ -18,7 +18,7 @@ NumberArgument millimetres(double mm, int digits = 1) {
           .unit = MessageUnit::millimetre};
 }
 
-Message messageOf(Origin origin) {
+Message messageOf(CellStatus origin) {
   constexpr std::array<MessageId, kOriginCount> kWords{
       MessageId::origin_measured, MessageId::origin_interpolated, MessageId::origin_base_plane,
       MessageId::origin_steep, MessageId::origin_outside};
@@ -28,7 +28,7 @@ Message messageOf(Origin origin) {
 bool isBeside(const HandPlace& p) {
   const double right = p.at.x - p.object.x_mm, up = p.at.y - p.object.y_mm;
   return right < 0 || up < 0 || right > p.object.width_mm || up > p.object.height_mm ||
-         (p.touching && p.origin == Origin::outside);
+         (p.touching && p.origin == CellStatus::outside);
 }
 
 Message whereOf(const HandPlace& p) {
@@ -54,8 +54,8 @@ std::vector<Message> shortWords(const HandPlace& p) {
     words.push_back(whereOf(p));
   }
   if (!p.name.empty()) words.push_back(said<MessageId::place_named>(p.name));
-  const bool was_measured = p.origin == Origin::measured || p.origin == Origin::outside;
-  if (p.touching && p.origin == Origin::steep) {
+  const bool was_measured = p.origin == CellStatus::measured || p.origin == CellStatus::outside;
+  if (p.touching && p.origin == CellStatus::steep) {
     words.push_back(said<MessageId::place_steep>());
   } else if (p.touching && !was_measured) {
     words.push_back(said<MessageId::place_not_measured>(messageOf(p.origin)));
@@ -70,7 +70,7 @@ std::vector<Message> longWords(const HandPlace& p) {
     words.push_back(
         said<MessageId::place_from_left>(millimetres(right_mm), sayableLength(right_mm)));
     words.push_back(said<MessageId::place_from_bottom>(millimetres(up_mm), sayableLength(up_mm)));
-    if (p.touching && p.origin == Origin::measured) {
+    if (p.touching && p.origin == CellStatus::measured) {
       words.push_back(said<MessageId::place_measured>());
     }
   }

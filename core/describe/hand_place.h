@@ -16,8 +16,8 @@ struct HandPlace {
   RectMm object;  ///< The whole map, view mm.
   ViewMm at;      ///< On the surface while touching; else the hand.
   bool touching = false;
-  Origin origin = Origin::outside;  ///< Of the cell there, while touching.
-  std::string name;                 ///< That somebody gave the place; empty: nobody did.
+  CellStatus origin = CellStatus::outside;  ///< Of the cell there, while touching.
+  std::string name;                         ///< That somebody gave the place; empty: nobody did.
   int detail = 1, details = 1;
   double side_mm = 0;     ///< Of the window.
   double spacing_mm = 0;  ///< Of the samples of its level.

@@ -23,7 +23,8 @@ HeightGrid::HeightGrid(const RegionWindow& window)
       heights_mm_(window.heights_mm),
       has_(kWindowCount) {
   for (std::size_t i = 0; i < kWindowCount; ++i) {
-    has_[i] = window.origins[i] != Origin::outside && window.origins[i] != Origin::base_plane;
+    has_[i] =
+        window.origins[i] != CellStatus::outside && window.origins[i] != CellStatus::base_plane;
   }
 }
 

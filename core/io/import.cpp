@@ -112,9 +112,9 @@ bool readCompanion(const std::filesystem::path& file, std::string_view format, R
       rows.read(r, 1, row.data(), nullptr);
       for (std::size_t i = 0; i < cols; ++i) {
         const std::size_t cell = map.size.index({.col = static_cast<int>(i), .row = r});
-        const bool none =
-            !map.valid[cell] || (!map.origins.empty() && (map.origins[cell] == Origin::base_plane ||
-                                                          map.origins[cell] == Origin::outside));
+        const bool none = !map.valid[cell] ||
+                          (!map.origins.empty() && (map.origins[cell] == CellStatus::base_plane ||
+                                                    map.origins[cell] == CellStatus::outside));
         const std::uint32_t alpha = none ? 0 : whole(row[cols + i], 255);
         pixel(cell, alpha > 0 ? whole(row[i], 16777215) : 0, static_cast<std::uint8_t>(alpha));
       }

@@ -56,14 +56,14 @@ bool isLog(const std::filesystem::path& file) {
   return start == kFirstColumns;
 }
 
-CarrierKind carrierKind(std::string_view head) {
-  if (isHdf5(head) || head.starts_with("# relievo log")) return CarrierKind::recording;
-  if (head.starts_with('#')) return CarrierKind::table;
-  if (head.starts_with("PK\x03\x04")) return CarrierKind::package;
-  if (head.starts_with('{')) return CarrierKind::project;
+HostFileKind carrierKind(std::string_view head) {
+  if (isHdf5(head) || head.starts_with("# relievo log")) return HostFileKind::recording;
+  if (head.starts_with('#')) return HostFileKind::table;
+  if (head.starts_with("PK\x03\x04")) return HostFileKind::package;
+  if (head.starts_with('{')) return HostFileKind::project;
   const bool picture = head.starts_with("\x89PNG") || head.starts_with("%PDF-") ||
                        head.starts_with("<?xml") || head.starts_with("<svg");
-  return picture ? CarrierKind::picture : CarrierKind::none;
+  return picture ? HostFileKind::picture : HostFileKind::none;
 }
 
 }  // namespace
@@ -75,12 +75,12 @@ InputFacts inputFactsHere(const std::filesystem::path& file) {
   const FileFormat format =
       findFormat(std::string_view(head).substr(0, kSniffedBytes), file, size).format;
   InputFacts facts;
-  facts.carrier = carrierKind(head);
+  facts.host_file = carrierKind(head);
   facts.is_hdf5 = isHdf5(head);
   facts.is_log = isLog(file);
   if (isReadableRaster(format)) facts.kind = InputKind::raster;
   if (const auto tiff = readTiffHead(file)) {
-    facts.carrier = tiff->bands == 1 ? CarrierKind::none : CarrierKind::picture;
+    facts.host_file = tiff->bands == 1 ? HostFileKind::none : HostFileKind::picture;
     if (isTiledMap(*tiff)) facts.kind = InputKind::tiled_map;
   }
   if (format == FileFormat::las || format == FileFormat::laz) facts.in_blocks = true;

@@ -17,14 +17,14 @@ enum class InputKind : std::uint8_t {
   tiled_map,  ///< TiledMap.
 };
 
-/// What a file is if it carries a state of ours; embeddedState and stateCarriedBy say whether it
+/// What a file is if it carries a state of ours; embeddedState and embeddedStateOf say whether it
 /// does.
-enum class CarrierKind : std::uint8_t { none, picture, recording, table, project, package };
+enum class HostFileKind : std::uint8_t { none, picture, recording, table, project, package };
 
 /// What a file is, by its content first and its name second.
 struct InputFacts {
   InputKind kind = InputKind::scan;
-  CarrierKind carrier = CarrierKind::none;
+  HostFileKind host_file = HostFileKind::none;
   bool is_hdf5 = false;    ///< Of recordings.
   bool is_log = false;     ///< By its first columns and its name, as the window takes recordings.
   bool in_blocks = false;  ///< Can PointStream read its points? True also of damaged headers.

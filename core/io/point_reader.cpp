@@ -71,15 +71,15 @@ PointReader::PointReader(const std::filesystem::path& file, const ImportOptions&
   head_.info.reader = "relievo";
   const FileFormat format = formatOf(file);
   fd_ = std::make_shared<OwnedFd>(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (fd_->get() < 0) refuseScan(file, std::string(std::strerror(errno)) + ".");
+  if (fd_->get() < 0) throwReadError(file, std::string(std::strerror(errno)) + ".");
   file_bytes_ = checkedFileSize(file);
   if (format == FileFormat::las || format == FileFormat::laz) {
     openLas(options, task, parts);
   } else if (format == FileFormat::ply) {
     openPly(options);
   } else {
-    refuseScan(file,
-               "only LAS, LAZ and binary PLY files are read in blocks. Convert it to LAS first.");
+    throwReadError(
+        file, "only LAS, LAZ and binary PLY files are read in blocks. Convert it to LAS first.");
   }
   if (colour_) {
     // Of different types, which is as good as never, the one that says least.
@@ -153,9 +153,10 @@ void PointReader::openPly(const ImportOptions& options) {
       parsePlyHeader(readHead(head_.info.file, kMaxHeaderBytes), head_.info.file);
   const auto before = bytesBeforePoints(header);
   if (!before) {
-    refuseScan(head_.info.file,
-               "its points have no fixed places in the file (text, or lists). Save it as binary "
-               "PLY, or as LAS.");
+    throwReadError(
+        head_.info.file,
+        "its points have no fixed places in the file (text, or lists). Save it as binary "
+        "PLY, or as LAS.");
   }
   const bool big = header.encoding == PlyEncoding::binary_big_endian;
   head_.info.format = big ? "PLY binary_big_endian" : "PLY binary_little_endian";
@@ -187,8 +188,8 @@ void PointReader::setPoints(std::uint64_t found, std::uint64_t promised,
   head_.info.points = found;
   if (head_.info.points < promised) {
     const Task task;
-    handleShortfall({"points", promised, head_.info.points, head_.info.points},
-                    {head_.info.file, {}, options, task}, head_.info);
+    handleTruncation({"points", promised, head_.info.points, head_.info.points},
+                     {head_.info.file, {}, options, task}, head_.info);
   }
   if (head_.info.points == 0) {
     throw failure<MessageId::no_points>(shownName(head_.info.file));

@@ -13,7 +13,7 @@
 
 namespace relievo {
 
-void refuseScan(const std::filesystem::path& file, std::string_view reason) {
+void throwReadError(const std::filesystem::path& file, std::string_view reason) {
   throw FileError("Cannot read " + shownName(file) + ": " + printable(reason));
 }
 
@@ -36,7 +36,7 @@ bool isWantedPart(const ReadJob& job, std::size_t index) {
 
 namespace {
 
-[[noreturn]] void throwEndsEarly(const Shortfall& shortfall, const ReadJob& job) {
+[[noreturn]] void throwEndsEarly(const Truncation& shortfall, const ReadJob& job) {
   const CountArgument promised = CountArgument::grouped(shortfall.promised);
   const CountArgument found = CountArgument::grouped(shortfall.found);
   if (shortfall.complete_points == 0) {
@@ -48,7 +48,7 @@ namespace {
 
 }  // namespace
 
-void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& info) {
+void handleTruncation(const Truncation& shortfall, const ReadJob& job, ScanInfo& info) {
   const std::string records(shortfall.records);
   const std::string found = grouped(shortfall.found);
   if (job.options.accept_incomplete) {

@@ -51,7 +51,7 @@ Scan readScanHere(const std::filesystem::path& file, const ImportOptions& option
                   const ReadLibraries& libraries = {});
 
 /// "Cannot read NAME: <reason>". The reason may quote the file as it is.
-[[noreturn]] void refuseScan(const std::filesystem::path& file, std::string_view reason);
+[[noreturn]] void throwReadError(const std::filesystem::path& file, std::string_view reason);
 
 /// Code of the refusal of a choice that the file does not offer; importScan throws an
 /// ArgumentError.
@@ -63,7 +63,7 @@ void checkParts(const ReadJob& job, std::size_t count);
 bool isWantedPart(const ReadJob& job, std::size_t index);
 
 /// A file that ends before what its header promises.
-struct Shortfall {
+struct Truncation {
   std::string_view records = "points";  ///< Or "faces", or "bytes".
   std::uint64_t promised = 0;
   std::uint64_t found = 0;            ///< Complete ones.
@@ -71,6 +71,6 @@ struct Shortfall {
 };
 
 /// With accept_incomplete a warning in `info`, else E101. @throw FileError
-void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& info);
+void handleTruncation(const Truncation& shortfall, const ReadJob& job, ScanInfo& info);
 
 }  // namespace relievo

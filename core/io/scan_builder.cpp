@@ -34,7 +34,7 @@ double medianOf(std::vector<double>& numbers) {
 }
 
 /// 0 where the coordinates are about as large as they are spread, so that floats of the file stay
-/// as they are; else their median. Medians, because a few flyers cannot move them.
+/// as they are; else their median. Medians, because a few outliers cannot move them.
 double originOf(std::vector<double>& coordinates) {
   const double middle = medianOf(coordinates);
   for (double& c : coordinates) c = std::abs(c - middle);

@@ -16,8 +16,8 @@ struct Way {
 constexpr std::array<Way, 8> kWays{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-bool isRim(Origin origin) {
-  return origin == Origin::measured || origin == Origin::steep;
+bool isRim(CellStatus origin) {
+  return origin == CellStatus::measured || origin == CellStatus::steep;
 }
 
 /// What the ways of at most `reach` cells met.
@@ -33,7 +33,7 @@ Rim rimWithin(const MapPart& part, Cell from, int reach) {
     bool left = false;
     for (int i = 1; i <= reach && !left; ++i) {
       const Cell at{.col = from.col + i * way.cols, .row = from.row + i * way.rows};
-      left = !part.frame().size.contains(at) || part.origin(at) != Origin::interpolated;
+      left = !part.frame().size.contains(at) || part.origin(at) != CellStatus::interpolated;
       if (!left || !part.frame().size.contains(at) || !isRim(part.origin(at))) continue;
       rim.most_mm =
           std::max(rim.most_mm, std::abs(static_cast<double>(part.heightMm(at)) - height));
@@ -53,7 +53,7 @@ MapPart around(const MapCells& map, Cell cell, int reach) {
 }  // namespace
 
 double gapRimMm(const MapCells& map, Cell cell) {
-  if (around(map, cell, 0).origin(cell) != Origin::interpolated) return 0;
+  if (around(map, cell, 0).origin(cell) != CellStatus::interpolated) return 0;
   Rim rim;
   for (int reach = kFirstReach; reach <= kMostReach; reach *= kFirstReach) {
     rim = rimWithin(around(map, cell, reach), cell, reach);

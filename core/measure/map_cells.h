@@ -32,7 +32,7 @@ class MapPart {
   const GridFrame& frame() const noexcept { return frame_; }  ///< Of the whole map.
   // @pre within the rectangle
   float heightMm(Cell c) const noexcept { return heights_mm_[index(c)]; }
-  Origin origin(Cell c) const noexcept { return origins_[index(c)]; }
+  CellStatus origin(Cell c) const noexcept { return origins_[index(c)]; }
   /// How far a cell's height may be off: half a step of the heights, never less than single
   /// precision rounds lengths of the map's size, and twice the standard error of the mean of the
   /// cell's points (of one point: twice their spread). Above 0.
@@ -49,7 +49,7 @@ class MapPart {
   DepthMap own_;  ///< Empty for a part of a map in memory.
   HeightErrors errors_;
   const float* heights_mm_;
-  const Origin* origins_;
+  const CellStatus* origins_;
 };
 
 /// The cells of a depth map that need not be in memory: they are read part by part. What is

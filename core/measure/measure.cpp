@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "core/base/failure.h"
+#include "core/measure/area_result.h"
 #include "core/measure/gap_rim.h"
-#include "core/measure/piece.h"
 
 namespace relievo {
 namespace {
@@ -32,7 +32,7 @@ double heightAt(const MapPart& map, PlaceMm p) {
   for (int dr = 0; dr <= 1; ++dr) {
     for (int dc = 0; dc <= 1; ++dc) {
       const Cell cell{.col = col + dc, .row = row + dr};
-      if (!f.size.contains(cell) || map.origin(cell) == Origin::outside) continue;
+      if (!f.size.contains(cell) || map.origin(cell) == CellStatus::outside) continue;
       const double weight =
           (dc == 1 ? u - col : 1 - (u - col)) * (dr == 1 ? v - row : 1 - (v - row));
       sum += weight * static_cast<double>(map.heightMm(cell));
@@ -48,7 +48,7 @@ double halfRange(const MapPart& map, Cell at) {
   for (int dr = -1; dr <= 1; ++dr) {
     for (int dc = -1; dc <= 1; ++dc) {
       const Cell cell{.col = at.col + dc, .row = at.row + dr};
-      if (!map.frame().size.contains(cell) || map.origin(cell) == Origin::outside) continue;
+      if (!map.frame().size.contains(cell) || map.origin(cell) == CellStatus::outside) continue;
       low = std::min(low, map.heightMm(cell));
       high = std::max(high, map.heightMm(cell));
     }
@@ -94,7 +94,7 @@ Quantity propagated(std::string_view title, std::string_view unit, const Functio
 
 double notMeasured(const std::vector<SurfacePoint>& points) {
   const auto count = std::count_if(points.begin(), points.end(), [](const SurfacePoint& p) {
-    return p.origin != Origin::measured;
+    return p.origin != CellStatus::measured;
   });
   return points.empty() ? 0 : static_cast<double>(count) / static_cast<double>(points.size());
 }
@@ -182,7 +182,7 @@ void readProfile(const MapCells& map, const Measurement& m, Reading& reading) {
 
 void readArea(const MapCells& map, const Measurement& m, Reading& reading) {
   if (const auto message = outlineRefusal(m.places)) throw ArgumentError(*message);
-  const Piece piece = pieceOf(map, m.places, m.plane_mm);
+  const AreaResult piece = areaResultOf(map, m.places, m.plane_mm);
   reading.quantities = {{.title = "area in the view",
                          .value = piece.area_mm2,
                          .uncertainty = piece.area_off_mm2,
@@ -275,9 +275,9 @@ std::optional<SurfacePoint> surfacePoint(const MapCells& map, PlaceMm place) {
   const Cell first{.col = std::max(cell.col - 1, 0), .row = std::max(cell.row - 1, 0)};
   const MapPart part = map.part(first, {.cols = std::min(cell.col + 2, f.size.cols) - first.col,
                                         .rows = std::min(cell.row + 2, f.size.rows) - first.row});
-  if (part.origin(cell) == Origin::outside) return std::nullopt;
+  if (part.origin(cell) == CellStatus::outside) return std::nullopt;
   const double error = part.heightErrorMm(cell);
-  const double made = part.origin(cell) == Origin::interpolated ? gapRimMm(map, cell) : 0;
+  const double made = part.origin(cell) == CellStatus::interpolated ? gapRimMm(map, cell) : 0;
   return SurfacePoint{.at = {place.x, place.y, heightAt(part, place)},
                       .height_uncertainty_mm = halfRange(part, cell) + error + made,
                       .height_error_mm = error,

@@ -72,8 +72,8 @@ struct SurfacePoint {
   /// Half the range of the 3 x 3 samples around, what the sample itself may be off
   /// (MapPart::heightErrorMm), and of an interpolated one how far the rim of its gap is (gapRimMm).
   double height_uncertainty_mm = 0;
-  double height_error_mm = 0;       ///< What the sample itself may be off, alone.
-  Origin origin = Origin::outside;  ///< Of the nearest sample.
+  double height_error_mm = 0;               ///< What the sample itself may be off, alone.
+  CellStatus origin = CellStatus::outside;  ///< Of the nearest sample.
 };
 /// Nothing beyond the map, or where the nearest sample is outside. This and all below:
 /// @throw also what `map` throws when it reads

@@ -135,7 +135,9 @@ Axis heightAxis(const std::vector<ProfileRow>& rows, const Axis& along, bool& sa
 
 std::string curves(const std::vector<ProfileRow>& rows, const Axis& along, const Axis& height) {
   std::string svg;
-  const auto measured = [](const ProfileRow& row) { return row.point.origin == Origin::measured; };
+  const auto measured = [](const ProfileRow& row) {
+    return row.point.origin == CellStatus::measured;
+  };
   for (std::size_t i = 1; i < rows.size();) {
     if (!rows[i].joined) {
       ++i;  // Between them the line is not on the object.

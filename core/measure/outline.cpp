@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/base/failure.h"
+#include "core/measure/area_result.h"
 #include "core/measure/measure.h"
-#include "core/measure/piece.h"
 
 namespace relievo {
 namespace {

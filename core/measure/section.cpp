@@ -20,7 +20,7 @@ constexpr int kRowsAtOnce = 32;  // Some 30 ms on the largest maps: often enough
 /// A line between two neighbouring samples: the lower or left one, and whether it runs upward.
 using EdgeId = std::uint64_t;
 /// Two edges of one cell, joined by a piece of a curve.
-using Piece = std::array<EdgeId, 2>;
+using AreaResult = std::array<EdgeId, 2>;
 
 /// Where the plane cuts an edge, found while its cells are at hand.
 struct EdgePoint {
@@ -69,7 +69,7 @@ class Cutter {
                                       {.col = c.col, .row = c.row + 1}};
     std::array<double, 4> h{};
     for (std::size_t i = 0; i < 4; ++i) {
-      if (map.origin(corners[i]) == Origin::outside) return;
+      if (map.origin(corners[i]) == CellStatus::outside) return;
       h[i] = over(map, corners[i]);
     }
     // Bottom, right, top, left: edge i joins corners i and i + 1.
@@ -119,7 +119,7 @@ class Cutter {
     std::vector<EdgeId> passed;
     for (auto next = nextAt(from, used); next; next = nextAt(from, used)) {
       used[*next] = true;
-      const Piece& piece = pieces_[*next];
+      const AreaResult& piece = pieces_[*next];
       from = piece[0] == from ? piece[1] : piece[0];
       passed.push_back(from);
     }
@@ -128,7 +128,7 @@ class Cutter {
 
   SectionCurve trace(std::size_t start, std::vector<bool>& used) const {
     used[start] = true;
-    const Piece& piece = pieces_[start];
+    const AreaResult& piece = pieces_[start];
     std::vector<EdgeId> edges = follow(piece[0], used);
     std::reverse(edges.begin(), edges.end());
     edges.push_back(piece[0]);
@@ -184,14 +184,15 @@ class Cutter {
     const double upright = std::sqrt(std::max(0.0, 1 - plane_.normal.z * plane_.normal.z));
     const double along = std::min(error * std::abs(plane_.normal.z) / std::abs(ha - hb), 1.0);
     return {.at = at(a) + t * (at(b) - at(a)),
-            .unmeasured = map.origin(a) != Origin::measured || map.origin(b) != Origin::measured,
+            .unmeasured =
+                map.origin(a) != CellStatus::measured || map.origin(b) != CellStatus::measured,
             .off_mm = along * norm(at(b) - at(a)) + upright * error};
   }
 
   GridFrame frame_;
   PlaneMm plane_;
   std::size_t most_points_;
-  std::vector<Piece> pieces_;
+  std::vector<AreaResult> pieces_;
   std::unordered_map<EdgeId, EdgePoint> at_edge_;
 };
 

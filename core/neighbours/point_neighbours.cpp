@@ -95,7 +95,7 @@ std::vector<Sorted> sortedByCurve(std::span<const Point3f> points, const Task& t
            static_cast<std::ptrdiff_t>(points.size() * static_cast<std::size_t>(k) /
                                        static_cast<std::size_t>(threads));
   };
-  inBands(threads, threads, [&](int first, int end) {
+  parallelFor(threads, threads, [&](int first, int end) {
     for (auto it = part(first); it != part(end); ++it) {
       const auto i = static_cast<std::size_t>(it - sorted.begin());
       // -0 becomes 0: the two are one place.
@@ -151,7 +151,7 @@ void PointNeighbours::search(std::span<const Point3f> queries, int threads, cons
                              const Search& search_block) const {
   if (!tree_ || queries.empty()) return;
   const auto blocks = static_cast<int>((queries.size() + kBlock - 1) / kBlock);
-  inBands(blocks, threadsForQueries(queries.size(), threads), [&](int first, int end) {
+  parallelFor(blocks, threadsForQueries(queries.size(), threads), [&](int first, int end) {
     for (int block = first; block < end; ++block) {
       task.check();
       const std::size_t begin = static_cast<std::size_t>(block) * kBlock;

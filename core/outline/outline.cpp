@@ -22,8 +22,8 @@ constexpr double kOtherThreshold = 0.1;  // Of the span.
 
 using Line = std::vector<SamplePlace>;
 
-bool wasSeen(Origin origin) {
-  return origin == Origin::measured || origin == Origin::steep;
+bool wasSeen(CellStatus origin) {
+  return origin == CellStatus::measured || origin == CellStatus::steep;
 }
 
 /// The means of 3 x 3 heights of a window, of those that were seen.
@@ -53,7 +53,7 @@ Samples smoothHeights(const RegionWindow& window) {
   return samples;
 }
 
-std::vector<float> inOrder(const Samples& samples) {
+std::vector<float> orderedPipeline(const Samples& samples) {
   std::vector<float> heights;
   for (std::size_t i = 0; i < samples.values.size(); ++i) {
     if (samples.has[i]) heights.push_back(static_cast<float>(samples.values[i]));
@@ -108,7 +108,7 @@ double heightAt(const RegionWindow& window, const SamplePlace& place) {
   for (int k = 0; k < 4; ++k) {
     const int dc = k % 2, dr = k / 2;  // NOLINT: two by two.
     const auto i = static_cast<std::size_t>(r + dr) * kSide + static_cast<std::size_t>(c + dc);
-    if (window.origins[i] == Origin::outside) continue;
+    if (window.origins[i] == CellStatus::outside) continue;
     // A place on the border has weight on the object's side alone.
     const double weight =
         std::max(1e-9, (1 - std::abs(col - (c + dc))) * (1 - std::abs(row - (r + dr))));
@@ -163,7 +163,7 @@ double Outline::lengthMm() const {
 
 std::vector<Outline> raisedOutlines(const RegionWindow& window, double tolerance_mm) {
   const Samples samples = smoothHeights(window);
-  const std::vector<float> heights = inOrder(samples);
+  const std::vector<float> heights = orderedPipeline(samples);
   const TwoGroups groups = partedInTwo(heights);
   if (groups.separability <= 0) return {};
   double level_mm = groups.threshold_mm;
@@ -222,7 +222,7 @@ std::vector<Outline> objectOutlines(const RegionWindow& window, std::uint8_t edg
     for (int col = 0; col < kSide; ++col) {
       const bool is_outside =
           window.origins[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(col)] ==
-          Origin::outside;
+          CellStatus::outside;
       samples.values[samples.at(col + 1, row + 1)] = is_outside ? 0 : 1;
     }
   }

@@ -209,7 +209,7 @@ std::string shortNumber(double value, int digits) {
 
 std::array<double, kOriginCount> sharesOf(const RegionWindow& window) {
   std::array<double, kOriginCount> shares{};
-  for (const Origin origin : window.origins) shares.at(static_cast<std::size_t>(origin)) += 1;
+  for (const CellStatus origin : window.origins) shares.at(static_cast<std::size_t>(origin)) += 1;
   for (double& share : shares) {
     share /= static_cast<double>(std::max<std::size_t>(window.origins.size(), 1));
   }

@@ -12,7 +12,7 @@
 #include "core/io/input_facts.h"
 #include "core/io/raster/raster.h"
 #include "core/io/raster/tiff_head.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/provenance/parameters_json.h"
 #include "core/provenance/set_mark.h"
 
@@ -33,7 +33,7 @@ struct Identity {
 /// What a file carries of how it was made; of lists of measurements the part that says so.
 std::optional<std::string> stateOf(const fs::path& file) {
   constexpr std::size_t kMostListBytes = 64U << 20U;
-  if (inputFacts(file).carrier != CarrierKind::project) return stateCarriedBy(file);
+  if (inputFacts(file).host_file != HostFileKind::project) return embeddedStateOf(file);
   Json list;
   try {
     list = parsedJson(readHead(file, kMostListBytes));

@@ -154,13 +154,13 @@ void requireAsBefore(const FileCheck& check, const fs::path& recording) {
 }
 
 /// What the recordings need beyond the input, each file once.
-std::vector<InputFile> companionsOf(const Project& project, const PackageContents& contents,
-                                    const Task& task) {
+std::vector<InputFile> dependenciesOf(const Project& project, const PackageContents& contents,
+                                      const Task& task) {
   std::vector<InputFile> all;
-  if (!contents.companions) return all;
+  if (!contents.dependencies) return all;
   std::set<std::string> known{project.sha256};
   for (const InputFile& recording : project.recordings) {
-    for (InputFile& file : contents.companions(recording.file, task)) {
+    for (InputFile& file : contents.dependencies(recording.file, task)) {
       if (!known.insert(file.sha256).second) continue;
       requireAsBefore(checkFile(file, task), fs::path(recording.file).filename());
       all.push_back(std::move(file));
@@ -329,7 +329,7 @@ void writePackage(const std::filesystem::path& target, const Project& project,
   std::vector<FileCheck> checks = checkFiles(project, task);
   if (!contents.with_input) checks.erase(checks.begin());
   for (const FileCheck& check : checks) requireAsBefore(check);
-  const std::vector<InputFile> companions = companionsOf(project, contents, task);
+  const std::vector<InputFile> dependencies = dependenciesOf(project, contents, task);
   std::vector<std::string> figure_sums;
   for (const auto& figure : contents.figures) figure_sums.push_back(sha256OfFile(figure, task));
 
@@ -348,7 +348,7 @@ void writePackage(const std::filesystem::path& target, const Project& project,
   for (InputFile& recording : packed.recordings) {
     recording.file = writer.addFile("recordings", recording.file, recording.sha256);
   }
-  for (const InputFile& file : companions) writer.addFile("recordings", file.file, file.sha256);
+  for (const InputFile& file : dependencies) writer.addFile("recordings", file.file, file.sha256);
   for (std::size_t i = 0; i < figure_sums.size(); ++i) {
     packed.figures.push_back(writer.addFile("figures", contents.figures[i], figure_sums[i]));
   }

@@ -18,7 +18,7 @@ struct PackageContents {
   /// Which other files a recording needs to be repeated (rasters of firm ground, other scans);
   /// empty: none. They are packed beside it. [worker]
   std::function<std::vector<InputFile>(const std::filesystem::path& recording, const Task& task)>
-      companions = {};
+      dependencies = {};
 };
 
 /// One zip that can be cited: project.json, input/ (of a map by tiles with all levels),

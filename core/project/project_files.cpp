@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/failure.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 
 namespace relievo {
 namespace {
@@ -25,7 +25,7 @@ bool showsInputOf(const Project& project, const std::filesystem::path& file) {
   std::error_code unknown;
   if (project.sha256.empty() || !std::filesystem::is_regular_file(file, unknown)) return false;
   try {
-    const std::optional<Project> shown = carriedProject(file);
+    const std::optional<Project> shown = embeddedProject(file);
     return shown && shown->sha256 == project.sha256;
   } catch (const FileError&) {
     return false;
@@ -44,28 +44,28 @@ std::vector<FileCheck> checkFiles(const Project& project, const Task& task) {
   return checks;
 }
 
-std::filesystem::path foundInput(const std::filesystem::path& carrier,
+std::filesystem::path foundInput(const std::filesystem::path& host_file,
                                  const std::filesystem::path& stored) {
   std::error_code error;
-  const std::filesystem::path folder = std::filesystem::absolute(carrier, error).parent_path();
+  const std::filesystem::path folder = std::filesystem::absolute(host_file, error).parent_path();
   for (const std::filesystem::path& candidate :
        {stored, folder / stored.filename(), stored.filename(),
         (folder / "../input" / stored.filename()).lexically_normal()}) {
     if (std::filesystem::is_regular_file(candidate, error)) return candidate;
   }
-  throw failure<MessageId::input_is_not_there>(carrier.filename(), stored.filename());
+  throw failure<MessageId::input_is_not_there>(host_file.filename(), stored.filename());
 }
 
-std::filesystem::path foundInput(const std::filesystem::path& carrier,
+std::filesystem::path foundInput(const std::filesystem::path& host_file,
                                  const std::filesystem::path& stored, const std::string& sha256,
                                  const Task& task) {
-  std::filesystem::path first = foundInput(carrier, stored);
+  std::filesystem::path first = foundInput(host_file, stored);
   const auto is_it = [&](const std::filesystem::path& file) {
     return sha256.empty() || sha256OfFile(file, task) == sha256;
   };
   if (is_it(first)) return first;
   std::error_code error;
-  const std::filesystem::path folder = std::filesystem::absolute(carrier, error).parent_path();
+  const std::filesystem::path folder = std::filesystem::absolute(host_file, error).parent_path();
   if (std::filesystem::path beside = folder / stored.filename();
       std::filesystem::is_regular_file(beside, error) && is_it(beside)) {
     return beside;
@@ -78,19 +78,19 @@ std::filesystem::path foundInput(const std::filesystem::path& carrier,
   }
 }
 
-bool isInFolderOf(const std::filesystem::path& carrier, const std::filesystem::path& file) {
+bool isInFolderOf(const std::filesystem::path& host_file, const std::filesystem::path& file) {
   std::error_code unknown;
   const auto real = std::filesystem::weakly_canonical(file, unknown);
   if (unknown) return false;
   const auto home = std::filesystem::canonical(
-      std::filesystem::absolute(carrier, unknown).parent_path(), unknown);
+      std::filesystem::absolute(host_file, unknown).parent_path(), unknown);
   if (unknown) return false;
   const auto [rest, at] = std::mismatch(home.begin(), home.end(), real.begin(), real.end());
   return rest == home.end() && at != real.end();
 }
 
-bool mayBeRead(const std::filesystem::path& carrier, const InputFile& named, const Task& task) {
-  if (isInFolderOf(carrier, named.file)) return true;
+bool mayBeRead(const std::filesystem::path& host_file, const InputFile& named, const Task& task) {
+  if (isInFolderOf(host_file, named.file)) return true;
   std::error_code unknown;
   if (!std::filesystem::exists(named.file, unknown)) return true;  // Nothing is read.
   // Of a device, or a file without a size as in /proc, not even a checksum is made.
@@ -106,27 +106,27 @@ bool mayBeRead(const std::filesystem::path& carrier, const InputFile& named, con
   }
 }
 
-std::vector<std::filesystem::path> foreignFiles(const std::filesystem::path& carrier,
+std::vector<std::filesystem::path> foreignFiles(const std::filesystem::path& host_file,
                                                 const Project& project, const Task& task) {
   std::vector<std::filesystem::path> foreign;
   const auto add = [&](const std::string& file) {
     if (std::find(foreign.begin(), foreign.end(), file) == foreign.end())
       foreign.emplace_back(file);
   };
-  if (!mayBeRead(carrier, {.file = project.file, .sha256 = project.sha256, .bytes = project.bytes},
-                 task)) {
+  if (!mayBeRead(host_file,
+                 {.file = project.file, .sha256 = project.sha256, .bytes = project.bytes}, task)) {
     add(project.file);
   }
   std::vector<std::string> without_checksum = project.figures;
   const std::string& plotted = project.figure.recording;
   if (!plotted.empty()) without_checksum.push_back(plotted);
   for (const InputFile& recording : project.recordings) {
-    if (!mayBeRead(carrier, recording, task)) add(recording.file);
+    if (!mayBeRead(host_file, recording, task)) add(recording.file);
     std::erase(without_checksum, recording.file);
   }
   for (const std::string& file : without_checksum) {
     task.check();
-    if (!mayBeRead(carrier, {.file = file, .sha256 = {}}, task) && !showsInputOf(project, file))
+    if (!mayBeRead(host_file, {.file = file, .sha256 = {}}, task) && !showsInputOf(project, file))
       add(file);
   }
   return foreign;

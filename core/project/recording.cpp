@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/failure.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/parameters_json.h"
 #include "core/recording/log_note.h"

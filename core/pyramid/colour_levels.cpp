@@ -53,7 +53,7 @@ std::vector<std::array<std::uint8_t, Size>> coarser(
   const LightOfRows<Size> rows_light(transferOf<Size>(), finest);
   const GridSize out_size = RowReducer(size, factor).coarseSize();
   std::vector<std::array<std::uint8_t, Size>> out(out_size.count());
-  inBands(out_size.rows, threadsFor(size.count(), threads), [&](int first, int end) {
+  parallelFor(out_size.rows, threadsFor(size.count(), threads), [&](int first, int end) {
     RowReducer reducer(size, factor);
     KeptRows<Size> kept(fine, size, rows_light, static_cast<std::size_t>(reducer.mostRows()));
     const auto cols = static_cast<std::size_t>(out_size.cols);

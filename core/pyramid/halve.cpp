@@ -85,7 +85,7 @@ class RowShares {
   explicit RowShares(int cols)
       : cols_(cols), sums_(2 * ((static_cast<std::size_t>(cols) + 1) / 2 + 2)) {}
 
-  void operator()(const std::array<const Origin*, 5>& rows, float* out) {
+  void operator()(const std::array<const CellStatus*, 5>& rows, float* out) {
     std::uint8_t* const row = sums_.data() + 2;
     sumMeasured(rows, cols_, row);
     for (const int i : {-2, -1, cols_, cols_ + 1}) row[i] = row[mirrored(i, cols_)];
@@ -94,15 +94,15 @@ class RowShares {
 
  private:
   RELIEVO_WIDE_VECTORS
-  static void sumMeasured(const std::array<const Origin*, 5>& rows, int cols,
+  static void sumMeasured(const std::array<const CellStatus*, 5>& rows, int cols,
                           std::uint8_t* __restrict out) {
-    const Origin* a = rows[0];
-    const Origin* b = rows[1];
-    const Origin* c = rows[2];
-    const Origin* d = rows[3];
-    const Origin* e = rows[4];
-    const auto one = [](Origin origin) {
-      return static_cast<std::uint8_t>(origin == Origin::measured ? 1 : 0);
+    const CellStatus* a = rows[0];
+    const CellStatus* b = rows[1];
+    const CellStatus* c = rows[2];
+    const CellStatus* d = rows[3];
+    const CellStatus* e = rows[4];
+    const auto one = [](CellStatus origin) {
+      return static_cast<std::uint8_t>(origin == CellStatus::measured ? 1 : 0);
     };
     for (int i = 0; i < cols; ++i) {
       out[i] = static_cast<std::uint8_t>(one(a[i]) + one(e[i]) + 4 * (one(b[i]) + one(d[i])) +
@@ -131,7 +131,7 @@ LargeArray<float> halved(std::span<const float> in, GridSize size, GridSize out_
   const auto row_at = [&](int row) {
     return in.data() + size.index({.col = 0, .row = mirrored(row, size.rows)});
   };
-  inBands(out_size.rows, threadsFor(size.count(), threads), [&](int first, int end) {
+  parallelFor(out_size.rows, threadsFor(size.count(), threads), [&](int first, int end) {
     RowHalver halve(size.cols);
     for (int j = first; j < end; ++j) {
       if (j % 64 == 0) task.check();
@@ -144,14 +144,14 @@ LargeArray<float> halved(std::span<const float> in, GridSize size, GridSize out_
   return out;
 }
 
-LargeArray<float> halvedShares(std::span<const Origin> origins, GridSize size, GridSize out_size,
-                               int threads, const Task& task) {
+LargeArray<float> halvedShares(std::span<const CellStatus> origins, GridSize size,
+                               GridSize out_size, int threads, const Task& task) {
   LargeArray<float> out(out_size.count());
-  inBands(out_size.rows, threadsFor(size.count(), threads), [&](int first, int end) {
+  parallelFor(out_size.rows, threadsFor(size.count(), threads), [&](int first, int end) {
     RowShares shares(size.cols);
     for (int j = first; j < end; ++j) {
       if (j % 64 == 0) task.check();
-      std::array<const Origin*, 5> rows{};
+      std::array<const CellStatus*, 5> rows{};
       for (int n = 0; n < 5; ++n) {
         const int from = mirrored(2 * j - 2 + n, size.rows);
         rows[static_cast<std::size_t>(n)] = origins.data() + size.index({.col = 0, .row = from});

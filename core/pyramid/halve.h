@@ -31,8 +31,8 @@ class RowHalver {
 /// The same step for the share of measured cells, from the origins of the finest level: whole
 /// numbers up to 256 at a quarter of the bytes, so exactly what `halved` makes of 0 and 1. [worker]
 /// @throw Cancelled
-LargeArray<float> halvedShares(std::span<const Origin> origins, GridSize size, GridSize out_size,
-                               int threads, const Task& task);
+LargeArray<float> halvedShares(std::span<const CellStatus> origins, GridSize size,
+                               GridSize out_size, int threads, const Task& task);
 
 /// One step of the pyramid for M = 2 in single precision, at memory speed: the paper's equation
 ///   g_l(i, j) = sum_m sum_n w(m, n) g_{l-1}(2i + m, 2j + n)

@@ -21,7 +21,7 @@ constexpr double kMostCellsInAll = 536'870'912;  // Twice the largest map: 4 GiB
 LargeArray<float> reducedBy(const PyramidOptions& options, std::span<const float> in, GridSize size,
                             GridSize out_size, const Task& task) {
   LargeArray<float> out(out_size.count());
-  inBands(out_size.rows, threadsFor(size.count(), options.threads), [&](int first, int last) {
+  parallelFor(out_size.rows, threadsFor(size.count(), options.threads), [&](int first, int last) {
     RowReducer reducer(size, options.factor);
     const auto row_at = [&](int row) { return &in[size.index({.col = 0, .row = row})]; };
     for (int j = first; j < last; ++j) {
@@ -65,15 +65,16 @@ PyramidLevel baseLevel(const DepthMap& map, const PyramidOptions& options, const
   const GridSize size = map.frame.size;
   PyramidLevel level{.frame = map.frame, .heights_mm = {}, .measured = {}};
   level.heights_mm.resize(size.count());
-  inBands(size.rows, threadsFor(size.count(), options.threads), [&](int first, int last) {
+  parallelFor(size.rows, threadsFor(size.count(), options.threads), [&](int first, int last) {
     for (int row = first; row < last; ++row) {
       if (row % 64 == 0) task.check();
       const std::size_t at = size.index({.col = 0, .row = row});
       const float* const heights = &map.heights_mm[at];
-      const Origin* const origins = &map.origins[at];
+      const CellStatus* const origins = &map.origins[at];
       float* const out = &level.heights_mm[at];
       for (int i = 0; i < size.cols; ++i) {
-        const bool on_base = origins[i] == Origin::base_plane || origins[i] == Origin::outside;
+        const bool on_base =
+            origins[i] == CellStatus::base_plane || origins[i] == CellStatus::outside;
         out[i] = on_base ? 0.0F : heights[i];
       }
     }
@@ -89,7 +90,7 @@ LargeArray<float> firstShares(const DepthMap& map, const PyramidOptions& options
   }
   LargeArray<float> measured(map.origins.size());
   std::transform(map.origins.begin(), map.origins.end(), measured.begin(),
-                 [](Origin origin) { return origin == Origin::measured ? 1.0F : 0.0F; });
+                 [](CellStatus origin) { return origin == CellStatus::measured ? 1.0F : 0.0F; });
   return reducedBy(options, measured, size, out_size, task);
 }
 

@@ -53,7 +53,7 @@ bool take(Number& to, double value) {
     to = value;
     return true;
   } else {
-    constexpr bool kIsOrigin = std::is_same_v<Number, Origin>;
+    constexpr bool kIsOrigin = std::is_same_v<Number, CellStatus>;
     constexpr double kMostExact = 9007199254740992.0;  // 2^53
     using Limits = std::numeric_limits<std::conditional_t<kIsOrigin, std::uint8_t, Number>>;
     constexpr double kMost = kIsOrigin             ? kOriginCount - 1

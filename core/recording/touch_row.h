@@ -11,13 +11,13 @@ namespace relievo {
 /// One sample of a touch as recordings hold it; kLogColumns says what each member is called in
 /// files.
 struct TouchRow {
-  double t_s = 0;                   ///< Since the start of the recording, or on the stroke's clock.
-  std::uint64_t tick = 0;           ///< Of the loop; a missing number was dropped.
-  ViewMm hip{}, proxy{};            ///< On the object.
-  DeviceN force{};                  ///< On the hand, after all stages.
-  double unlimited_n = 0;           ///< Size of the force before limits.
-  bool clamped = false;             ///< A limit changed the force.
-  Origin origin = Origin::outside;  ///< Of the cell under the proxy.
+  double t_s = 0;          ///< Since the start of the recording, or on the stroke's clock.
+  std::uint64_t tick = 0;  ///< Of the loop; a missing number was dropped.
+  ViewMm hip{}, proxy{};   ///< On the object.
+  DeviceN force{};         ///< On the hand, after all stages.
+  double unlimited_n = 0;  ///< Size of the force before limits.
+  bool clamped = false;    ///< A limit changed the force.
+  CellStatus origin = CellStatus::outside;  ///< Of the cell under the proxy.
   bool contact = false;
   ViewMm normal{};  ///< Unit normal of the surface at the proxy.
   double stiffness_n_per_m = 0;

@@ -16,8 +16,8 @@ struct Probe {
   double force_limit_n = 0;
   bool touching = false;
   bool forces_on = false;
-  Origin origin = Origin::outside;  ///< Of the sample under the proxy.
-  std::uint64_t window_id = 0;      ///< The window the positions belong to.
+  CellStatus origin = CellStatus::outside;  ///< Of the sample under the proxy.
+  std::uint64_t window_id = 0;              ///< The window the positions belong to.
 };
 
 }  // namespace relievo

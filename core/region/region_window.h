@@ -21,9 +21,10 @@ struct RegionWindow {
   Region region;
   double gain = 1;                ///< Already applied to the heights.
   std::vector<float> heights_mm;  ///< kWindowCount values, view mm above the base plane.
-  std::vector<Origin> origins;    ///< Of the map cell nearest each sample; outside beyond the map.
-  float min_mm = 0, max_mm = 0;   ///< Of heights_mm.
-  int levels = 1;  ///< Of the pyramid; the window is Detail levels - level of levels.
+  std::vector<CellStatus>
+      origins;                   ///< Of the map cell nearest each sample; outside beyond the map.
+  float min_mm = 0, max_mm = 0;  ///< Of heights_mm.
+  int levels = 1;                ///< Of the pyramid; the window is Detail levels - level of levels.
 
   double spacingMm() const noexcept { return region.side_mm / kWindowSamples; }
 };

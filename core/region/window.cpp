@@ -203,12 +203,12 @@ void sampleOrigins(const WindowRows& rows, const Axis& columns, const Axis& line
   if (columns.cells == 0) return;
   for (int line = lines.first_with_cell; line < lines.end_with_cell; ++line) {
     const auto j = static_cast<std::size_t>(line);
-    Origin* out = &window.origins[j * kWindowSamples];
+    CellStatus* out = &window.origins[j * kWindowSamples];
     if (line > lines.first_with_cell && lines.cell[j] == lines.cell[j - 1]) {
       std::copy_n(out - kWindowSamples, kWindowSamples, out);
       continue;
     }
-    const Origin* origins = rows.origins(lines.cell[j], columns.first_cell, columns.cells);
+    const CellStatus* origins = rows.origins(lines.cell[j], columns.first_cell, columns.cells);
     if (columns.cells_in_turn) {
       std::copy_n(origins, columns.cells, out + columns.first_with_cell);
       continue;
@@ -298,7 +298,7 @@ RegionWindow sampleWindow(const WindowRows& rows, const Region& region, double g
   window.region = region;
   window.gain = gain;
   window.heights_mm.resize(kWindowCount);
-  window.origins.resize(kWindowCount, Origin::outside);
+  window.origins.resize(kWindowCount, CellStatus::outside);
   const double step = region.side_mm / kWindowSamples;
   const Axis columns =
       axisOf(region.x_mm, step, lineX(rows.map), lineX(rows.nodes), lineX(rows.cells));

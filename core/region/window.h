@@ -29,7 +29,7 @@ struct WindowRows {
   /// call after the next.
   std::function<const float*(int row, int first_col, int count)> heights;
   /// Likewise the origins of cells.
-  std::function<const Origin*(int row, int first_col, int count)> origins;
+  std::function<const CellStatus*(int row, int first_col, int count)> origins;
 };
 /// The same from there. [as the two functions] @throw ArgumentError  as above, but for the level
 RegionWindow sampleWindow(const WindowRows& rows, const Region& region, double gain = 1);

@@ -34,8 +34,8 @@ std::array<Between, kWindowSamples> axisOf(double start_mm, double step_mm, int 
   return axis;
 }
 
-bool mayHaveColour(Origin origin) {
-  return origin != Origin::base_plane && origin != Origin::outside;
+bool mayHaveColour(CellStatus origin) {
+  return origin != CellStatus::base_plane && origin != CellStatus::outside;
 }
 
 template <std::size_t Size>

@@ -33,7 +33,7 @@ HorizonSearch::Tangents HorizonSearch::tangents(Cell at) const {
   const float here = map_.heightMm(at);
   const auto height = [&](int col, int row, float& out) {
     const Cell cell{col, row};
-    if (!size.contains(cell) || map_.origin(cell) == Origin::outside) return false;
+    if (!size.contains(cell) || map_.origin(cell) == CellStatus::outside) return false;
     out = map_.heightMm(cell);
     return true;
   };

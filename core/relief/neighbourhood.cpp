@@ -40,7 +40,7 @@ std::vector<float> largestDeviations(const DepthMap& map, double radius_samples,
     }
     const std::vector<float> variance = smoothed(squares, 0.5 * radius, task);
     for (std::size_t i = 0; i < count; ++i) {
-      if (map.origins[i] == Origin::outside) continue;
+      if (map.origins[i] == CellStatus::outside) continue;
       const double spread = std::sqrt(std::max(0.0, static_cast<double>(variance[i])));
       const auto deviation =
           static_cast<float>(static_cast<double>(above[i]) / std::max(spread, least_mm));
@@ -80,7 +80,7 @@ double BallShares::bulge(Cell at) const {
   const float here = map_.heightMm(at);
   const GridSize size = map_.frame.size;
   const auto usable = [&](Cell cell) {
-    return size.contains(cell) && map_.origin(cell) != Origin::outside;
+    return size.contains(cell) && map_.origin(cell) != CellStatus::outside;
   };
   double sum = 0;
   for (const Scale& scale : scales_) {

@@ -34,7 +34,7 @@ class Slopes {
   explicit Slopes(const DepthMap& map) : map_(map), size_(map.frame.size) {}
 
   bool inside(int col, int row) const {
-    return size_.contains({col, row}) && map_.origin({col, row}) != Origin::outside;
+    return size_.contains({col, row}) && map_.origin({col, row}) != CellStatus::outside;
   }
   Gradient at(int col, int row) const { return {along(col, row, 1, 0), along(col, row, 0, 1)}; }
 
@@ -88,12 +88,12 @@ template <class ValueOf>
 std::vector<float> forEachInside(const DepthMap& map, const Task& task, const ValueOf& value_of) {
   const GridSize size = map.frame.size;
   std::vector<float> values(size.count(), kNan);
-  inBands(size.rows, threadsFor(size.count(), 0), [&](int first, int end) {
+  parallelFor(size.rows, threadsFor(size.count(), 0), [&](int first, int end) {
     for (int row = first; row < end; ++row) {
       task.check();
       for (int col = 0; col < size.cols; ++col) {
         const std::size_t i = size.index({col, row});
-        if (map.origins[i] == Origin::outside) continue;
+        if (map.origins[i] == CellStatus::outside) continue;
         values[i] = static_cast<float>(value_of(col, row));
       }
     }
@@ -101,7 +101,7 @@ std::vector<float> forEachInside(const DepthMap& map, const Task& task, const Va
   return values;
 }
 
-/// The middle 98 % of the values: a few flyers must not grey out a picture.
+/// The middle 98 % of the values: a few outliers must not grey out a picture.
 std::array<double, 2> rangeOf(const std::vector<float>& values) {
   std::vector<float> sorted;
   const std::size_t stride = std::max<std::size_t>(1, values.size() / 200000);

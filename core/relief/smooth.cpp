@@ -25,7 +25,7 @@ std::vector<float> filtered(const std::vector<float>& in, GridSize size,
   const int count = along_rows ? size.cols : size.rows;
   const std::size_t stride = along_rows ? 1 : static_cast<std::size_t>(size.cols);
   std::vector<float> out(in.size());
-  inBands(size.rows, threadsFor(size.count(), 0), [&](int first, int end) {
+  parallelFor(size.rows, threadsFor(size.count(), 0), [&](int first, int end) {
     for (int row = first; row < end; ++row) {
       task.check();
       for (int col = 0; col < size.cols; ++col) {
@@ -52,7 +52,7 @@ std::vector<float> smoothed(const DepthMap& map, double sigma_samples, const Tas
   std::vector<float> heights(size.count(), 0);
   std::vector<float> known(size.count(), 0);
   for (std::size_t i = 0; i < heights.size(); ++i) {
-    if (map.origins[i] == Origin::outside) continue;
+    if (map.origins[i] == CellStatus::outside) continue;
     heights[i] = map.heights_mm[i];
     known[i] = 1;
   }

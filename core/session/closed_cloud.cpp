@@ -111,7 +111,7 @@ std::optional<ClosedCloud> closedCloud(const Scan& scan, const Rotation& rotatio
     std::size_t hidden = 0, strays = 0;
   };
   std::vector<Part> parts(static_cast<std::size_t>(threads));
-  inBands(threads, threads, [&](int number, int) {
+  parallelFor(threads, threads, [&](int number, int) {
     Part& part = parts[static_cast<std::size_t>(number)];
     const std::size_t begin = count * static_cast<std::size_t>(number) / parts.size();
     const std::size_t end = count * (static_cast<std::size_t>(number) + 1) / parts.size();
@@ -181,7 +181,8 @@ CellProposal cellsOf(const FrontSurface& front, const RotatedBounds& box, std::u
 void addHidden(const FrontSurface& front, double hidden_points, const OriginCounts& cells,
                HiddenSurface& hidden) {
   const std::size_t all = std::accumulate(cells.begin(), cells.end(), std::size_t{0});
-  const auto inside = static_cast<double>(all - cells[static_cast<std::size_t>(Origin::outside)]);
+  const auto inside =
+      static_cast<double>(all - cells[static_cast<std::size_t>(CellStatus::outside)]);
   hidden.hidden += hidden_points;
   hidden.all += hidden_points;
   hidden.cells = static_cast<std::size_t>(std::lround(front.behind().hidden * inside));
@@ -212,7 +213,7 @@ void addFront(const FrontSurface& front, const GridFrame& frame, CapturedDepths&
   if (depths.between.empty()) {
     depths.between.assign(frame.size.count(), std::numeric_limits<float>::quiet_NaN());
   }
-  inBands(frame.size.rows, threadsFor(8 * frame.size.count(), 0), [&](int first, int end) {
+  parallelFor(frame.size.rows, threadsFor(8 * frame.size.count(), 0), [&](int first, int end) {
     const std::size_t at = frame.size.index({.col = 0, .row = first});
     addFront(front, frame,
              {.rows = {.first = first, .end = end},

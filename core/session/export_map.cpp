@@ -9,7 +9,7 @@
 #include "core/io/raster/raster.h"
 #include "core/region/window.h"
 #include "core/session/colours/surface_colours.h"
-#include "core/session/large/level_cut.h"
+#include "core/session/large/crop_level.h"
 #include "core/session/large/memory_guard.h"
 #include "core/session/large/tiled_surface.h"
 
@@ -25,7 +25,7 @@ DepthMap partOf(const Surface& surface, const MapExport& choice) {
   const Level level = levelOf(choice);
   if (level.value == 0 && !surface.tiles) return surface.map;
   if (surface.tiles) requireMemory(levelFrame(surface, level), availableBytes());
-  return levelCut(surface, level);
+  return cropLevel(surface, level);
 }
 
 /// Of the same samples; empty where the scan has none. Samples without one are mid grey.
@@ -65,7 +65,7 @@ ExportGrid exportedGrid(const Surface& surface, const MapExport& choice, const R
 }
 
 ExportedMap reportOf(const ExportGrid& grid) {
-  const auto empty = std::count(grid.origins.begin(), grid.origins.end(), Origin::outside);
+  const auto empty = std::count(grid.origins.begin(), grid.origins.end(), CellStatus::outside);
   return {.size = grid.size,
           .spacing = grid.spacing,
           .first_x = grid.first_x,

@@ -62,7 +62,7 @@ class Inside {
     const GridSize size = map_.frame.size;
     for (const Cell far : {Cell{at.col - samples, at.row}, Cell{at.col + samples, at.row},
                            Cell{at.col, at.row - samples}, Cell{at.col, at.row + samples}}) {
-      if (!size.contains(far) || map_.origin(far) == Origin::outside) return false;
+      if (!size.contains(far) || map_.origin(far) == CellStatus::outside) return false;
     }
     return true;
   }
@@ -151,7 +151,7 @@ class Feeler {
   bool isMeasured(double x_mm, double y_mm) const {
     const bool on_map = x_mm >= map_.leftMm() && x_mm <= map_.leftMm() + map_.widthMm() &&
                         y_mm >= map_.bottomMm() && y_mm <= map_.bottomMm() + map_.heightExtentMm();
-    return on_map && map_.origin(nearest(map_.frame, x_mm, y_mm)) == Origin::measured;
+    return on_map && map_.origin(nearest(map_.frame, x_mm, y_mm)) == CellStatus::measured;
   }
 
   /// As handMapping(): smaller where the window is too high for the hand's space.

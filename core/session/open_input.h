@@ -32,7 +32,7 @@ struct InputOptions {
 /// The one way in: asks what a file is, and opens it. An import process says and reads it, whoever
 /// wrote it and whatever it says of itself (docs/adr/0146); of a map by tiles the process reads the
 /// directories, and cells are taken from where those say, each checked. Files that carry a state of
-/// ours (InputFacts::carrier) are opened by core/project. [worker]
+/// ours (InputFacts::host file) are opened by core/project. [worker]
 /// @throw FileError, ArgumentError, Cancelled
 OpenedInput openInput(const std::filesystem::path& file, const InputOptions& options = {},
                       const Task& task = {});

@@ -9,7 +9,7 @@
 #include "core/cloud/part_of_scan.h"
 #include "core/cloud/stray_limits.h"
 #include "core/io/file_check.h"
-#include "core/session/loss_words.h"
+#include "core/session/loss_report.h"
 
 namespace relievo {
 namespace {

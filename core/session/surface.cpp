@@ -16,7 +16,7 @@
 #include "core/session/closed_cloud.h"
 #include "core/session/colours/surface_colours.h"
 #include "core/session/large/memory_guard.h"
-#include "core/session/loss_words.h"
+#include "core/session/loss_report.h"
 #include "core/session/source/unit_guess.h"
 
 namespace relievo {
@@ -265,14 +265,14 @@ void takeOwnMap(Surface& surface, const RasterMap& raster) {
   map.heights_mm = raster.values;
   map.origins = raster.origins;
   if (map.origins.empty()) {
-    map.origins.assign(raster.size.count(), Origin::measured);
+    map.origins.assign(raster.size.count(), CellStatus::measured);
     surface.messages.emplace_back(
         "The map has no origins of its own; every height was taken as measured.");
   }
   for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
-    if (raster.valid[i] && map.origins[i] != Origin::outside) continue;
+    if (raster.valid[i] && map.origins[i] != CellStatus::outside) continue;
     map.heights_mm[i] = 0;
-    map.origins[i] = Origin::outside;
+    map.origins[i] = CellStatus::outside;
   }
 }
 
@@ -345,7 +345,7 @@ Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const Dept
   if (closed) addFront(closed->surface, frame, depths);
   const HiddenSurface in_front =
       depths.hidden ? *depths.hidden : countHidden(request, depths.front, task);
-  const std::size_t flyers = depths.flyers + (closed ? closed->strays : 0);
+  const std::size_t outliers = depths.outliers + (closed ? closed->strays : 0);
   surface.depth_buffer = depths.depth_buffer;
   surface.seconds.grid = watch.lap();
 
@@ -370,9 +370,10 @@ Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const Dept
     addHidden(closed->surface, static_cast<double>(closed->hidden), originCounts(surface.map),
               hidden);
   }
-  surface.losses = lossesOf(hidden, flyers, filled.seen_through_points, originCounts(surface.map));
+  surface.losses =
+      lossesOf(hidden, outliers, filled.seen_through_points, originCounts(surface.map));
   for (std::string& words :
-       lossWords(*surface.losses, filled.seen_through, originShares(surface.map))) {
+       lossReport(*surface.losses, filled.seen_through, originShares(surface.map))) {
     surface.messages.push_back(std::move(words));
   }
   if (scan.triangles.empty() && options.rule) {

@@ -9,7 +9,7 @@
 #include "core/base/failure.h"
 #include "core/depth/fill/mask.h"
 #include "core/depth/fill/push_pull.h"
-#include "core/depth/layers/see_through.h"
+#include "core/depth/layers/hidden_points.h"
 #include "core/tiles/lowest_values.h"
 #include "core/tiles/threads.h"
 #include "core/tiles/tile_layout.h"
@@ -103,7 +103,7 @@ BandFill::BandFill(BandDepths depths, const GridFrame& frame, const FillSource& 
 
 void BandFill::markMeasured(const Task& task) {
   std::vector<std::vector<float>> bands(static_cast<std::size_t>(threads_));
-  inOrder(
+  orderedPipeline(
       bandCount(), threads_,
       [&](int place, int number) {
         task.check();
@@ -145,7 +145,7 @@ int BandFill::gapRadius() const {
 void BandFill::dropSeenThroughBands(int radius, const Task& task) {
   kept_ = std::make_unique<RowStore>(frame_.size, options_.memory_bytes / 2, options_.spill_folder);
   std::vector<std::vector<float>> bands(static_cast<std::size_t>(threads_));
-  inOrder(
+  orderedPipeline(
       bandCount(), threads_,
       [&](int place, int number) {
         task.check();
@@ -198,7 +198,7 @@ void BandFill::pullAll(const Task& task) {
     PushPullLayer top;
   };
   std::vector<Pulled> bands(static_cast<std::size_t>(threads_));
-  inOrder(
+  orderedPipeline(
       bandCount(), threads_,
       [&](int place, int number) {
         task.check();
@@ -234,7 +234,7 @@ void BandFill::pullAll(const Task& task) {
 
 void BandFill::findHoles(int radius, const Task& task) {
   std::vector<Mask> bands(static_cast<std::size_t>(threads_));
-  inOrder(
+  orderedPipeline(
       bandCount(), threads_,
       [&](int place, int number) {
         task.check();
@@ -263,20 +263,20 @@ void BandFill::findHoles(int radius, const Task& task) {
   }
 }
 
-void BandFill::placeOrigins(const Band& band, std::vector<Origin>& origins) const {
+void BandFill::placeOrigins(const Band& band, std::vector<CellStatus>& origins) const {
   for (int row = band.first; row < band.first + band.rows; ++row) {
     const std::size_t start = frame_.size.index({.col = 0, .row = row - band.first});
     for (const EmptyRuns::Run& run : empty_.row(row)) {
       const std::ptrdiff_t hole = enclosed_.hole_of_area[run.area];
-      const Origin origin =
-          hole < 0 ? Origin::outside
+      const CellStatus origin =
+          hole < 0 ? CellStatus::outside
                    : originOfHole(enclosed_.holes[static_cast<std::size_t>(hole)], choice_.rule);
       std::fill(origins.begin() + static_cast<std::ptrdiff_t>(start) + run.first_col,
                 origins.begin() + static_cast<std::ptrdiff_t>(start) + run.end_col, origin);
     }
     for (int col = 0; col < frame_.size.cols; ++col) {
       if (measured_.at({.col = col, .row = row})) {
-        origins[start + static_cast<std::size_t>(col)] = Origin::measured;
+        origins[start + static_cast<std::size_t>(col)] = CellStatus::measured;
       }
     }
   }
@@ -310,7 +310,7 @@ void BandFill::addBetween(const Band& band, std::vector<float>& depths) const {
   }
 }
 
-void BandFill::markSteep(const Band& band, std::vector<Origin>& origins) const {
+void BandFill::markSteep(const Band& band, std::vector<CellStatus>& origins) const {
   // Judged by the depths as given and by the rows beside, as in fillDepths.
   const Band around{.first = band.first,
                     .rows = band.rows,
@@ -323,7 +323,8 @@ void BandFill::markSteep(const Band& band, std::vector<Origin>& origins) const {
   const Mask steep = steepCells(depths, measured_.bytes(around.from, frame.size.rows), frame);
   const std::size_t skipped = frame.size.index({.col = 0, .row = band.first - around.from});
   for (std::size_t i = 0; i < origins.size(); ++i) {
-    if (origins[i] == Origin::measured && steep[skipped + i] != 0) origins[i] = Origin::steep;
+    if (origins[i] == CellStatus::measured && steep[skipped + i] != 0)
+      origins[i] = CellStatus::steep;
   }
 }
 
@@ -342,7 +343,7 @@ Mask BandFill::gapsOf(const Band& band, const Mask& known) const {
 }
 
 void BandFill::fillBand(const Band& band, std::vector<float>& heights,
-                        std::vector<Origin>& origins) const {
+                        std::vector<CellStatus>& origins) const {
   const GridSize size{.cols = frame_.size.cols, .rows = band.to - band.from};
   std::vector<float> depths = read(depths_, band);
   addBetween(band, depths);
@@ -355,13 +356,13 @@ void BandFill::fillBand(const Band& band, std::vector<float>& heights,
 
   const std::size_t count =
       static_cast<std::size_t>(band.rows) * static_cast<std::size_t>(size.cols);
-  origins.assign(count, Origin::interpolated);
+  origins.assign(count, CellStatus::interpolated);
   placeOrigins(band, origins);
   markSteep(band, origins);
   heights.assign(count, 0.0F);
   const float* filled = &layers[0].values[size.index({.col = 0, .row = band.first - band.from})];
   for (std::size_t i = 0; i < count; ++i) {
-    if (origins[i] != Origin::base_plane && origins[i] != Origin::outside) {
+    if (origins[i] != CellStatus::base_plane && origins[i] != CellStatus::outside) {
       heights[i] = static_cast<float>(static_cast<double>(filled[i]) - base_z_mm_);
     }
   }
@@ -370,10 +371,10 @@ void BandFill::fillBand(const Band& band, std::vector<float>& heights,
 void BandFill::write(const TakeRow& take, const Task& task) const {
   struct Filled {
     std::vector<float> heights;
-    std::vector<Origin> origins;
+    std::vector<CellStatus> origins;
   };
   std::vector<Filled> bands(static_cast<std::size_t>(threads_));
-  inOrder(
+  orderedPipeline(
       bandCount(), threads_,
       [&](int place, int number) {
         task.check();

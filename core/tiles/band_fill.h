@@ -50,7 +50,7 @@ class BandFill {
 
   /// Gives the finished rows, lowest first: heights above the base plane and origins, `cols` each.
   /// [worker] @throw WriteError, Cancelled and what `take` throws
-  using TakeRow = std::function<void(int row, const float* heights_mm, const Origin* origins)>;
+  using TakeRow = std::function<void(int row, const float* heights_mm, const CellStatus* origins)>;
   void write(const TakeRow& take, const Task& task) const;
 
  private:
@@ -69,10 +69,11 @@ class BandFill {
   void pullAll(const Task& task);
   void findHoles(int radius, const Task& task);
   void addBetween(const Band& band, std::vector<float>& depths) const;
-  void markSteep(const Band& band, std::vector<Origin>& origins) const;
+  void markSteep(const Band& band, std::vector<CellStatus>& origins) const;
   Mask gapsOf(const Band& band, const Mask& known) const;
-  void fillBand(const Band& band, std::vector<float>& heights, std::vector<Origin>& origins) const;
-  void placeOrigins(const Band& band, std::vector<Origin>& origins) const;
+  void fillBand(const Band& band, std::vector<float>& heights,
+                std::vector<CellStatus>& origins) const;
+  void placeOrigins(const Band& band, std::vector<CellStatus>& origins) const;
 
   BandDepths given_;
   RowsOf depths_;  ///< given_.front; later without what was seen through gaps.

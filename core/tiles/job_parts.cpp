@@ -65,7 +65,7 @@ struct StoredDecisions {
 /// Of rows of tiles.
 struct RowsHead {
   std::int32_t first_row = 0, rows = 0;
-  std::uint64_t flyers = 0, cells = 0, cells_in_layers = 0;
+  std::uint64_t outliers = 0, cells = 0, cells_in_layers = 0;
   double hidden = 0, all = 0;
   std::uint16_t has_between = 0, has_steep = 0, has_points = 0, has_hidden = 0;
 };
@@ -115,7 +115,7 @@ std::optional<DepthRows> loadRows(JobFolder& job, int tile_row, GridSize map) {
                         bytes.take(rows.steep, head.has_steep != 0 ? cells : 0) &&
                         bytes.take(rows.points, head.has_points != 0 ? cells : 0);
   if (!is_whole) return std::nullopt;
-  rows.flyers = head.flyers;
+  rows.outliers = head.outliers;
   if (head.has_hidden != 0) {
     rows.hidden = HiddenSurface{.hidden = head.hidden,
                                 .all = head.all,
@@ -129,7 +129,7 @@ void keepRows(JobFolder& job, int tile_row, const DepthRows& rows) {
   RowsHead head;
   head.first_row = rows.first_row;
   head.rows = rows.rows;
-  head.flyers = rows.flyers;
+  head.outliers = rows.outliers;
   head.has_between = rows.between.empty() ? 0 : 1;
   head.has_steep = rows.steep.empty() ? 0 : 1;
   head.has_points = rows.points.empty() ? 0 : 1;

@@ -77,14 +77,14 @@ LevelFiles::LevelFiles(const std::filesystem::path& finest, const GridFrame& map
 
 LevelFiles::~LevelFiles() = default;
 
-void LevelFiles::add(const float* heights_mm, const Origin* origins) {
+void LevelFiles::add(const float* heights_mm, const CellStatus* origins) {
   pyramid_.add(heights_mm, origins);
 }
 
 void LevelFiles::take(const LevelRow& row) {
   Level& level = *levels_[static_cast<std::size_t>(row.level.value)];
   for (std::size_t col = 0; col < level.line.size(); ++col) {
-    const bool outside = row.origins[col] == Origin::outside;
+    const bool outside = row.origins[col] == CellStatus::outside;
     level.codes[col] = static_cast<std::uint8_t>(row.origins[col]);
     level.shares[col] = static_cast<std::uint8_t>(std::lround(255 * row.measured[col]));
     level.line[col] = row.heights_mm[col];
@@ -101,12 +101,12 @@ void LevelFiles::take(const LevelRow& row) {
   level.origins.add(origins);
 }
 
-void LevelFiles::takeFinest(float height_mm, Origin origin) {
+void LevelFiles::takeFinest(float height_mm, CellStatus origin) {
   // One multiplication per cell: it need not withstand an attack.
   content_ = (content_ ^ std::bit_cast<std::uint32_t>(height_mm)) * 0x9e3779b97f4a7c15ULL;
   content_ ^= (content_ >> 29U) + static_cast<std::uint64_t>(origin);
   ++counts_[static_cast<std::size_t>(origin)];
-  if (origin == Origin::outside) return;
+  if (origin == CellStatus::outside) return;
   low_mm_ = std::min(low_mm_, height_mm);
   high_mm_ = std::max(high_mm_, height_mm);
 }

@@ -45,7 +45,7 @@ class LevelFiles {
   LevelFiles& operator=(const LevelFiles&) = delete;
 
   /// The map's next row, lowest first, as in DepthMap. [worker] @throw WriteError
-  void add(const float* heights_mm, const Origin* origins);
+  void add(const float* heights_mm, const CellStatus* origins);
 
   /// After the last row: all files take their places, once all are on the disk; before, what was
   /// there is as it was. Levels of an older map of ours that go further are removed.
@@ -61,7 +61,7 @@ class LevelFiles {
  private:
   struct Level;
   void take(const LevelRow& row);
-  void takeFinest(float height_mm, Origin origin);
+  void takeFinest(float height_mm, CellStatus origin);
   std::string setOf(const ViewFromFile& view_from_file, const std::string& state) const;
 
   std::filesystem::path finest_;

@@ -78,7 +78,7 @@ PyramidRows::PyramidRows(const GridFrame& map, const PyramidOptions& options, Ta
 
 PyramidRows::~PyramidRows() = default;
 
-void PyramidRows::keepOrigins(const Origin* origins) {
+void PyramidRows::keepOrigins(const CellStatus* origins) {
   for (std::size_t level = 0; level < frames_.size(); ++level) {
     const GridSize size = frames_[level].size;
     const double step = frames_[level].spacing_mm / frames_[0].spacing_mm;
@@ -87,7 +87,7 @@ void PyramidRows::keepOrigins(const Origin* origins) {
     };
     int& next = next_origin_row_[level];
     while (next < size.rows && nearest(next, frames_[0].size.rows) == rows_added_) {
-      std::vector<Origin> row(static_cast<std::size_t>(size.cols));
+      std::vector<CellStatus> row(static_cast<std::size_t>(size.cols));
       for (int col = 0; col < size.cols; ++col) {
         row[static_cast<std::size_t>(col)] = origins[nearest(col, frames_[0].size.cols)];
       }
@@ -121,12 +121,12 @@ void PyramidRows::give(std::size_t level, const float* heights, const float* mea
   }
 }
 
-void PyramidRows::add(const float* heights_mm, const Origin* origins) {
+void PyramidRows::add(const float* heights_mm, const CellStatus* origins) {
   keepOrigins(origins);
   for (std::size_t i = 0; i < heights_.size(); ++i) {
-    measured_[i] = origins[i] == Origin::measured ? 1.0F : 0.0F;
+    measured_[i] = origins[i] == CellStatus::measured ? 1.0F : 0.0F;
     // Holes and outside take part with the base plane's height, as in buildPyramid.
-    const bool on_base = origins[i] == Origin::base_plane || origins[i] == Origin::outside;
+    const bool on_base = origins[i] == CellStatus::base_plane || origins[i] == CellStatus::outside;
     heights_[i] = on_base ? 0.0F : heights_mm[i];
   }
   ++rows_added_;

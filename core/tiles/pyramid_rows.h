@@ -18,8 +18,8 @@ struct LevelRow {
   Level level;
   int row = 0;
   const float* heights_mm = nullptr;
-  const float* measured = nullptr;  ///< Share of measured cells under the kernel, [0, 1].
-  const Origin* origins = nullptr;  ///< Of the map's cell nearest to the node.
+  const float* measured = nullptr;      ///< Share of measured cells under the kernel, [0, 1].
+  const CellStatus* origins = nullptr;  ///< Of the map's cell nearest to the node.
 };
 
 /// buildPyramid for maps whose rows come one by one, lowest first: every row drives all coarser
@@ -41,12 +41,12 @@ class PyramidRows {
   ~PyramidRows();
 
   /// The map's next row. @param heights_mm, origins  as in DepthMap
-  void add(const float* heights_mm, const Origin* origins);
+  void add(const float* heights_mm, const CellStatus* origins);
 
  private:
   struct Step;
   void give(std::size_t level, const float* heights, const float* measured);
-  void keepOrigins(const Origin* origins);
+  void keepOrigins(const CellStatus* origins);
 
   std::vector<GridFrame> frames_;
   double factor_ = 2;
@@ -54,8 +54,9 @@ class PyramidRows {
   std::vector<std::unique_ptr<Step>> steps_;  ///< From each level to the next coarser one.
   std::vector<int> next_row_;                 ///< Per level.
   std::vector<int> next_origin_row_;
-  std::vector<std::deque<std::vector<Origin>>> origins_;  ///< Per level: known before the heights.
-  std::vector<float> heights_, measured_;                 ///< Of the row being added.
+  std::vector<std::deque<std::vector<CellStatus>>>
+      origins_;                            ///< Per level: known before the heights.
+  std::vector<float> heights_, measured_;  ///< Of the row being added.
   int rows_added_ = 0;
 };
 

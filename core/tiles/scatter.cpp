@@ -152,7 +152,7 @@ struct Gridding {
 /// What is summed over the tiles of a row.
 struct TileLosses {
   HiddenSurface hidden;
-  std::size_t flyers = 0;
+  std::size_t outliers = 0;
 };
 
 /// One tile with kRuleReach cells around it.
@@ -242,7 +242,7 @@ TileLosses depthsOfRows(const TileAround& at, RowRange rows, const Gridding& gri
     copy_row(around.steep, out.steep, row);
     copy_row(around.quality.counts, out.points, row);
   }
-  return {.hidden = around.hidden.value_or(HiddenSurface{}), .flyers = around.flyers};
+  return {.hidden = around.hidden.value_or(HiddenSurface{}), .outliers = around.outliers};
 }
 
 TileLosses depthsByRule(const Gridding& gridding, const TileEdges& edges, int tile,
@@ -252,7 +252,7 @@ TileLosses depthsByRule(const Gridding& gridding, const TileEdges& edges, int ti
   for (const RowRange rows : partsOf(at, gridding)) {
     const TileLosses some = depthsOfRows(at, rows, gridding, edges, out);
     losses.hidden = losses.hidden + some.hidden;
-    losses.flyers += some.flyers;
+    losses.outliers += some.outliers;
   }
   return losses;
 }
@@ -306,10 +306,10 @@ void forSamples(const TileStore& store, double spacing_mm, const Task& task, con
 
 void sum(const std::vector<TileLosses>& tiles, DepthRows& out) {
   out.hidden = HiddenSurface{};
-  out.flyers = 0;
+  out.outliers = 0;
   for (const TileLosses& tile : tiles) {
     out.hidden = *out.hidden + tile.hidden;
-    out.flyers += tile.flyers;
+    out.outliers += tile.outliers;
   }
 }
 

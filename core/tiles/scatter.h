@@ -66,7 +66,7 @@ struct DepthRows {
   std::vector<std::uint8_t> steep;      ///< Empty if not known.
   std::vector<float> points;            ///< In each cell, whole numbers; empty if not known.
   std::optional<HiddenSurface> hidden;  ///< Of these rows' cells; if known.
-  std::size_t flyers = 0;               ///< Points in these rows that were left out.
+  std::size_t outliers = 0;             ///< Points in these rows that were left out.
 };
 
 /// Adds what other cells have.

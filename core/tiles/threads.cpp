@@ -19,18 +19,18 @@ void inParts(std::uint64_t first, std::uint64_t end, int threads,
   const auto edge = [&](int i) {
     return first + (end - first) * static_cast<std::uint64_t>(i) / parts;
   };
-  inBands(threads, threads, [&](int begin, int last) {
+  parallelFor(threads, threads, [&](int begin, int last) {
     for (int part = begin; part < last; ++part) {
       if (edge(part) < edge(part + 1)) work(part, edge(part), edge(part + 1));
     }
   });
 }
 
-void inOrder(int count, int threads, const std::function<void(int place, int piece)>& make,
-             const std::function<void(int place, int piece)>& take) {
+void orderedPipeline(int count, int threads, const std::function<void(int place, int piece)>& make,
+                     const std::function<void(int place, int piece)>& take) {
   for (int first = 0; first < count; first += threads) {
     const int together = std::min(threads, count - first);
-    inBands(together, together, [&](int begin, int end) {
+    parallelFor(together, together, [&](int begin, int end) {
       for (int place = begin; place < end; ++place) make(place, first + place);
     });
     for (int place = 0; place < together; ++place) take(place, first + place);

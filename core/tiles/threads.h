@@ -18,7 +18,7 @@ void inParts(std::uint64_t first, std::uint64_t end, int threads,
 
 /// Makes pieces 0 ... count - 1 on `threads` threads, `threads` at a time, and takes each in order
 /// on this one. @param make  runs for different pieces at once
-void inOrder(int count, int threads, const std::function<void(int place, int piece)>& make,
-             const std::function<void(int place, int piece)>& take);
+void orderedPipeline(int count, int threads, const std::function<void(int place, int piece)>& make,
+                     const std::function<void(int place, int piece)>& take);
 
 }  // namespace relievo

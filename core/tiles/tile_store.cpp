@@ -81,7 +81,7 @@ void TileStoreOf<Point>::add(std::span<const Placed> points) {
   if (resident_bytes_ + needed > options_.memory_bytes) makeRoom(needed);
   for (const Share& share : shares) prepare(share);
   // Each tile belongs to one thread, so that none waits for another.
-  inBands(static_cast<int>(shares.size()), threads_, [&](int first, int end) {
+  parallelFor(static_cast<int>(shares.size()), threads_, [&](int first, int end) {
     for (int i = first; i < end; ++i) take(shares[static_cast<std::size_t>(i)]);
   });
   for (const Share& share : shares) {

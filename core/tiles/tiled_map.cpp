@@ -401,8 +401,8 @@ RegionWindow TiledMap::window(const Region& region, double gain) const {
   const GridFrame& frame = impl_->frames[static_cast<std::size_t>(region.level.value)];
   TileRows<float> heights(frame.size,
                           [&](int tile) { return impl_->tile(tiles, TileKind::heights, tile); });
-  TileRows<Origin> origins(frame.size,
-                           [&](int tile) { return impl_->tile(tiles, TileKind::origins, tile); });
+  TileRows<CellStatus> origins(
+      frame.size, [&](int tile) { return impl_->tile(tiles, TileKind::origins, tile); });
   return sampleWindow({.map = impl_->frames[0],
                        .nodes = frame,
                        .cells = frame,
@@ -424,12 +424,12 @@ DepthMap TiledMap::part(Level number, Cell first, GridSize size) const {
   map.origins.reserve(size.count());
   TileRows<float> heights(frame.size,
                           [&](int tile) { return impl_->tile(tiles, TileKind::heights, tile); });
-  TileRows<Origin> origins(frame.size,
-                           [&](int tile) { return impl_->tile(tiles, TileKind::origins, tile); });
+  TileRows<CellStatus> origins(
+      frame.size, [&](int tile) { return impl_->tile(tiles, TileKind::origins, tile); });
   for (int row = first.row; row < first.row + size.rows; ++row) {
     const float* z = heights(row, first.col, size.cols);
     map.heights_mm.insert(map.heights_mm.end(), z, z + size.cols);
-    const Origin* origin = origins(row, first.col, size.cols);
+    const CellStatus* origin = origins(row, first.col, size.cols);
     map.origins.insert(map.origins.end(), origin, origin + size.cols);
   }
   return map;

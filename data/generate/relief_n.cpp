@@ -44,8 +44,8 @@ std::vector<std::array<float, 3>> makeReliefN(const ReliefNOptions& options) {
     const double y = kReliefNSideMm * random.uniform();
     if (isReliefNHole(x, y)) continue;
     double z = reliefNHeightMm(x, y) + options.noise_mm * random.normal();
-    if (options.flyer_share > 0 && random.uniform() < options.flyer_share) {
-      z += random.uniform(-kReliefNFlyerMm, kReliefNFlyerMm);
+    if (options.outlier_share > 0 && random.uniform() < options.outlier_share) {
+      z += random.uniform(-kReliefNOutlierMm, kReliefNOutlierMm);
     }
     points.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
   }

@@ -10,14 +10,14 @@
 
 /// Relief N: what a scanner really delivers, with a known truth beneath. 100 x 100 mm, heights of 0
 /// to 5 mm in closed form, points scattered at random, four times denser at the right border than
-/// at the left, noise along z, three round holes, a few flyers on request. Any number of points,
+/// at the left, noise along z, three round holes, a few outliers on request. Any number of points,
 /// the same for the same seed. All lengths in millimetres, z up.
 namespace relievo::samples {
 
 inline constexpr double kReliefNSideMm = 100;
 inline constexpr double kReliefNDensityRatio = 4;  ///< Right border to left.
 inline constexpr double kReliefNNoiseMm = 0.02;    ///< Standard deviation.
-inline constexpr double kReliefNFlyerMm = 7;       ///< Flyers lie up to this far above or below.
+inline constexpr double kReliefNOutlierMm = 7;     ///< Outliers lie up to this far above or below.
 inline constexpr std::array<Disc, 3> kReliefNHoles{{{30, 60, 6}, {70, 30, 4}, {50, 85, 2}}};
 inline constexpr double kReliefNHoleAreaMm2 = 175.92918860102841;  ///< 56 pi: 1.76 %.
 
@@ -29,7 +29,7 @@ bool isReliefNHole(double x_mm, double y_mm);
 struct ReliefNOptions {
   std::size_t points = 1'000'000;
   double noise_mm = kReliefNNoiseMm;
-  double flyer_share = 0;  ///< Of the points; 0.0005 in the accuracy figures.
+  double outlier_share = 0;  ///< Of the points; 0.0005 in the accuracy figures.
   std::uint64_t seed = 800;
 };
 

@@ -128,7 +128,7 @@ DeviceN knockOn(const ForceOptions& options, const ForceInput& input, DeviceN su
   }
   const DeviceMm n = input.normal;
   const double pushed_n = sum.x * n.x + sum.y * n.y + sum.z * n.z;
-  const Knock now =
+  const ContactTransient now =
       knock(o, {n, input.velocity, input.moved, pushed_n, input.contact, input.measured},
             state.transient);
   state.transient = now.state;

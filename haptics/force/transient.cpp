@@ -22,8 +22,8 @@ void begin(TransientState& state, DeviceMm normal, double size_n) RELIEVO_REALTI
 }
 }  // namespace
 
-Knock knock(const TransientOptions& options, const TransientInput& input,
-            TransientState state) RELIEVO_REALTIME {
+ContactTransient knock(const TransientOptions& options, const TransientInput& input,
+                       TransientState state) RELIEVO_REALTIME {
   const bool lands = input.contact && !state.contact;
   const bool crosses = input.contact && state.contact && input.measured != state.measured;
   state.contact = input.contact;
@@ -40,7 +40,7 @@ Knock knock(const TransientOptions& options, const TransientInput& input,
       begin(state, input.normal, options.crossing_n);
     }
   }
-  Knock result{{}, state};
+  ContactTransient result{{}, state};
   TransientState& now = result.state;
   if (now.age >= kKnockTicks || !(now.size_n > 0)) return result;
   if (!input.contact || now.given_mj > options.most_mj) {

@@ -37,14 +37,14 @@ struct TransientInput {
   bool measured = true;  ///< Ground under the proxy.
 };
 
-struct Knock {
+struct ContactTransient {
   DeviceN force;
   TransientState state;
 };
 
 /// One tick: begins a knock where there is a reason and gives the running one's share, a sine of
 /// 200 Hz that decays within 6 ms.
-Knock knock(const TransientOptions& options, const TransientInput& input,
-            TransientState state) RELIEVO_REALTIME;
+ContactTransient knock(const TransientOptions& options, const TransientInput& input,
+                       TransientState state) RELIEVO_REALTIME;
 
 }  // namespace relievo

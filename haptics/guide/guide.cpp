@@ -115,7 +115,7 @@ GuideState ended(GuideState state, GuideEnd end) RELIEVO_REALTIME {
 GuideEnd endOf(const GuidePath* path, const GuideInput& input,
                const GuideState& state) RELIEVO_REALTIME {
   if (!input.forces_on) return GuideEnd::no_forces;
-  if (input.gated || path == nullptr) return GuideEnd::asked;
+  if (input.in_detent || path == nullptr) return GuideEnd::asked;
   if (path->scene_id != input.scene_id) return GuideEnd::surface;
   if ((input.buttons & ~state.buttons) != 0) return GuideEnd::button;
   return GuideEnd::none;

@@ -79,7 +79,7 @@ struct GuideInput {
   std::uint32_t buttons = 0;  ///< That are down.
   std::uint64_t scene_id = 0;
   bool forces_on = false;  ///< Asked for, and nothing is at fault.
-  bool gated = false;      ///< Move mode.
+  bool in_detent = false;  ///< Move mode.
   double rise = 0;         ///< How much of the force is felt: risen, and not softened; 0 .. 1.
   double sent_most_n = 0;  ///< No more can be sent in this tick.
   double dt_s = 0.001;     ///< Nominal.

@@ -82,7 +82,7 @@ HapticOptions HapticCore::settled(HapticOptions asked, int detail) RELIEVO_REALT
 
 FeltSpring HapticCore::feltSpring(const HapticOptions& options) const RELIEVO_REALTIME {
   if (chain_ == ForceChain::bare) return {.pull_n = options.fields.magnet_n};
-  if (options.gate.on || guided_) return {.gain = 0};
+  if (options.detent.on || guided_) return {.gain = 0};
   return {.gain = options.force.strength * force_.rise,
           .limit_n = options.force.limit_n,
           .pull_n = options.fields.magnet_n};
@@ -143,7 +143,7 @@ Fields HapticCore::fields(const HapticSpace& space, const HapticSpace* previous,
 Fields HapticCore::yielding(const HapticSpace& space, Fields felt, GridPoint held, double k,
                             const HapticOptions& options) RELIEVO_REALTIME {
   const double softest = options.fields.softest_part;
-  if (!(softest < 1) || space.firm_everywhere || !proxy_.contact || options.gate.on || guided_) {
+  if (!(softest < 1) || space.firm_everywhere || !proxy_.contact || options.detent.on || guided_) {
     soft_ = {};
     return felt;
   }
@@ -260,26 +260,26 @@ namespace {
 /// What pulls at the hand in place of the surface.
 ForceInput pulled(DeviceMm hip, DeviceN pull, const ForceInput& input,
                   const ForceOptions& options) RELIEVO_REALTIME {
-  ForceInput gated;
-  gated.hip = hip;
+  ForceInput by_pull;
+  by_pull.hip = hip;
   // The spring's force from there is the pull.
-  gated.proxy = hip + (1 / options.stiffness_n_per_mm) * DeviceMm{pull.x, pull.y, pull.z};
-  gated.contact = true;
-  gated.velocity = input.velocity;
-  gated.moved = input.moved;
-  gated.fault = input.fault;
-  gated.resumed = input.resumed;
-  gated.age_s = input.age_s;
-  return gated;
+  by_pull.proxy = hip + (1 / options.stiffness_n_per_mm) * DeviceMm{pull.x, pull.y, pull.z};
+  by_pull.contact = true;
+  by_pull.velocity = input.velocity;
+  by_pull.moved = input.moved;
+  by_pull.fault = input.fault;
+  by_pull.resumed = input.resumed;
+  by_pull.age_s = input.age_s;
+  return by_pull;
 }
 }  // namespace
 
-ForceInput HapticCore::throughGate(const MoveGate& gate, const ForceInput& input,
-                                   ForceOptions& options) const RELIEVO_REALTIME {
-  // A gate is softer than any surface and its own potential: no spring's energy to watch.
+ForceInput HapticCore::throughDetent(const MoveDetent& detent, const ForceInput& input,
+                                     ForceOptions& options) const RELIEVO_REALTIME {
+  // A detent is softer than any surface and its own potential: no spring's energy to watch.
   options.passivity.on = false;
   options.damping_n_s_per_mm = 0;
-  return pulled(hip_, gateForce(gate, hip_), input, options);
+  return pulled(hip_, detentForce(detent, hip_), input, options);
 }
 
 GuideStep HapticCore::lead(const HapticOptions& options, const GuidePath* path,
@@ -292,7 +292,7 @@ GuideStep HapticCore::lead(const HapticOptions& options, const GuidePath* path,
                          .buttons = buttons & ~kHoverBit,
                          .scene_id = scene_id_,
                          .forces_on = force.forces_on && !input.fault,
-                         .gated = options.gate.on,
+                         .in_detent = options.detent.on,
                          .rise = force_.rise * force_.oscillation.factor,
                          .sent_most_n = std::min(most_n, norm(force_.last) + step_n),
                          .dt_s = input.dt_s};
@@ -369,8 +369,9 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   if (paused) force_ = resumed(force_);
   resume_ = false;
   last_ns_ = now_ns;
-  if (options.gate.on != gated_) force_ = refade(force_);  // What was felt goes, what comes rises.
-  gated_ = options.gate.on;
+  if (options.detent.on != in_detent_)
+    force_ = refade(force_);  // What was felt goes, what comes rises.
+  in_detent_ = options.detent.on;
   follow(space, previous, options, (reading.buttons & kHoverBit) != 0);
 
   HapticSample sample = describeTick(space, previous);
@@ -393,7 +394,7 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   throughFrame(space, options, felt, input);
   input.fields = felt.force;
   input.fields_mj = felt.energy_mj;
-  input.measured = sample.origin == Origin::measured || sample.origin == Origin::steep;
+  input.measured = sample.origin == CellStatus::measured || sample.origin == CellStatus::steep;
   input.normal = {sample.normal.x, sample.normal.y, sample.normal.z};
   measureSpeed(reading.time_ns, input);
   input.contact = sample.contact;
@@ -401,7 +402,7 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   input.resumed = paused;
   input.age_s = 1e-9 * static_cast<double>(now_ns - reading.time_ns);
   const GuideStep guide = lead(options, path, input, reading.buttons, force_options);
-  if (options.gate.on) input = throughGate(options.gate, input, force_options);
+  if (options.detent.on) input = throughDetent(options.detent, input, force_options);
   if (guide.on) input = throughGuide(guide, input, force_options);
   const DeviceN before = force_.last;
   const ForceResult result = chain_ == ForceChain::bare ? bareForce(force_options, input, force_)

@@ -8,7 +8,7 @@
 #include "haptics/device/device.h"
 #include "haptics/force/force_audit.h"
 #include "haptics/force/force_model.h"
-#include "haptics/force/move_gate.h"
+#include "haptics/force/move_detent.h"
 #include "haptics/guide/guide.h"
 #include "haptics/loop/force_stop.h"
 #include "haptics/loop/rate_watch.h"
@@ -44,7 +44,7 @@ struct HapticOptions {
   bool cushion = false;
   Workspace workspace;   ///< The device's.
   std::uint64_t id = 0;  ///< Given by whoever sets them; names these very values in recordings.
-  MoveGate gate;         ///< While on, felt in place of the surface.
+  MoveDetent detent;     ///< While on, felt in place of the surface.
   GuideOptions guide;    ///< Likewise, while it leads.
   ForceStopOptions stop;
   /// Below RateWatch::kLeastHz no surface is stiffer than what `timing` allows at the rate that is
@@ -86,7 +86,7 @@ struct HapticSample {
   std::int32_t detail = 1;
   std::int32_t tick_ns = 0;  ///< Time spent computing, without the device.
   DeviceFault fault = DeviceFault::none;
-  Origin origin = Origin::outside;  ///< Of the sample under the proxy.
+  CellStatus origin = CellStatus::outside;  ///< Of the sample under the proxy.
   EngagePhase engaged = EngagePhase::off;
   StopReason stopped = StopReason::none;  ///< Asked for, and the loop itself ended them.
   GuidePhase guide = GuidePhase::off;
@@ -177,9 +177,9 @@ class HapticCore {
   /// What the frame leaves of spring and fields at this hand, with the cushions.
   void throughFrame(const HapticSpace& space, const HapticOptions& options, Fields& felt,
                     ForceInput& input) const RELIEVO_REALTIME;
-  ForceInput throughGate(const MoveGate& gate, const ForceInput& input,
-                         ForceOptions& options) const RELIEVO_REALTIME;
-  /// Leads the hand, if it is to be led: from there on as through a gate.
+  ForceInput throughDetent(const MoveDetent& detent, const ForceInput& input,
+                           ForceOptions& options) const RELIEVO_REALTIME;
+  /// Leads the hand, if it is to be led: from there on as by the pull of Move mode.
   GuideStep lead(const HapticOptions& options, const GuidePath* path, const ForceInput& input,
                  std::uint32_t buttons, const ForceOptions& force) RELIEVO_REALTIME;
   ForceInput throughGuide(const GuideStep& step, const ForceInput& input,
@@ -216,9 +216,9 @@ class HapticCore {
   DeviceFault fault_ = DeviceFault::none;
   std::uint64_t tick_ = 0;
   std::uint64_t window_id_ = 0, scene_id_ = 0;
-  SurfaceKind surface_ = SurfaceKind::gated;
+  SurfaceKind surface_ = SurfaceKind::crease_aware;
   std::int64_t last_ns_ = 0;  // Of the last tick.
-  bool gated_ = false;        // In the last tick.
+  bool in_detent_ = false;    // In the last tick.
   bool guided_ = false;       // Likewise.
   bool placed_ = false;
   bool resume_ = false;

@@ -13,7 +13,7 @@ namespace relievo {
 /// How a surface feels, as one choice.
 struct SurfaceFeel {
   ProxyKind proxy = ProxyKind::converged;
-  SurfaceKind surface = SurfaceKind::gated;
+  SurfaceKind surface = SurfaceKind::crease_aware;
   bool stiffness_by_detail = true;
   double stiffness_n_per_mm = 0.8;  ///< If not by detail; N per mm of hand.
   double friction = 0;  ///< Coulomb's at rest, of the converged proxy alone; 0 .. kMostFriction.
@@ -98,7 +98,7 @@ constexpr const SurfacePreset* surfacePreset(std::string_view id) {
   return nullptr;
 }
 
-/// For logs and settings: "gated", "spline", "bilinear".
+/// For logs and settings, where crease_aware is "gated", "spline", "bilinear".
 constexpr std::string_view name(SurfaceKind kind) {
   constexpr std::array<std::string_view, 3> kNames{"gated", "spline", "bilinear"};
   return kNames[static_cast<std::size_t>(kind)];

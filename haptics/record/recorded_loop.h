@@ -21,7 +21,7 @@ struct RecordedScene {
   std::uint64_t id = 0, window_id = 0;
   Region region;
   double gain = 1;
-  SurfaceKind kind = SurfaceKind::gated;
+  SurfaceKind kind = SurfaceKind::crease_aware;
   std::optional<Anchor> anchor;
   bool textured = false;
   std::string firmness = {};   ///< SHA-256 of the raster that said where it is firm; or empty.

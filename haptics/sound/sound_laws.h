@@ -68,7 +68,7 @@ inline Sides sidesOf(double place) noexcept {
 enum class Earcon : std::uint8_t {
   contact,       ///< A click.
   edge,          ///< A low thud: the surface ends here.
-  not_measured,  ///< A soft double tick: filled ground begins.
+  not_measured,  ///< A soft double click: filled ground begins.
   finer,         ///< Two notes up.
   coarser,       ///< Two notes down.
   done,          ///< Three notes up.

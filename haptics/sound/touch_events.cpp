@@ -9,11 +9,11 @@ namespace {
 
 bool isFilled(const TouchSample& sample) RELIEVO_REALTIME {
   return sample.contact &&
-         (sample.origin == Origin::interpolated || sample.origin == Origin::base_plane);
+         (sample.origin == CellStatus::interpolated || sample.origin == CellStatus::base_plane);
 }
 
 bool isAtEdge(const TouchSample& sample) RELIEVO_REALTIME {
-  return sample.contact && (sample.at_edge || sample.origin == Origin::outside);
+  return sample.contact && (sample.at_edge || sample.origin == CellStatus::outside);
 }
 
 void strike(Heard& heard, Earcon earcon, double approach_mm_per_s = 0) RELIEVO_REALTIME {

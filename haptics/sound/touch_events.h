@@ -19,7 +19,7 @@ struct TouchSample {
   double force_n = 0;
   bool contact = false;
   bool at_edge = false;  ///< The proxy is where the window ends.
-  Origin origin = Origin::outside;
+  CellStatus origin = CellStatus::outside;
   int detail = 1;
   double height = 0;   ///< Of the proxy, 0 lowest .. 1 highest of the object.
   double place = 0.5;  ///< Across the window, 0 left .. 1 right.

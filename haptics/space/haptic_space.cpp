@@ -35,8 +35,8 @@ void requireShares(std::span<const float> firmness) {
   }
 }
 
-bool isFirm(Origin origin) {
-  return origin == Origin::measured || origin == Origin::steep;
+bool isFirm(CellStatus origin) {
+  return origin == CellStatus::measured || origin == CellStatus::steep;
 }
 
 /// The mean over 7 samples, twice, along lines of samples `step` apart; beyond its ends a line
@@ -65,7 +65,7 @@ void fillFirmness(HapticSpace& space, const RegionWindow& window, std::span<cons
   if (parts.empty()) {
     parts.resize(kWindowCount);
     std::transform(window.origins.begin(), window.origins.end(), parts.begin(),
-                   [](Origin origin) { return isFirm(origin) ? 1.0F : 0.0F; });
+                   [](CellStatus origin) { return isFirm(origin) ? 1.0F : 0.0F; });
   }
   space.firm_everywhere =
       std::all_of(parts.begin(), parts.end(), [](float part) { return part >= 1; });
@@ -79,11 +79,11 @@ void fillFirmness(HapticSpace& space, const RegionWindow& window, std::span<cons
 }
 }  // namespace
 
-Origin HapticSpace::originAt(GridPoint p) const RELIEVO_REALTIME {
+CellStatus HapticSpace::originAt(GridPoint p) const RELIEVO_REALTIME {
   constexpr double kLast = kWindowSamples - 1;
   const auto col = static_cast<std::size_t>(std::lround(std::clamp(p.x, 0.0, kLast)));
   const auto row = static_cast<std::size_t>(std::lround(std::clamp(p.y, 0.0, kLast)));
-  return static_cast<Origin>(origins[row * kWindowSamples + col]);
+  return static_cast<CellStatus>(origins[row * kWindowSamples + col]);
 }
 
 HandMapping mappingOf(const RegionWindow& window, const std::optional<Anchor>& anchor) {
@@ -115,7 +115,7 @@ void fill(HapticSpace& space, const RegionWindow& window, DetailStep step, Surfa
                    return SurfaceSample{h, 0, 0, 0};
                  });
   std::transform(window.origins.begin(), window.origins.end(), space.origins.begin(),
-                 [](Origin o) { return static_cast<std::uint8_t>(o); });
+                 [](CellStatus o) { return static_cast<std::uint8_t>(o); });
   space.cell_mm = window.spacingMm();
   space.cells_per_mm = 1 / space.cell_mm;
   space.first_x_mm = window.region.x_mm + 0.5 * space.cell_mm;

@@ -20,7 +20,7 @@ using GridPoint = Vec3<struct GridPointTag>;
 
 /// How the surface runs between the samples; docs/adr/0020.
 enum class SurfaceKind : std::uint8_t {
-  gated,     ///< C2 spline that breaks at walls, creases and hole rims; the default.
+  crease_aware,  ///< C2 spline that breaks at walls, creases and hole rims; the default.
   spline,    ///< C2 interpolating bicubic spline everywhere: smooth relief only, rings at walls.
   bilinear,  ///< The paper's: flat ruled facets, exact at walls, a crease at every line of samples.
 };
@@ -78,7 +78,7 @@ struct HapticSpace {
   std::array<float, kWindowCount> cell_tops{};  ///< No point of cell (i, j) is higher, grid z.
   BlockTops block_tops;
   std::array<std::uint8_t, kWindowCount> marks{};    ///< Breaks.
-  std::array<std::uint8_t, kWindowCount> origins{};  ///< Codes of `Origin`.
+  std::array<std::uint8_t, kWindowCount> origins{};  ///< Codes of `CellStatus`.
   /// 0 .. 255: from as soft as the ground gets here to the full stiffness; smooth over some cells.
   std::array<std::uint8_t, kWindowCount> firmness{};
   bool firm_everywhere = true;
@@ -128,7 +128,7 @@ struct HapticSpace {
     return (static_cast<double>(samples[index(col, row)].height_mm) - mid_mm) * cells_per_mm;
   }
   /// Of the sample nearest (x, y); beyond the window that is one of its border.
-  Origin originAt(GridPoint p) const RELIEVO_REALTIME;
+  CellStatus originAt(GridPoint p) const RELIEVO_REALTIME;
 };
 static_assert(std::is_trivially_copyable_v<HapticSpace>);
 static_assert(sizeof(HapticSpace) - sizeof(TextureMap) <= 24 * kWindowCount,
@@ -163,7 +163,7 @@ inline constexpr int kFirmnessReach = 6;
 /// @throw ArgumentError  the window does not have 200 x 200 samples, or one is not finite; a
 ///                       firmness of another size, or a number of it outside [0, 1]
 void fill(HapticSpace& space, const RegionWindow& window, DetailStep step,
-          SurfaceKind kind = SurfaceKind::gated, const std::optional<Anchor>& anchor = {},
+          SurfaceKind kind = SurfaceKind::crease_aware, const std::optional<Anchor>& anchor = {},
           std::span<const float> firmness = {});
 
 }  // namespace relievo

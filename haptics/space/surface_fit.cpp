@@ -288,7 +288,7 @@ void fitSurface(HapticSpace& space, SurfaceKind kind) {
       heights[HapticSpace::index(col, row)] = space.gridHeight(col, row);
     }
   }
-  if (kind == SurfaceKind::gated) {
+  if (kind == SurfaceKind::crease_aware) {
     markBreaks(space, heights, kAlongX);
     markBreaks(space, heights, kAlongY);
   }

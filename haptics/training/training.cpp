@@ -63,7 +63,7 @@ RegionWindow trainingWindow(TrainingShape shape, std::uint64_t id) {
   window.id = id;
   window.region = {0, 0, kTrainingSideMm, {}};
   window.heights_mm.reserve(kWindowCount);
-  window.origins.assign(kWindowCount, Origin::measured);
+  window.origins.assign(kWindowCount, CellStatus::measured);
   for (int row = 0; row < kWindowSamples; ++row) {
     for (int col = 0; col < kWindowSamples; ++col) {
       window.heights_mm.push_back(static_cast<float>(trainingHeightMm(

@@ -97,7 +97,7 @@ class LoopSession {
   /// A surface that was asked for.
   struct Order {
     RegionWindow window;
-    SurfaceKind kind = SurfaceKind::gated;
+    SurfaceKind kind = SurfaceKind::crease_aware;
     SceneMaps maps;
     std::optional<Anchor> touched;  // Stays under the hand.
     std::uint64_t checksum = 0;     // Once it is prepared.

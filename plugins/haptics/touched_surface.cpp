@@ -43,7 +43,7 @@ void TouchedSurface::show(const RegionWindow& window) {
 }
 
 void TouchedSurface::showTraining() {
-  surface_ = SurfaceKind::gated;
+  surface_ = SurfaceKind::crease_aware;
   given_window_ = training_->window()->id;
   device_.session()->show(*training_->window(), surface_);
   Q_EMIT given();

@@ -57,8 +57,8 @@ class TouchedSurface : public QObject {
   HandDevice& device_;
   RecordingControl& recording_;
   const TouchTraining* training_ = nullptr;
-  std::uint64_t given_window_ = 0;            // To the loop, last.
-  SurfaceKind surface_ = SurfaceKind::gated;  // Likewise.
+  std::uint64_t given_window_ = 0;                   // To the loop, last.
+  SurfaceKind surface_ = SurfaceKind::crease_aware;  // Likewise.
   bool textured_ = false;
   std::vector<float> finer_mm_;  // That came late; of the window below.
   quint64 finer_window_ = 0;

@@ -78,8 +78,8 @@ Found compared(const Surface& surface, const std::vector<float>& truth) {
   for (int row = 0; row < frame.size.rows; ++row) {
     for (int col = 0; col < frame.size.cols; ++col) {
       const std::size_t i = frame.size.index({.col = col, .row = row});
-      const Origin origin = surface.map.origins[i];
-      const bool is_there = origin != Origin::outside && origin != Origin::base_plane;
+      const CellStatus origin = surface.map.origins[i];
+      const bool is_there = origin != CellStatus::outside && origin != CellStatus::base_plane;
       found.beyond += is_there && std::isnan(truth[i]) ? 1 : 0;
       float low = 1e30F;
       float high = -1e30F;
@@ -95,7 +95,7 @@ Found compared(const Surface& surface, const std::vector<float>& truth) {
       }
       if (!inside) continue;
       ++cells;
-      measured += origin == Origin::measured || origin == Origin::steep ? 1 : 0;
+      measured += origin == CellStatus::measured || origin == CellStatus::steep ? 1 : 0;
       found.lost += is_there ? 0 : 1;
       if (!is_there) continue;
       const double height = surface.map.heights_mm[i];

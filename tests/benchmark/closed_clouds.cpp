@@ -88,8 +88,8 @@ Scan sampled(const Scan& mesh, const Sampling& how, unsigned seed) {
 
 constexpr int kFineCells = 600;
 
-bool isMeasured(Origin origin) {
-  return origin == Origin::measured;
+bool isMeasured(CellStatus origin) {
+  return origin == CellStatus::measured;
 }
 
 /// Pits and lost cells against the map of the mesh itself on a fine grid, where the mesh is not too
@@ -121,8 +121,8 @@ void compareFinely(const Surface& surface, const Surface& mesh, Found& found) {
       if (!inside) continue;
       ++cells;
       const std::size_t i = frame.size.index({.col = col, .row = row});
-      const Origin origin = surface.map.origins[i];
-      const bool is_there = origin == Origin::measured || origin == Origin::interpolated;
+      const CellStatus origin = surface.map.origins[i];
+      const bool is_there = origin == CellStatus::measured || origin == CellStatus::interpolated;
       found.fine_lost += is_there ? 0 : 1;
       if (!is_there && std::getenv("CLOSED_CLOUDS_PITS") != nullptr) {
         std::printf("  fine lost at %d %d origin %d\n", col, row, static_cast<int>(origin));

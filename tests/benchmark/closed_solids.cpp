@@ -191,8 +191,8 @@ Found judged(const Surface& surface, const Solid& solid) {
       const std::size_t i = frame.size.index({.col = col, .row = row});
       if (std::isnan(truth[i])) continue;
       ++cells;
-      const Origin origin = surface.map.origins[i];
-      const bool is_there = origin == Origin::measured || origin == Origin::interpolated;
+      const CellStatus origin = surface.map.origins[i];
+      const bool is_there = origin == CellStatus::measured || origin == CellStatus::interpolated;
       const double height = surface.map.heights_mm[i];
       if (is_there && height > static_cast<double>(truth[i]) - 0.03 * kSize) continue;
       const double low = lowestAround(rays, frame.xMm(col), frame.yMm(row));

@@ -137,7 +137,7 @@ void measured(const char* what, std::size_t points, const Work& work) {
 }
 
 void speed(std::size_t count) {
-  const Points points = test::reliefWithFlyers(count, 0.01, 1);
+  const Points points = test::reliefWithOutliers(count, 0.01, 1);
   const auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   for (const Point3f& p : points) cloud->emplace_back(p[0], p[1], p[2]);
   std::vector<std::uint32_t> ours;
@@ -196,7 +196,8 @@ int main(int argc, char** argv) {
       const std::filesystem::path file = argv[i];
       relievo::strays(file.filename().string(), relievo::importScan(file).points);
     }
-    relievo::strays("made relief, unevenly sampled", relievo::test::reliefWithFlyers(100000, 0, 1));
+    relievo::strays("made relief, unevenly sampled",
+                    relievo::test::reliefWithOutliers(100000, 0, 1));
     return 0;
   }
   if (what == "speed") {

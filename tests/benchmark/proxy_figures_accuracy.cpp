@@ -56,8 +56,8 @@ void addWaves(std::vector<FigureRow>& rows) {
   };
   for (const Wave& wave : waves) {
     const Relief relief = test::waves(wave.amplitude_mm, wave.length_mm);
-    const auto gated = test::spaceOf(relief, 100, SurfaceKind::gated);
-    const Accuracy a = test::slideOver(*gated, relief, {}, {});
+    const auto aware = test::spaceOf(relief, 100, SurfaceKind::crease_aware);
+    const Accuracy a = test::slideOver(*aware, relief, {}, {});
     const auto facets = test::spaceOf(relief, 100, SurfaceKind::bilinear);
     const Accuracy b = test::slideOver(*facets, relief, {}, {});
     rows.push_back(angleRow(wave.name, a, wave.angle, wave.angle_proto,
@@ -70,17 +70,17 @@ void addWaves(std::vector<FigureRow>& rows) {
   }
 }
 
-void addGate(std::vector<FigureRow>& rows) {
+void addCreases(std::vector<FigureRow>& rows) {
   for (const int samples : {20, 40}) {
     const double length_mm = 0.5 * samples;
     const auto ratio = [&](SurfaceKind kind) {
-      return test::stepsAcrossTheGate(1, length_mm, kind).ratio();
+      return test::stepsAcrossCreases(1, length_mm, kind).ratio();
     };
-    const double gated = ratio(SurfaceKind::gated);
+    const double aware = ratio(SurfaceKind::crease_aware);
     rows.push_back({std::to_string(samples) +
                         " samples per wave, a block on it: largest step of force across the gate "
                         "beside it, of truth's",
-                    "<= 1.02 x", decimal(gated, 3) + " x", gated <= 1.02, "not tried",
+                    "<= 1.02 x", decimal(aware, 3) + " x", aware <= 1.02, "not tried",
                     "ours: facets " + decimal(ratio(SurfaceKind::bilinear), 1) +
                         ", spline without gate " + decimal(ratio(SurfaceKind::spline), 1)});
   }
@@ -88,7 +88,7 @@ void addGate(std::vector<FigureRow>& rows) {
 
 void addInvariance(std::vector<FigureRow>& rows) {
   const Relief relief = test::waves(2, 40), tilt = test::plane(0.577, 0);
-  const auto space = test::spaceOf(relief, 100, SurfaceKind::gated);
+  const auto space = test::spaceOf(relief, 100, SurfaceKind::crease_aware);
   double worst = 0;
   for (const double speed : {70.0, 500.0, 1000.0, 2000.0}) {
     const Accuracy a =
@@ -98,7 +98,7 @@ void addInvariance(std::vector<FigureRow>& rows) {
   rows.push_back({"0.07 to 2 m/s, 80 samples per wave: largest angle", "unchanged",
                   decimal(worst, 4) + " deg", worst <= 0.001, "0.000",
                   "equation 0.22 to 0.77 (median)"});
-  const auto tilted = test::spaceOf(tilt, 100, SurfaceKind::gated);
+  const auto tilted = test::spaceOf(tilt, 100, SurfaceKind::crease_aware);
   worst = 0;
   for (const double depth : {1.0, 3.0, 10.0, 25.0}) {
     const Accuracy a = test::slideOver(
@@ -110,7 +110,7 @@ void addInvariance(std::vector<FigureRow>& rows) {
 }
 
 void addProfiles(std::vector<FigureRow>& rows) {
-  for (const SurfaceKind kind : {SurfaceKind::bilinear, SurfaceKind::gated}) {
+  for (const SurfaceKind kind : {SurfaceKind::bilinear, SurfaceKind::crease_aware}) {
     double farthest = 0;
     int events = 0, bad = 0, ticks = 0;
     for (const test::Profile& scene : test::sharpProfiles()) {
@@ -120,7 +120,7 @@ void addProfiles(std::vector<FigureRow>& rows) {
       bad += found.bad;
       ticks += found.ticks;
     }
-    const std::string name = kind == SurfaceKind::gated ? "gated" : "bilinear";
+    const std::string name = kind == SurfaceKind::crease_aware ? "gated" : "bilinear";
     rows.push_back({name + ": step, roof, groove, pit, fin against the independent solver",
                     "0 events, <= 0.1 % bad ticks, <= 0.1 um",
                     std::to_string(events) + " events, " + decimal(100.0 * bad / ticks, 3) +
@@ -129,7 +129,7 @@ void addProfiles(std::vector<FigureRow>& rows) {
                     "bilinear: 0, 0, 0.0; gated: not tried",
                     "CHAI3D 1 event, 5 to 7 um; equation 4 events, 34 to 53 % bad"});
   }
-  for (const SurfaceKind kind : {SurfaceKind::gated, SurfaceKind::spline}) {
+  for (const SurfaceKind kind : {SurfaceKind::crease_aware, SurfaceKind::spline}) {
     int events = 0, bad = 0, ticks = 0;
     constexpr int kScenes = 150;
     for (int seed = 0; seed < kScenes; ++seed) {
@@ -138,13 +138,13 @@ void addProfiles(std::vector<FigureRow>& rows) {
       bad += found.bad;
       ticks += found.ticks;
     }
-    const bool gated = kind == SurfaceKind::gated;
+    const bool aware = kind == SurfaceKind::crease_aware;
     rows.push_back(
-        {std::string(gated ? "gated" : "spline without gate") +
+        {std::string(aware ? "gated" : "spline without gate") +
              ": 150 random profiles of walls, ramps and spikes",
-         gated ? "0 events" : "-",
+         aware ? "0 events" : "-",
          std::to_string(events) + " events, " + decimal(100.0 * bad / ticks, 3) + " % bad",
-         !gated || events == 0, "not tried", "-"});
+         !aware || events == 0, "not tried", "-"});
   }
 }
 }  // namespace
@@ -152,7 +152,7 @@ void addProfiles(std::vector<FigureRow>& rows) {
 std::vector<FigureRow> accuracyRows() {
   std::vector<FigureRow> rows;
   addWaves(rows);
-  addGate(rows);
+  addCreases(rows);
   addInvariance(rows);
   addProfiles(rows);
   return rows;

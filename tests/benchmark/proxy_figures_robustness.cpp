@@ -25,7 +25,7 @@ FigureRow finRow() {
       ++cases;
       literal += test::passesFin(base_mm, speed_mm_per_s, ProxyKind::equation) ? 1 : 0;
       for (const SurfaceKind kind :
-           {SurfaceKind::gated, SurfaceKind::spline, SurfaceKind::bilinear}) {
+           {SurfaceKind::crease_aware, SurfaceKind::spline, SurfaceKind::bilinear}) {
         passes += test::passesFin(base_mm, speed_mm_per_s, ProxyKind::converged, kind) ? 1 : 0;
       }
     }
@@ -45,7 +45,7 @@ void addOptimality(std::vector<FigureRow>& rows) {
         return 1.5 * std::sin(0.5 * x) + 1.2 * std::cos(0.43 * y + 0.2 * x) +
                0.3 * std::sin(1.7 * x + y);
       },
-      1, {}, SurfaceKind::gated);
+      1, {}, SurfaceKind::crease_aware);
   ProxyState state;
   std::vector<double> angles;
   double below = 0;
@@ -73,7 +73,8 @@ void addOptimality(std::vector<FigureRow>& rows) {
 void addEnergy(std::vector<FigureRow>& rows) {
   const test::Relief relief = test::waves(1, 10);
   double worst = -1;
-  for (const SurfaceKind kind : {SurfaceKind::gated, SurfaceKind::spline, SurfaceKind::bilinear}) {
+  for (const SurfaceKind kind :
+       {SurfaceKind::crease_aware, SurfaceKind::spline, SurfaceKind::bilinear}) {
     const test::Work work = test::workPerCycle(*test::spaceOf(relief, 100, kind), relief, {});
     worst = std::max(worst, 100 * work.net_mj / work.gross_mj);
   }
@@ -81,7 +82,7 @@ void addEnergy(std::vector<FigureRow>& rows) {
                   "<= +0.02 %", decimal(worst, 4) + " %", worst <= 0.02, "-0.014 %",
                   "equation +1.8 %"});
   worst = -100;
-  for (const SurfaceKind kind : {SurfaceKind::gated, SurfaceKind::bilinear}) {
+  for (const SurfaceKind kind : {SurfaceKind::crease_aware, SurfaceKind::bilinear}) {
     for (const double depth_mm : {4.0, 5.0, 6.0, 7.0, 8.0, 10.0}) {
       const test::Work work = test::workOverHollows(kind, depth_mm);
       worst = std::max(worst, 100 * work.net_mj / work.gross_mj);
@@ -96,7 +97,7 @@ void addEnergy(std::vector<FigureRow>& rows) {
     options.static_friction = 1.4 * mu;
     options.dynamic_friction = mu;
     const test::Work work =
-        test::workPerCycle(*test::spaceOf(relief, 100, SurfaceKind::gated), relief, options);
+        test::workPerCycle(*test::spaceOf(relief, 100, SurfaceKind::crease_aware), relief, options);
     least_lost = std::min(least_lost, -100 * work.net_mj / work.gross_mj);
   }
   rows.push_back({"with friction of 0.1, 0.3, 0.6: least work lost", "> 0",
@@ -111,9 +112,10 @@ struct Change {
 /// Rests at `hip` on one surface until another, 3 mm of view higher, has come.
 Change changeUnderAStillHand(const test::Relief& from, const test::Relief& to, DeviceMm hip,
                              double stiffness_n_per_mm) {
-  const auto was = test::spaceOf(80, from.height, 1, {}, SurfaceKind::gated);
+  const auto was = test::spaceOf(80, from.height, 1, {}, SurfaceKind::crease_aware);
   const auto now = test::spaceOf(
-      80, [&](double x, double y) { return 3 + to.height(x, y); }, 2, {}, SurfaceKind::gated);
+      80, [&](double x, double y) { return 3 + to.height(x, y); }, 2, {},
+      SurfaceKind::crease_aware);
   now->device_translation = was->device_translation;
   HapticCore core(ForceChain::bare);
   DeviceReading reading;
@@ -170,7 +172,7 @@ FigureRow millionRow() {
                  (x > 20 ? wall : 0);
         },
         static_cast<std::uint64_t>(i) + 1, {},
-        i == 5 ? SurfaceKind::bilinear : SurfaceKind::gated));
+        i == 5 ? SurfaceKind::bilinear : SurfaceKind::crease_aware));
   }
   HapticOptions options;
   options.force.forces_on = true;
@@ -235,7 +237,7 @@ void addTruths(std::vector<FigureRow>& rows) {
 }
 
 FigureRow springRow() {
-  const auto space = test::spaceOf(test::waves(1, 10), 100, SurfaceKind::gated);
+  const auto space = test::spaceOf(test::waves(1, 10), 100, SurfaceKind::crease_aware);
   HapticCore core(ForceChain::bare);
   double worst = 0;
   for (int n = 0; n < 20000; ++n) {

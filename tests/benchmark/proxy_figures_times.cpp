@@ -84,7 +84,7 @@ std::unique_ptr<HapticSpace> rough(SurfaceKind kind) {
 void addUpdates(std::vector<FigureRow>& rows) {
   const test::Relief relief = test::waves(1, 10);
   const auto facets = test::spaceOf(relief, 100, SurfaceKind::bilinear);
-  const auto spline = test::spaceOf(relief, 100, SurfaceKind::gated);
+  const auto spline = test::spaceOf(relief, 100, SurfaceKind::crease_aware);
   const double step_ns = equationStepNs(*facets);
   const double facets_ns = batchNs(*facets, {}, 101), spline_ns = batchNs(*spline, {}, 101);
   const auto row = [&](const std::string& what, double ns, double most_ns, double most_ratio,
@@ -118,7 +118,7 @@ void addUpdates(std::vector<FigureRow>& rows) {
 }
 
 void addTicks(std::vector<FigureRow>& rows) {
-  const auto space = rough(SurfaceKind::gated);
+  const auto space = rough(SurfaceKind::crease_aware);
   std::vector<double> times;
   for (const double cells : {0.1, 1.15}) {  // 0.04 and 0.46 m/s
     const std::vector<double> part = bestTicksUs(*space, strokeBelow(*space, cells, 1.2, 20000));
@@ -147,7 +147,7 @@ void addTicks(std::vector<FigureRow>& rows) {
 }
 
 void addRays(std::vector<FigureRow>& rows) {
-  const auto space = rough(SurfaceKind::gated);
+  const auto space = rough(SurfaceKind::crease_aware);
   std::mt19937 random(4);
   std::uniform_real_distribution<double> place(1, 198), low(-12, 0), high(12, 60);
   std::array<std::vector<double>, 2> times;
@@ -183,7 +183,7 @@ void addPreparation(std::vector<FigureRow>& rows) {
   std::vector<double> times;
   for (int i = 0; i < 15; ++i) {
     const double start = cpuNs();
-    fill(*space, window, {}, SurfaceKind::gated);
+    fill(*space, window, {}, SurfaceKind::crease_aware);
     times.push_back(1e-6 * (cpuNs() - start));
   }
   const double ms = test::quantile(times, 0.5);

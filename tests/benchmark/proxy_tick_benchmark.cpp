@@ -68,7 +68,7 @@ void follow(benchmark::State& state, ProxyKind kind, Scene scene, SurfaceKind su
 }
 
 void convergedGated(benchmark::State& state) {
-  follow(state, ProxyKind::converged, waves, SurfaceKind::gated);
+  follow(state, ProxyKind::converged, waves, SurfaceKind::crease_aware);
 }
 void convergedSpline(benchmark::State& state) {
   follow(state, ProxyKind::converged, waves, SurfaceKind::spline);
@@ -76,8 +76,8 @@ void convergedSpline(benchmark::State& state) {
 void convergedBilinear(benchmark::State& state) {
   follow(state, ProxyKind::converged, waves, SurfaceKind::bilinear);
 }
-void gatedOnTerrain(benchmark::State& state) {
-  follow(state, ProxyKind::converged, terrain, SurfaceKind::gated);
+void creaseAwareOnTerrain(benchmark::State& state) {
+  follow(state, ProxyKind::converged, terrain, SurfaceKind::crease_aware);
 }
 void bilinearOnTerrain(benchmark::State& state) {
   follow(state, ProxyKind::converged, terrain, SurfaceKind::bilinear);
@@ -90,7 +90,7 @@ void successiveUpTo100(benchmark::State& state) {
 }
 
 void wholeTick(benchmark::State& state) {
-  const auto space = terrain(SurfaceKind::gated);
+  const auto space = terrain(SurfaceKind::crease_aware);
   const std::vector<GridPoint> path = strokeBelow(*space);
   HapticCore core;
   HapticOptions options;
@@ -111,7 +111,7 @@ void wholeTick(benchmark::State& state) {
 BENCHMARK(convergedGated)->Unit(benchmark::kMicrosecond);
 BENCHMARK(convergedSpline)->Unit(benchmark::kMicrosecond);
 BENCHMARK(convergedBilinear)->Unit(benchmark::kMicrosecond);
-BENCHMARK(gatedOnTerrain)->Unit(benchmark::kMicrosecond);
+BENCHMARK(creaseAwareOnTerrain)->Unit(benchmark::kMicrosecond);
 BENCHMARK(bilinearOnTerrain)->Unit(benchmark::kMicrosecond);
 BENCHMARK(equationTimes100)->Unit(benchmark::kMicrosecond);
 BENCHMARK(successiveUpTo100)->Unit(benchmark::kMicrosecond);

@@ -30,7 +30,7 @@ DepthMap relief(int side) {
   DepthMap map;
   map.frame = {
       .size = {.cols = side, .rows = side}, .spacing_mm = 0.125, .first_x_mm = 0, .first_y_mm = 0};
-  map.origins.assign(map.frame.size.count(), relievo::Origin::measured);
+  map.origins.assign(map.frame.size.count(), relievo::CellStatus::measured);
   for (int row = 0; row < side; ++row) {
     for (int col = 0; col < side; ++col) {
       map.heights_mm.push_back(2.5F + 2.5F * std::sin(static_cast<float>(col) / 57) *

@@ -83,19 +83,19 @@ double measure(benchmark::State& state, std::size_t bytes, const std::function<v
   return best;
 }
 
-const Scan& reliefN(std::size_t points, double flyer_share) {
+const Scan& reliefN(std::size_t points, double outlier_share) {
   static std::map<std::pair<std::size_t, double>, std::unique_ptr<Scan>> scans;
-  auto& scan = scans[{points, flyer_share}];
+  auto& scan = scans[{points, outlier_share}];
   if (!scan) {
     scan = std::make_unique<Scan>(
-        relievo::test::reliefNScan({.points = points, .flyer_share = flyer_share}));
+        relievo::test::reliefNScan({.points = points, .outlier_share = outlier_share}));
   }
   return *scan;
 }
 
-void mapOf(benchmark::State& state, std::size_t points, double flyer_share, int cells,
+void mapOf(benchmark::State& state, std::size_t points, double outlier_share, int cells,
            std::optional<relievo::PointRule> rule) {
-  const Scan& scan = reliefN(points, flyer_share);
+  const Scan& scan = reliefN(points, outlier_share);
   SurfaceOptions options = relievo::test::topView(cells);
   options.rule = rule;
   Surface surface;
@@ -120,10 +120,10 @@ void millionBySplat(benchmark::State& state) {
 }
 BENCHMARK(millionBySplat)->Unit(benchmark::kMillisecond)->Iterations(5);
 
-void tenMillionWithFlyers(benchmark::State& state) {
+void tenMillionWithOutliers(benchmark::State& state) {
   mapOf(state, 10'000'000, 0.0005, 800, std::nullopt);
 }
-BENCHMARK(tenMillionWithFlyers)->Unit(benchmark::kMillisecond)->Iterations(5);
+BENCHMARK(tenMillionWithOutliers)->Unit(benchmark::kMillisecond)->Iterations(5);
 
 void fiftyMillionTo4096(benchmark::State& state) {
   mapOf(state, 50'000'000, 0, 4096, std::nullopt);

@@ -38,14 +38,14 @@ inline ReliefNAccuracy accuracyOnReliefN(const Surface& surface) {
       const Cell cell{.col = col, .row = row};
       const auto height = static_cast<double>(surface.map.heightMm(cell));
       const FilePoint at = file_from_view({frame.xMm(col), frame.yMm(row), height});
-      const Origin origin = surface.map.origin(cell);
+      const CellStatus origin = surface.map.origin(cell);
       if (samples::isReliefNHole(at.x, at.y)) {
         ++hole_cells;
-        kept += origin == Origin::base_plane ? 1 : 0;
+        kept += origin == CellStatus::base_plane ? 1 : 0;
         continue;
       }
       ++others;
-      if (origin == Origin::base_plane || origin == Origin::outside) continue;
+      if (origin == CellStatus::base_plane || origin == CellStatus::outside) continue;
       ++closed;
       const double off = at.z - samples::reliefNHeightMm(at.x, at.y);
       squares += off * off;

@@ -45,13 +45,13 @@ TEST(ReliefN, IsTheSameForTheSameSeedAndGrowsByAppending) {
   EXPECT_NE(few, makeReliefN({.points = 1000, .seed = 801}));
 }
 
-TEST(ReliefN, FlyersAreAsManyAsAskedFor) {
-  const auto points = makeReliefN({.points = 200'000, .flyer_share = 0.01});
-  const auto flyers = std::count_if(points.begin(), points.end(), [](const auto& p) {
+TEST(ReliefN, OutliersAreAsManyAsAskedFor) {
+  const auto points = makeReliefN({.points = 200'000, .outlier_share = 0.01});
+  const auto outliers = std::count_if(points.begin(), points.end(), [](const auto& p) {
     const double truth = reliefNHeightMm(static_cast<double>(p[0]), static_cast<double>(p[1]));
     return std::abs(static_cast<double>(p[2]) - truth) > 0.15;
   });
-  EXPECT_NEAR(static_cast<double>(flyers), 2000 * (1 - 0.15 / kReliefNFlyerMm), 150);
+  EXPECT_NEAR(static_cast<double>(outliers), 2000 * (1 - 0.15 / kReliefNOutlierMm), 150);
 }
 
 }  // namespace

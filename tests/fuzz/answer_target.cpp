@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (const auto* raster = std::get_if<RasterRows>(&answer)) {
     const GridSize size = raster->head().size;
     std::vector<float> heights(static_cast<std::size_t>(size.cols));
-    std::vector<Origin> origins(heights.size());
+    std::vector<CellStatus> origins(heights.size());
     try {
       for (int row = 0; row < size.rows; ++row)
         raster->read(row, 1, heights.data(), origins.data());

@@ -126,7 +126,7 @@ void runRounds(Bytes bytes) {
   std::atomic<std::int64_t> step_since_ns{0};
   DeviceRound round(device, *page, limits, step_since_ns);
   while (!played.bytes.empty() && !round.gone()) {
-    auto order = played.bytes.take<ForceOrder>();
+    auto order = played.bytes.take<ForceCommand>();
     const auto what = played.bytes.take<std::uint8_t>();
     const std::int64_t now_ns = monotonicNs();
     if ((what & 2) != 0) order.time_ns = now_ns;

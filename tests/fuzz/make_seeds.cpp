@@ -310,8 +310,8 @@ void addRasters(const Seeds& seeds, const std::filesystem::path& folder) {
             "9 8\n7 6\n5 4\n3 2\n");
   DepthMap map{.frame = {.size = {3, 2}, .spacing_mm = 0.5},
                .heights_mm = {1, 2, 3, 4, 5, 6},
-               .origins = std::vector<Origin>(6, Origin::measured)};
-  map.origins[2] = Origin::outside;
+               .origins = std::vector<CellStatus>(6, CellStatus::measured)};
+  map.origins[2] = CellStatus::outside;
   std::filesystem::create_directories(folder / "raster");
   writeMap(folder / "raster" / "map.tif", map, {});
   addForeignRasters(folder / "raster");
@@ -337,7 +337,8 @@ void addAnswers(const Seeds& seeds) {
   raster.head.size = {3, 2};
   raster.head.info.bounds = FileBounds{{0, 0, 0}, {2, 1, 5}};
   const std::array<float, 3> row{0, std::numeric_limits<float>::quiet_NaN(), 5};
-  const std::array<Origin, 3> origins{Origin::measured, Origin::outside, Origin::measured};
+  const std::array<CellStatus, 3> origins{CellStatus::measured, CellStatus::outside,
+                                          CellStatus::measured};
   const OwnedFd file = open("raster");
   RasterAnswer answer(file.get());
   const RasterSink sink = answer.sink();

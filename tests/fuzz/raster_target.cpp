@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t byte
     size = head.size;
     if (size.count() > kMostCells) throw FileError("Cannot read it: too large here.");
   };
-  sink.row = [&](int row, const float* heights, const Origin* /*origins*/) {
+  sink.row = [&](int row, const float* heights, const CellStatus* /*origins*/) {
     fuzz::require(row >= 0 && row < size.rows, "rows are of the raster");
     for (int col = 0; col < size.cols; ++col) {
       fuzz::require(!std::isinf(heights[col]), "heights are finite, or none");

@@ -18,7 +18,7 @@ inline RegionWindow windowOf(double side_mm, const std::function<double(double, 
   window.id = id;
   window.region = {0, 0, side_mm, {}};
   window.heights_mm.resize(kWindowCount);
-  window.origins.assign(kWindowCount, Origin::measured);
+  window.origins.assign(kWindowCount, CellStatus::measured);
   window.min_mm = std::numeric_limits<float>::max();
   window.max_mm = std::numeric_limits<float>::lowest();
   const double cell = side_mm / kWindowSamples;

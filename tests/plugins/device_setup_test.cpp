@@ -403,7 +403,7 @@ HapticSample sampleAt(double x, double y) {
   sample.hip = {x, y, 0};
   sample.hip_view = sample.proxy_view = {12, 34, 5.5};
   sample.contact = true;
-  sample.origin = Origin::measured;
+  sample.origin = CellStatus::measured;
   return sample;
 }
 
@@ -469,14 +469,14 @@ TEST_F(DeviceButtonsTest, MoveModePutsAGateUnderTheHandAndStepsTheWindow) {
   x_ = 4;
   press(kForward, 0.2);
   EXPECT_TRUE(last().startsWith("Move mode."));
-  EXPECT_TRUE(buttons_.gate().on);
-  EXPECT_EQ(buttons_.gate().centre.x, 4) << "where the hand was";
-  EXPECT_EQ(buttons_.gate().blocked, 0);
+  EXPECT_TRUE(buttons_.detent().on);
+  EXPECT_EQ(buttons_.detent().centre.x, 4) << "where the hand was";
+  EXPECT_EQ(buttons_.detent().blocked, 0);
   x_ = 25;
   host_.at_edges = 2;
   pass(0.1);
   EXPECT_EQ(host_.commands, QStringList{"move_right"});
-  EXPECT_EQ(buttons_.gate().blocked, 2) << "the next push to the right meets a wall";
+  EXPECT_EQ(buttons_.detent().blocked, 2) << "the next push to the right meets a wall";
   x_ = 4;
   pass(0.1);
   y_ = -25;
@@ -487,7 +487,7 @@ TEST_F(DeviceButtonsTest, MoveModePutsAGateUnderTheHandAndStepsTheWindow) {
             (QStringList{"move_right", "move_down", "next_place", "previous_place"}));
   press(kForward, 0.2);
   EXPECT_TRUE(last().startsWith("Moved. Detail 1 of 1"));
-  EXPECT_FALSE(buttons_.gate().on);
+  EXPECT_FALSE(buttons_.detent().on);
   EXPECT_TRUE(host_.regions.empty());
 }
 

@@ -60,7 +60,7 @@ TEST_F(HapticsPluginTest, FollowsTheHandAndTouches) {
   EXPECT_NEAR(probe.proxy.x, probe.hip.x, 1e-6);
   EXPECT_FALSE(probe.forces_on);
   EXPECT_EQ(probe.force, DeviceN{}) << "forces are off";
-  EXPECT_EQ(probe.origin, Origin::measured);
+  EXPECT_EQ(probe.origin, CellStatus::measured);
   EXPECT_TRUE(eventually([this] { return !host_.plotted.empty(); }));
 }
 
@@ -547,7 +547,7 @@ TEST_F(HapticsPluginTest, InMoveModeTheGateIsFeltInPlaceOfTheSurface) {
   EXPECT_TRUE(move->isChecked());
   EXPECT_TRUE(host_.announcements.last().startsWith("Move mode."));
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force.z < 0.5; })) << "no surface";
-  // Far to the right: over the click, one step, and the gate pulls back.
+  // Far to the right: over the click, one step, and the detent pulls back.
   Q_EMIT host_.handMoved({handOver(*host_.window, 75, 40, false, 0), true});
   ASSERT_TRUE(eventually([this] { return host_.commands.contains("move_right"); }));
   EXPECT_TRUE(probeBecomes([](const Probe& p) { return p.force.x < -0.1; }));

@@ -49,7 +49,7 @@ RegionWindow flatWindow(std::uint64_t id) {
 TEST(LoopSession, ASurfaceIsPreparedWhileTheWindowGoesOn) {
   const test::PrivateHome home;
   LoopSession session("mouse");
-  session.show(flatWindow(7), SurfaceKind::gated);
+  session.show(flatWindow(7), SurfaceKind::crease_aware);
   EXPECT_TRUE(session.hasWindow());
   const std::uint64_t ticks = session.stats().ticks;
   ASSERT_TRUE(eventually([&] { return session.stats().ticks > ticks + 20; }));
@@ -62,7 +62,7 @@ TEST(LoopSession, ASurfaceIsPreparedWhileTheWindowGoesOn) {
 TEST(LoopSession, ANewerWindowReplacesTheOneThatWaits) {
   const test::PrivateHome home;
   LoopSession session("mouse");
-  for (const std::uint64_t id : {1, 2, 3}) session.show(flatWindow(id), SurfaceKind::gated);
+  for (const std::uint64_t id : {1, 2, 3}) session.show(flatWindow(id), SurfaceKind::crease_aware);
   ASSERT_TRUE(eventually([&] { return session.update().window_id == 3; }));
   EXPECT_EQ(session.update().scene_id, 2U) << "the second window was never prepared";
 }
@@ -86,7 +86,7 @@ TEST(LoopSession, AHandThatIsNotPressedIsCarriedOverAWall) {
   const test::PrivateHome home;
   LoopSession session("mouse");
   const RegionWindow window = walledWindow(7);
-  session.show(window, SurfaceKind::gated);
+  session.show(window, SurfaceKind::crease_aware);
   ASSERT_TRUE(eventually([&] { return session.update().window_id == 7; }));
   for (const double x : {10.0, 70.0, 40.0, 12.0}) {
     session.moveHand(handOver(window, x, 40, false, 0));
@@ -100,7 +100,7 @@ TEST(LoopSession, AHandTouchesWhereItIsPutDownHoweverFarItCame) {
   const test::PrivateHome home;
   LoopSession session("mouse");
   const RegionWindow window = walledWindow(7);
-  session.show(window, SurfaceKind::gated);
+  session.show(window, SurfaceKind::crease_aware);
   ASSERT_TRUE(eventually([&] { return session.update().window_id == 7; }));
   session.moveHand(handOver(window, 10, 40, false, 0));
   ASSERT_TRUE(eventually([&] { return std::abs(session.update().hip_view.x - 10) < 0.01; }));
@@ -127,7 +127,7 @@ TEST(LoopSession, WindowsThatComeUnderAHoveringHandAreNotPressed) {
           return inner == (id % 2 == 0) ? 60.0 : 0.0;
         },
         id);
-    session.show(window, SurfaceKind::gated);
+    session.show(window, SurfaceKind::crease_aware);
     ASSERT_TRUE(eventually([&] { return session.update().window_id == id; }));
     for (int look = 0; look < 20; ++look) {
       ASSERT_FALSE(session.update().contact) << id;
@@ -145,7 +145,7 @@ TEST(LoopSession, ARecordingThatBeginsWhileTheHandIsLedIsReplayedToTheLastBit) {
   const std::string file = home.file("led.csv").toStdString();
   {
     LoopSession session("virtual:relaxed");
-    session.show(window, SurfaceKind::gated);
+    session.show(window, SurfaceKind::crease_aware);
     ASSERT_TRUE(eventually([&] { return session.update().window_id == 7; }));
     HapticOptions options;
     options.force.forces_on = true;
@@ -202,7 +202,7 @@ TEST(LoopSession, ASurfaceThatCannotBePreparedIsTold) {
   LoopSession session("mouse");
   SceneMaps maps;
   maps.firmness.assign(3, 1.0F);  // 200 by 200 are needed.
-  session.show(flatWindow(7), SurfaceKind::gated, std::move(maps));
+  session.show(flatWindow(7), SurfaceKind::crease_aware, std::move(maps));
   std::string problem;
   ASSERT_TRUE(eventually([&] {
     session.update();
@@ -210,7 +210,7 @@ TEST(LoopSession, ASurfaceThatCannotBePreparedIsTold) {
     return !problem.empty();
   }));
   EXPECT_EQ(session.takeProblem(), "") << "once";
-  session.show(flatWindow(8), SurfaceKind::gated);
+  session.show(flatWindow(8), SurfaceKind::crease_aware);
   EXPECT_TRUE(eventually([&] { return session.update().window_id == 8; }));
 }
 

@@ -71,13 +71,14 @@ TEST(NoAllocation, SoundAllocatesNothing) {
   const long allocated = allocationsIn([&] {
     for (int i = 0; i < 2000; ++i) {
       const bool contact = i / 50 % 2 == 1;
-      synth.take(touch.next({.t_s = 0.001 * i,
-                             .hand = {0.1 * i, 0, contact ? 0.0 : 5.0},
-                             .proxy = {0.1 * i, 0, 0},
-                             .force_n = 2,
-                             .contact = contact,
-                             .origin = i % 70 > 35 ? Origin::interpolated : Origin::measured,
-                             .detail = i / 400 + 1}));
+      synth.take(
+          touch.next({.t_s = 0.001 * i,
+                      .hand = {0.1 * i, 0, contact ? 0.0 : 5.0},
+                      .proxy = {0.1 * i, 0, 0},
+                      .force_n = 2,
+                      .contact = contact,
+                      .origin = i % 70 > 35 ? CellStatus::interpolated : CellStatus::measured,
+                      .detail = i / 400 + 1}));
       synth.render(frames);
       loudest = std::max(loudest, std::abs(frames[0].left));
     }
@@ -88,7 +89,7 @@ TEST(NoAllocation, SoundAllocatesNothing) {
 
 TEST(NoAllocation, ATickAllocatesNothingWithAnyProxyAndSurface) {
   for (const SurfaceKind surface :
-       {SurfaceKind::gated, SurfaceKind::spline, SurfaceKind::bilinear}) {
+       {SurfaceKind::crease_aware, SurfaceKind::spline, SurfaceKind::bilinear}) {
     const auto space = test::spaceOf(
         80,
         [](double x, double y) {
@@ -125,9 +126,9 @@ TEST(NoAllocation, ATickAllocatesNothingWithAnyProxyAndSurface) {
 TEST(NoAllocation, AChangeOfSurfaceAllocatesNothing) {
   const auto was = test::spaceOf(
       80, [](double x, double y) { return std::sin(0.4 * x) * std::cos(0.5 * y); }, 1, {},
-      SurfaceKind::gated);
+      SurfaceKind::crease_aware);
   const auto now = test::spaceOf(
-      40, [](double x, double) { return x > 20 ? 4.0 : 0.0; }, 2, {}, SurfaceKind::gated);
+      40, [](double x, double) { return x > 20 ? 4.0 : 0.0; }, 2, {}, SurfaceKind::crease_aware);
   HapticOptions options;
   options.force.forces_on = true;
   options.frame = true;

@@ -33,7 +33,7 @@ class ColoursTest : public GuiTest {
         colours.colours.push_back(col < 150 ? Rgba{220, 20, 20, 255} : Rgba{20, 200, 30, 255});
       }
     }
-    map.origins.assign(size.count(), Origin::measured);
+    map.origins.assign(size.count(), CellStatus::measured);
     const std::filesystem::path file = path("coloured.tif").toStdString();
     writeMapWithColours(file, map, colours, {.view_from_file = {}});
     return QString::fromStdString(file.string());

@@ -22,7 +22,7 @@
 #include <QUrl>
 #include <random>
 
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/project/project.h"
 #include "tests/ui/gui_fixture.h"
 #include "ui/frame/message_strip.h"
@@ -132,7 +132,7 @@ TEST_P(FileNames, OfFiguresAndPicturesAreFoundAgain) {
   window().saveImage(ImageSource::detail, {320, 240}, text(".png"));
   ASSERT_TRUE(waitFor([this] { return !window().savingImage(); }));
   EXPECT_EQ(window().message(), QString());
-  const auto state = carriedProject(named(".png"));
+  const auto state = embeddedProject(named(".png"));
   ASSERT_TRUE(state.has_value());
   EXPECT_EQ(state->file, named(".ply").native());
   EXPECT_EQ(window().project().figures, std::vector<std::string>{named(".png").native()});

@@ -29,8 +29,8 @@
 #include "core/session/large/memory_guard.h"
 #include "tests/ui/gui_fixture.h"
 #include "ui/figure/figure.h"
+#include "ui/language/error_text.h"
 #include "ui/language/language.h"
-#include "ui/language/spoken_error.h"
 #include "ui/style/palette.h"
 
 namespace relievo {

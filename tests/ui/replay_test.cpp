@@ -31,7 +31,7 @@ TouchRecording tenSeconds() {
     row.hip = row.proxy + ViewMm{0, 0, i < 5000 ? 1.0 : -0.8};
     row.contact = i >= 5000;
     row.force = {0, 0, i < 5000 ? 0 : 0.4};
-    row.origin = Origin::measured;
+    row.origin = CellStatus::measured;
     row.window_id = i < 5000 ? 11 : 12;
     recording.rows.push_back(row);
   }

@@ -138,7 +138,7 @@ TEST_F(ShareTest, APackageForCitationIsMadeInTheDialog) {
   saveImage("fig.png");
   note(writeFile("touch.csv", "what was felt"));
   const QString raster = writeFile("firm.asc", "where it is firm");
-  window().controllers().packages.setCompanions(
+  window().controllers().packages.setDependencies(
       [&](const fs::path& recording, bool scans, const Task&) {
         EXPECT_EQ(recording.filename(), "touch.csv");
         EXPECT_TRUE(scans);

@@ -257,7 +257,7 @@ double difference(const QImage& a, const QImage& b) {
 /// What warms up draws a speck; with a small scan the view had its size by then, and showed the
 /// speck enlarged until something changed that size.
 TEST_F(ViewTest, AViewThatHasItsSizeBeforeItIsWarmDrawsThatManyPixels) {
-  QuietTurns turns;
+  RenderScheduler turns;
   DetailView view(document(), turns);
   view.resize(400, 400);
   view.show();
@@ -333,7 +333,7 @@ TEST_F(ViewTest, InterpolatedCellsLookLikeMeasuredOnesUntilTheyAreAskedFor) {
   const QImage measured = window().detailView().shot();
   open(points.fileName());
   const auto& origins = document().window()->origins;
-  ASSERT_GT(std::count(origins.begin(), origins.end(), Origin::interpolated), 20);
+  ASSERT_GT(std::count(origins.begin(), origins.end(), CellStatus::interpolated), 20);
   EXPECT_LT(difference(window().detailView().shot(), measured), 0.2) << "no chisel marks";
   auto* legend = window().detailView().findChild<QWidget*>("cell_legend");
   EXPECT_FALSE(legend->isVisible());

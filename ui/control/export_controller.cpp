@@ -12,7 +12,7 @@
 #include "core/provenance/provenance.h"
 #include "ui/control/picture_controller.h"
 #include "ui/dialogs/export_dialog.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/panels/measure_panel.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"

@@ -9,8 +9,8 @@
 #include <QPushButton>
 
 #include "core/project/project_files.h"
-#include "ui/language/core_words.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/core_text.h"
+#include "ui/language/error_text.h"
 #include "ui/work/file_names.h"
 
 namespace relievo {
@@ -20,13 +20,13 @@ constexpr std::size_t kMostNamed = 5;      // In a question; the others are coun
 constexpr std::size_t kMostLookedAt = 64;  // At once; that takes a few milliseconds.
 
 /// All that the project names is in the folder of what names it: no checksum is needed.
-bool allIsInFolder(const std::filesystem::path& carrier, const Project& project) {
+bool allIsInFolder(const std::filesystem::path& host_file, const Project& project) {
   std::vector<std::string> files{project.file, project.figure.recording};
   for (const InputFile& recording : project.recordings) files.push_back(recording.file);
   files.insert(files.end(), project.figures.begin(), project.figures.end());
   return files.size() <= kMostLookedAt &&
          std::all_of(files.begin(), files.end(), [&](const std::string& file) {
-           return file.empty() || isInFolderOf(carrier, file);
+           return file.empty() || isInFolderOf(host_file, file);
          });
 }
 
@@ -53,10 +53,10 @@ bool ForeignFiles::cancel() {
   return true;
 }
 
-void ForeignFiles::whenTheyMayBeRead(const Project& project, const Carrier& carrier,
+void ForeignFiles::whenTheyMayBeRead(const Project& project, const HostFile& host_file,
                                      const Withhold& then) {
-  const std::filesystem::path names_them = bytesOfPath(carrier.file);
-  if (carrier.file.isEmpty() || allIsInFolder(names_them, project)) return then({});
+  const std::filesystem::path names_them = bytesOfPath(host_file.file);
+  if (host_file.file.isEmpty() || allIsInFolder(names_them, project)) return then({});
   struct Found {
     std::vector<std::filesystem::path> files;
     QString error;
@@ -72,24 +72,25 @@ void ForeignFiles::whenTheyMayBeRead(const Project& project, const Carrier& carr
           found->error = shownError(error);
         }
       },
-      [this, found, carrier, then] {
+      [this, found, host_file, then] {
         if (!found->error.isEmpty()) {
           messages_.show(found->error);
         } else if (found->files.empty()) {
           then({});
         } else {
-          ask(found->files, carrier, then);
+          ask(found->files, host_file, then);
         }
       });
 }
 
-void ForeignFiles::ask(const Files& files, const Carrier& carrier, const Withhold& then) {
+void ForeignFiles::ask(const Files& files, const HostFile& host_file, const Withhold& then) {
   auto* box = new QMessageBox(
       QMessageBox::Warning, tr("Files elsewhere"),
       tr("%1 names %n file(s) outside of its folder that are not, by their checksums, what it was "
          "made from:",
          nullptr, static_cast<int>(files.size()))
-              .arg(carrier.is_kept_work ? tr("The work that was kept") : shownName(carrier.file)) +
+              .arg(host_file.is_kept_work ? tr("The work that was kept")
+                                          : shownName(host_file.file)) +
           QLatin1String("\n\n") + listed(files),
       QMessageBox::Yes | QMessageBox::No, &window_);
   box->setObjectName(QStringLiteral("foreign_dialog"));

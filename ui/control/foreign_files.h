@@ -20,16 +20,16 @@ class ForeignFiles : public Controller {
   /// Gets the files that are not to be read.
   using Withhold = std::function<void(const Files& files)>;
   /// What names the files.
-  struct Carrier {
+  struct HostFile {
     QString file;
     bool is_kept_work = false;  ///< Not a file of the user's: what a crash left.
   };
 
   explicit ForeignFiles(const ControllerParts& parts);
 
-  /// Calls `then`, at once if all that the project names is in the folder of `carrier`; else after
-  /// its checksums were compared, and after somebody was asked where they differ.
-  void whenTheyMayBeRead(const Project& project, const Carrier& carrier, const Withhold& then);
+  /// Calls `then`, at once if all that the project names is in the folder of `host file`; else
+  /// after its checksums were compared, and after somebody was asked where they differ.
+  void whenTheyMayBeRead(const Project& project, const HostFile& host_file, const Withhold& then);
   /// Files that the open project names and that nobody wanted read.
   const Files& withheld() const { return withheld_; }
   void withhold(Files files) { withheld_ = std::move(files); }
@@ -37,7 +37,7 @@ class ForeignFiles : public Controller {
   bool cancel();  ///< @return false: there was nothing to do
 
  private:
-  void ask(const Files& files, const Carrier& carrier, const Withhold& then);
+  void ask(const Files& files, const HostFile& host_file, const Withhold& then);
 
   Files withheld_;
   LatestWorker worker_;  ///< Last: its job ends before anything else goes.

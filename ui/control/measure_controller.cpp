@@ -11,7 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/io/formats/text_file.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/plots/profile_strip.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"

@@ -12,12 +12,12 @@
 
 #include "core/base/error.h"
 #include "core/io/input_facts.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/project/project_files.h"
 #include "ui/control/package_controller.h"
 #include "ui/control/save_controller.h"
 #include "ui/frame/start_page.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/prepare/prepare_dialog.h"
 #include "ui/work/file_names.h"
 
@@ -99,8 +99,8 @@ void OpenController::forgetState() {
 }
 
 void OpenController::openNamed(const Project& project, const QString& from) {
-  const ForeignFiles::Carrier carrier{.file = from};
-  foreign_.whenTheyMayBeRead(project, carrier, [this, project, from](const auto& withheld) {
+  const ForeignFiles::HostFile host_file{.file = from};
+  foreign_.whenTheyMayBeRead(project, host_file, [this, project, from](const auto& withheld) {
     if (!withheld.empty()) return tellInputWithheld(project, from);
     OpenRequest request;
     request.file = pathFromBytes(project.file);
@@ -108,7 +108,7 @@ void OpenController::openNamed(const Project& project, const QString& from) {
   });
 }
 
-ForeignFiles::Carrier OpenController::carrierOf(const QString& from) const {
+ForeignFiles::HostFile OpenController::hostFileOf(const QString& from) const {
   // What was kept of a crash lies among the program's own files, and names what it named before.
   if (from.isEmpty()) return {.file = recovered_copy_, .is_kept_work = true};
   return {.file = from};
@@ -122,7 +122,7 @@ void OpenController::restore(const Project& project, const QString& from) {
     } catch (const FileError&) {  // Said below.
     }
   }
-  foreign_.whenTheyMayBeRead(found, carrierOf(from), [this, found, from](const auto& withheld) {
+  foreign_.whenTheyMayBeRead(found, hostFileOf(from), [this, found, from](const auto& withheld) {
     const std::filesystem::path input = found.file;
     if (std::find(withheld.begin(), withheld.end(), input) != withheld.end()) {
       tellInputWithheld(found, from);
@@ -136,7 +136,7 @@ void OpenController::restore(const Project& project, const QString& from) {
 void OpenController::restoreOnChosen(const Project& project, const QString& from) {
   Project others = project;
   others.file.clear();
-  foreign_.whenTheyMayBeRead(others, carrierOf(from), [this, project, from](const auto& withheld) {
+  foreign_.whenTheyMayBeRead(others, hostFileOf(from), [this, project, from](const auto& withheld) {
     foreign_.withhold(withheld);
     restoreNow(project, from);
   });
@@ -183,7 +183,7 @@ bool OpenController::finish() {
   }
   const Project stored = *std::exchange(restoring_, std::nullopt)->project;
   if (!recovered_copy_.isEmpty()) {
-    WorkKeeper::discard(std::exchange(recovered_copy_, QString()));
+    AutosaveController::discard(std::exchange(recovered_copy_, QString()));
     document_.noteUnsaved();
     saving_.keeper().changed();
     saving_.showTitle();
@@ -212,7 +212,7 @@ bool OpenController::restoreFromFile(const QString& file) {
   if (packages_.unpack(file)) return true;
   if (!endsIn(file, {".json", ".png", ".tif", ".tiff", ".pdf", ".svg", ".csv"})) return false;
   try {
-    const auto project = carriedProject(pathOf(file));
+    const auto project = embeddedProject(pathOf(file));
     if (!project) return false;  // A height map or points, then.
     restore(*project, file);
     return true;
@@ -310,14 +310,14 @@ void OpenController::choose() {
   dialog->open();
 }
 
-void OpenController::tellInputWithheld(const Project& project, const QString& carrier) {
+void OpenController::tellInputWithheld(const Project& project, const QString& host_file) {
   const std::string& kept = project.saved_as.empty() ? project.file : project.saved_as;
   messages_.show(
       tr("%1 was not opened: it needs %2, which is outside of its folder and was not read. "
          "Nothing was changed. Find it, or choose another file.")
-          .arg(shownName(carrier.isEmpty() ? pathFromBytes(kept) : carrier),
+          .arg(shownName(host_file.isEmpty() ? pathFromBytes(kept) : host_file),
                shownPath(pathFromBytes(project.file))),
-      {{tr("&Find it\u2026"), [this, project, carrier] { relink(project, carrier); }},
+      {{tr("&Find it\u2026"), [this, project, host_file] { relink(project, host_file); }},
        {tr("&Choose another\u2026"), [this] { choose(); }}});
 }
 
@@ -336,7 +336,7 @@ void OpenController::offerLeftWork() {
           restore(left->project, {});
         }},
        {tr("&Discard"), [this, left] {
-          WorkKeeper::discard(left->copy);
+          AutosaveController::discard(left->copy);
           offerLeftWork();
         }}});
 }

@@ -58,8 +58,8 @@ class OpenController : public Controller {
   void restoreOnChosen(const Project& project, const QString& from);
   void restoreNow(const Project& project, const QString& from);
   bool restoreFromFile(const QString& file);
-  ForeignFiles::Carrier carrierOf(const QString& from) const;
-  void tellInputWithheld(const Project& project, const QString& carrier);
+  ForeignFiles::HostFile hostFileOf(const QString& from) const;
+  void tellInputWithheld(const Project& project, const QString& host_file);
   void tellChanged(const Project& stored);
   void showDamaged(const QString& text);
   void showFailure(const QString& message, const QString& code, const QString& file);

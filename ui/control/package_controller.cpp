@@ -11,12 +11,12 @@
 
 #include "core/base/failure.h"
 #include "core/io/input_facts.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/project/package.h"
 #include "core/project/unpacked_package.h"
 #include "ui/control/foreign_files.h"
 #include "ui/dialogs/package_dialog.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/work/file_names.h"
 
 namespace relievo {
@@ -35,7 +35,7 @@ InputFile asItIs(const QString& file, const Task& task) {
 
 /// @throw ArgumentError  the recording says that another scan was touched
 void requireSameScan(const QString& recording, const Project& project) {
-  const auto touched = carriedProject(pathOf(recording));
+  const auto touched = embeddedProject(pathOf(recording));
   if (!touched || touched->sha256 == project.sha256) return;
   throw failure<MessageId::recording_of_other_input>(
       shownName(recording).toStdString(), shownName(pathFromBytes(touched->file)).toStdString());
@@ -43,8 +43,8 @@ void requireSameScan(const QString& recording, const Project& project) {
 
 }  // namespace
 
-void PackageController::setCompanions(CompanionsOf companions) {
-  companions_ = std::move(companions);
+void PackageController::setDependencies(DependenciesOf dependencies) {
+  dependencies_ = std::move(dependencies);
 }
 
 PackageController::PackageController(const ControllerParts& parts, const ForeignFiles& foreign)
@@ -87,7 +87,7 @@ void PackageController::write(const PackageChoice& choice) {
   const auto files = std::make_shared<std::uint64_t>(0);
   work_.add(
       [choice, error, files, project = document_.stored(),
-       companions = companions_](const Task& task) {
+       dependencies = dependencies_](const Task& task) {
         try {
           Project packed = project;
           packed.recordings.clear();
@@ -97,9 +97,9 @@ void PackageController::write(const PackageChoice& choice) {
           }
           PackageContents contents{.with_input = choice.with_input};
           for (const QString& figure : choice.figures) contents.figures.push_back(pathOf(figure));
-          if (companions) {
-            contents.companions = [&](const std::filesystem::path& recording, const Task& work) {
-              return companions(recording, choice.with_input, work);
+          if (dependencies) {
+            contents.dependencies = [&](const std::filesystem::path& recording, const Task& work) {
+              return dependencies(recording, choice.with_input, work);
             };
           }
           const std::filesystem::path target = pathOf(choice.file);
@@ -124,7 +124,7 @@ void PackageController::write(const PackageChoice& choice) {
 
 bool PackageController::unpack(const QString& file, const QString& into) {
   try {
-    if (inputFacts(pathOf(file)).carrier != CarrierKind::package) return false;
+    if (inputFacts(pathOf(file)).host_file != HostFileKind::package) return false;
   } catch (const Error&) {
     return false;  // Who opens it says why it cannot be read.
   }

@@ -16,8 +16,8 @@ struct PackageChoice;
 
 /// Which files a recording needs to be repeated, beside its scan. [worker] @param scans  also other
 /// scans that were touched
-using CompanionsOf = std::function<std::vector<InputFile>(const std::filesystem::path& recording,
-                                                          bool scans, const Task& task)>;
+using DependenciesOf = std::function<std::vector<InputFile>(const std::filesystem::path& recording,
+                                                            bool scans, const Task& task)>;
 
 /// Packages for citation: packing, and unpacking one that is opened. [GUI thread]
 class PackageController : public Controller {
@@ -26,7 +26,7 @@ class PackageController : public Controller {
   PackageController(const ControllerParts& parts, const ForeignFiles& foreign);
 
   /// Who knows what recordings need; without one packages hold the recordings alone.
-  void setCompanions(CompanionsOf companions);
+  void setDependencies(DependenciesOf dependencies);
   /// Writes and checks a package in the background.
   void write(const PackageChoice& choice);
   bool busy() const { return work_.busy(); }
@@ -43,7 +43,7 @@ class PackageController : public Controller {
   void chooseFolder(const QString& package);
 
   const ForeignFiles& foreign_;
-  CompanionsOf companions_;
+  DependenciesOf dependencies_;
   WorkQueue work_, unpack_work_;  ///< Last: their jobs end before anything else goes.
 };
 

@@ -11,7 +11,7 @@
 #include "ui/control/replay_controller.h"
 #include "ui/dialogs/figure/figure_dialog.h"
 #include "ui/dialogs/image_dialog.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"
 #include "ui/work/file_names.h"

@@ -13,7 +13,7 @@
 #include "ui/control/look_controller.h"
 #include "ui/control/touch_controller.h"
 #include "ui/frame/side_panels.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/panels/places_panel.h"
 #include "ui/panels/suggest_panel.h"
 #include "ui/views/reference_view.h"

@@ -10,13 +10,13 @@
 #include <QStandardPaths>
 
 #include "core/base/error.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/project/project_files.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
 #include "ui/control/open_controller.h"
 #include "ui/control/touch_controller.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/panels/replay_panel.h"
 #include "ui/views/detail_view.h"
 #include "ui/work/file_names.h"

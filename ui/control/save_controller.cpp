@@ -18,8 +18,8 @@
 #include "ui/control/package_controller.h"
 #include "ui/control/picture_controller.h"
 #include "ui/control/video_controller.h"
-#include "ui/language/core_words.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/core_text.h"
+#include "ui/language/error_text.h"
 #include "ui/views/event_turn.h"
 #include "ui/work/file_names.h"
 
@@ -39,13 +39,13 @@ SaveController::SaveController(const ControllerParts& parts)
       keeper_(settings_.choice(QStringLiteral("keep_work"), true).toBool()
                   ? settings_.stateFolder(QStringLiteral("autosave"))
                   : QString(),
-              [this] { return keptWork(); }) {
+              [this] { return autosavedProject(); }) {
   commands_.on(Command::save_project, this, [this] { saveNow(); });
   commands_.on(Command::save_project_as, this, [this] { saveAs(); });
   connect(&messages_, &WindowMessages::cancelAsked, this, &SaveController::stayOpen);
   connect(&document_, &Document::amended, this, &SaveController::keepWork);
   connect(&document_.history(), &QUndoStack::indexChanged, this, &SaveController::keepWork);
-  connect(&keeper_, &WorkKeeper::failed, &messages_,
+  connect(&keeper_, &AutosaveController::failed, &messages_,
           [this](const QString& text) { messages_.show(text); });
 }
 
@@ -207,7 +207,7 @@ void SaveController::save(const QString& file) {
   }
 }
 
-Project SaveController::keptWork() const {
+Project SaveController::autosavedProject() const {
   Project p = document_.stored();
   const QString& file = document_.projectFile();
   if (!file.isEmpty()) p.saved_as = bytesOfPath(QFileInfo(file).absoluteFilePath());

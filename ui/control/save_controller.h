@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "ui/window/controller.h"
-#include "ui/work/work_keeper.h"
+#include "ui/work/autosave_controller.h"
 
 namespace relievo {
 
@@ -34,7 +34,7 @@ class SaveController : public Controller {
   void whenNothingIsUnsaved(const std::function<void()>& then);
   /// Which project or scan, and whether a file holds all of the work.
   void showTitle();
-  WorkKeeper& keeper() { return keeper_; }
+  AutosaveController& keeper() { return keeper_; }
 
   /// Nobody waits for the end any more; the next close asks again what it has to ask.
   void stayOpen() { closes_when_saved_ = closes_anyway_ = false; }
@@ -55,8 +55,8 @@ class SaveController : public Controller {
   /// @param then  once it is saved
   void saveAs(const std::function<void()>& then = {});
   void keepWork();
-  Project keptWork() const;  ///< For an automatic copy.
-  bool writing() const;      ///< Pictures, packages, exports and videos.
+  Project autosavedProject() const;  ///< For an automatic copy.
+  bool writing() const;              ///< Pictures, packages, exports and videos.
   /// The window has to wait for what is being written, and closes by itself after it.
   bool closesWhenAllIsWritten();
   /// A file is written, or was not: then nobody closes before the sentence was read.
@@ -67,7 +67,7 @@ class SaveController : public Controller {
   bool closes_when_saved_ = false;
   bool ends_at_once_ = false;
   bool title_due_ = false;
-  WorkKeeper keeper_;
+  AutosaveController keeper_;
 };
 
 }  // namespace relievo

@@ -11,7 +11,7 @@
 #include "core/provenance/program.h"
 #include "ui/control/look_controller.h"
 #include "ui/dialogs/study_dialog.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/work/file_names.h"
 
 namespace relievo {

@@ -22,7 +22,7 @@ constexpr double kLeastRateHz = 900;  // Of the force loop's 1000; below, stiffn
 constexpr quint64 kLateTicks = 10;    // Since the report before, half a second ago.
 
 /// Of the window's sample nearest a view position.
-Origin originAt(const RegionWindow& window, double x_mm, double y_mm) {
+CellStatus originAt(const RegionWindow& window, double x_mm, double y_mm) {
   const auto index = [&](double position, double start) {
     const double i = std::floor((position - start) / window.spacingMm());
     return static_cast<std::size_t>(std::clamp(i, 0.0, kWindowSamples - 1.0));
@@ -31,17 +31,17 @@ Origin originAt(const RegionWindow& window, double x_mm, double y_mm) {
   return window.origins[row * kWindowSamples + index(x_mm, window.region.x_mm)];
 }
 
-QString originText(Origin origin) {
+QString originText(CellStatus origin) {
   switch (origin) {
-    case Origin::measured:
+    case CellStatus::measured:
       return TouchController::tr("measured");
-    case Origin::interpolated:
+    case CellStatus::interpolated:
       return TouchController::tr("interpolated");
-    case Origin::base_plane:
+    case CellStatus::base_plane:
       return TouchController::tr("hole, on base plane");
-    case Origin::steep:
+    case CellStatus::steep:
       return TouchController::tr("steep");
-    case Origin::outside:
+    case CellStatus::outside:
       return TouchController::tr("outside");
   }
   return {};
@@ -66,11 +66,11 @@ TouchController::TouchController(const ControllerParts& parts, DetailView& detai
   });
 }
 
-void TouchController::showPosition(const ViewMm& position, std::optional<Origin> known) {
+void TouchController::showPosition(const ViewMm& position, std::optional<CellStatus> known) {
   const auto window = document_.window();
   if (!window) return;
   const double step = window->spacingMm();
-  const Origin origin = known.value_or(originAt(*window, position.x, position.y));
+  const CellStatus origin = known.value_or(originAt(*window, position.x, position.y));
   const double z = known ? position.z : windowHeightMm(*window, position.x, position.y);
   const QString place =
       tr("x %1  y %2  z %3 mm")

@@ -39,7 +39,7 @@ class TouchController : public Controller {
 
  private:
   void drawProbe(const Probe& probe);
-  void showPosition(const ViewMm& position, std::optional<Origin> known);
+  void showPosition(const ViewMm& position, std::optional<CellStatus> known);
   QString introduction() const;
 
   DetailView& detail_;

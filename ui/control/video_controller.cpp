@@ -15,7 +15,7 @@
 #include "core/base/replaceable.h"
 #include "core/provenance/provenance.h"
 #include "ui/dialogs/video_dialog.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/panels/replay_control.h"
 #include "ui/panels/replay_panel.h"
 #include "ui/plots/time_plot.h"

@@ -13,7 +13,7 @@
 #include <QVBoxLayout>
 
 #include "ui/dialogs/depth_map_form.h"
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/style/dialog_size.h"
 #include "ui/style/text.h"
 
@@ -39,23 +39,23 @@ QLabel* wordsLabel(const char* name, const QString& title) {
 QString sharesText(const DepthMapPicture& picture) {
   QStringList parts;
   for (std::size_t i = 0; i < kOriginCount; ++i) {
-    const auto origin = static_cast<Origin>(i);
-    if (origin != Origin::measured && picture.shares[i] == 0) continue;
+    const auto origin = static_cast<CellStatus>(i);
+    if (origin != CellStatus::measured && picture.shares[i] == 0) continue;
     const QString share = percent(picture.shares[i]);
     switch (origin) {
-      case Origin::measured:
+      case CellStatus::measured:
         parts << DepthMapDialog::tr("%1 of the cells are measured").arg(share);
         break;
-      case Origin::interpolated:
+      case CellStatus::interpolated:
         parts << DepthMapDialog::tr("%1 interpolated").arg(share);
         break;
-      case Origin::base_plane:
+      case CellStatus::base_plane:
         parts << DepthMapDialog::tr("%1 holes on the base plane").arg(share);
         break;
-      case Origin::steep:
+      case CellStatus::steep:
         parts << DepthMapDialog::tr("%1 too steep").arg(share);
         break;
-      case Origin::outside:
+      case CellStatus::outside:
         parts << DepthMapDialog::tr("%1 outside").arg(share);
         break;
     }
@@ -83,8 +83,8 @@ QString lossesText(const DepthLosses& losses) {
   QString text = DepthMapDialog::tr("Hidden from here: %1; undercut: %2; too steep: %3.")
                      .arg(percent(losses.hidden_share), percent(losses.undercut_share),
                           percent(losses.steep_share));
-  if (losses.flyers > 0) {
-    text += ' ' + DepthMapDialog::tr("Flyers left out: %1.").arg(losses.flyers);
+  if (losses.outliers > 0) {
+    text += ' ' + DepthMapDialog::tr("Outliers left out: %1.").arg(losses.outliers);
   }
   return text;
 }

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/depth/rules/point_rule.h"
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/style/mnemonic.h"
 #include "ui/style/text.h"
 

@@ -35,18 +35,18 @@ DepthMap thinned(const DepthMap& map) {
 }
 
 /// Colour and pattern of what was not measured; transparent for the rest.
-QRgb maskPixel(Origin origin, int x, int y) {
+QRgb maskPixel(CellStatus origin, int x, int y) {
   const bool stripe = (x + y) % 6 < 2;
   const bool crossed = stripe || (x - y + 6 * kMostPixels) % 6 < 2;
   switch (origin) {
-    case Origin::interpolated:
+    case CellStatus::interpolated:
       return stripe ? qRgba(60, 120, 220, 255) : qRgba(60, 120, 220, 90);
-    case Origin::base_plane:
+    case CellStatus::base_plane:
       return crossed ? qRgba(150, 40, 110, 255) : qRgba(150, 40, 110, 110);
-    case Origin::steep:
+    case CellStatus::steep:
       return qRgba(230, 140, 20, 200);
-    case Origin::measured:
-    case Origin::outside:
+    case CellStatus::measured:
+    case CellStatus::outside:
       break;
   }
   return qRgba(0, 0, 0, 0);
@@ -67,7 +67,7 @@ DepthMapPicture pictureOf(const Surface& surface, const Task& task) {
   float high = 0;
   bool first = true;
   for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
-    if (map.origins[i] != Origin::measured) continue;
+    if (map.origins[i] != CellStatus::measured) continue;
     low = first ? map.heights_mm[i] : std::min(low, map.heights_mm[i]);
     high = first ? map.heights_mm[i] : std::max(high, map.heights_mm[i]);
     first = false;
@@ -80,13 +80,14 @@ DepthMapPicture pictureOf(const Surface& surface, const Task& task) {
     auto* mask = reinterpret_cast<QRgb*>(picture.mask.scanLine(size.rows - 1 - row));
     for (int col = 0; col < size.cols; ++col) {
       const std::size_t i = size.index({col, row});
-      const Origin origin = map.origins[i];
+      const CellStatus origin = map.origins[i];
       const int grey = std::isfinite(shade.values[i])
                            ? static_cast<int>(30 + 215 * std::clamp(shade.values[i], 0.0F, 1.0F))
                            : 0;
-      shaded[col] = origin == Origin::outside ? qRgba(0, 0, 0, 0) : qRgba(grey, grey, grey, 255);
+      shaded[col] =
+          origin == CellStatus::outside ? qRgba(0, 0, 0, 0) : qRgba(grey, grey, grey, 255);
       mask[col] = maskPixel(origin, col, row);
-      if (origin != Origin::measured) continue;
+      if (origin != CellStatus::measured) continue;
       const int bin = static_cast<int>((map.heights_mm[i] - low) * per_mm);
       ++picture.counts[static_cast<std::size_t>(std::clamp(bin, 0, kBins - 1))];
     }

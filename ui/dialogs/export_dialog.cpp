@@ -15,7 +15,7 @@
 #include <QPushButton>
 #include <QStandardPaths>
 
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 
 namespace relievo {
 namespace {

@@ -13,7 +13,7 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 
 namespace relievo {
 namespace {

@@ -14,7 +14,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/style/dialog_size.h"
 #include "ui/style/mnemonic.h"
 #include "ui/work/file_names.h"

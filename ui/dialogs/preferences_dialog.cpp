@@ -20,7 +20,7 @@
 
 #include "core/relief/look.h"
 #include "core/relief/stereo.h"
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/language/language.h"
 #include "ui/style/dialog_size.h"
 #include "ui/style/palette.h"

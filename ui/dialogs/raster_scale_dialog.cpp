@@ -8,7 +8,7 @@
 #include <QLabel>
 
 #include "ui/dialogs/figure/figure_number.h"
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/style/text.h"
 
 namespace relievo {

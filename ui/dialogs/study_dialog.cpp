@@ -12,7 +12,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/style/dialog_size.h"
 
 namespace relievo {

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "ui/figure/figure.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/message/message_text.h"
 #include "ui/style/text.h"
 #include "ui/video/live_video.h"

@@ -15,7 +15,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/style/dialog_size.h"
 #include "ui/style/mnemonic.h"
 

@@ -10,7 +10,7 @@
 
 #include "core/base/failure.h"
 #include "core/project/caption.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/session/large/tiled_surface.h"
 #include "core/session/map_facts.h"
 #include "ui/figure/figure_legend.h"
@@ -81,7 +81,7 @@ std::vector<Reading> readAll(const Surface& surface, const Project& project) {
 std::vector<ForcePoint> curveOf(const Project& project, const Task& task) {
   const std::string& file = project.figure.recording;
   std::vector<ForcePoint> rows = readForceCurve(file, task);
-  const std::optional<Project> touched = carriedProject(file);
+  const std::optional<Project> touched = embeddedProject(file);
   if (touched && !touched->sha256.empty() && !project.sha256.empty() &&
       touched->sha256 != project.sha256) {
     throw failure<MessageId::recording_of_another_file>(fs::path(file).filename(),

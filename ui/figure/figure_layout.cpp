@@ -61,8 +61,8 @@ bool needsLegend(const Surface& surface, const Project& project) {
   if (!f.legend) return false;
   if (hasLegend(f.look.kind)) return true;
   const auto shares = legendShares(surface, project).shares;
-  return f.hatch && shares[static_cast<std::size_t>(Origin::interpolated)] +
-                            shares[static_cast<std::size_t>(Origin::base_plane)] >
+  return f.hatch && shares[static_cast<std::size_t>(CellStatus::interpolated)] +
+                            shares[static_cast<std::size_t>(CellStatus::base_plane)] >
                         0;
 }
 

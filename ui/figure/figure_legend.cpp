@@ -51,8 +51,8 @@ std::vector<Swatch> swatchesOf(const Surface& surface, const Project& project) {
   const auto [shares, of_object] = legendShares(surface, project);
   const QLatin1String whole(of_object ? "object" : "region");
   for (const auto& [origin, label, crossed] :
-       {std::tuple{Origin::interpolated, "interpolated", false},
-        std::tuple{Origin::base_plane, "hole, on the base plane", true}}) {
+       {std::tuple{CellStatus::interpolated, "interpolated", false},
+        std::tuple{CellStatus::base_plane, "hole, on the base plane", true}}) {
     const double share = shares[static_cast<std::size_t>(origin)];
     if (share == 0) continue;
     swatches.push_back(

@@ -6,7 +6,7 @@
 
 #include "core/base/failure.h"
 #include "core/session/colours/surface_colours.h"
-#include "core/session/large/level_cut.h"
+#include "core/session/large/crop_level.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {
@@ -25,10 +25,10 @@ QImage imageOf(const RgbaImage& picture) {
 
 /// What must not be drawn is outside; what must not be hatched is measured.
 void applyOrigins(DepthMap& map, const FigurePanel& panel, const FigureRequest& f) {
-  for (Origin& origin : map.origins) {
-    const bool known = origin == Origin::measured || origin == Origin::steep;
-    if (panel.as_measured && !known) origin = Origin::outside;
-    if (!f.hatch && origin != Origin::outside) origin = Origin::measured;
+  for (CellStatus& origin : map.origins) {
+    const bool known = origin == CellStatus::measured || origin == CellStatus::steep;
+    if (panel.as_measured && !known) origin = CellStatus::outside;
+    if (!f.hatch && origin != CellStatus::outside) origin = CellStatus::measured;
   }
 }
 
@@ -78,7 +78,7 @@ LevelSamples samplesIn(const Surface& surface, Level level, const RectMm& rect, 
 }  // namespace
 
 DepthMap cutOut(const Surface& surface, Level level, const RectMm& rect, int margin, double gain) {
-  return levelCut(surface, level, samplesIn(surface, level, rect, margin), gain);
+  return cropLevel(surface, level, samplesIn(surface, level, rect, margin), gain);
 }
 
 PanelPicture drawPanel(const Surface& surface, const Project& project, const FigurePanel& panel,
@@ -90,7 +90,7 @@ PanelPicture drawPanel(const Surface& surface, const Project& project, const Fig
       static_cast<int>(std::clamp(f.look.radius_mm / spacing, kMarginSamples, 200.0));
   requireColours(surface, f.look.kind);
   const LevelSamples samples = samplesIn(surface, panel.level, panel.shown, margin);
-  DepthMap map = levelCut(surface, panel.level, samples, project.gain);
+  DepthMap map = cropLevel(surface, panel.level, samples, project.gain);
   task.check();
   applyOrigins(map, panel, f);
   PanelPicture made;

@@ -149,7 +149,7 @@ void MessageStrip::showOfferKey() {
   setAccessibleDescription(QStringLiteral("%1 %2: %3").arg(label_->text(), key_->text(), name));
 }
 
-bool MessageStrip::takeOffer() {
+bool MessageStrip::triggerDefaultAction() {
   if (offer_ == nullptr) return false;
   offer_->click();
   return true;

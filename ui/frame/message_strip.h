@@ -34,7 +34,7 @@ class MessageStrip : public QFrame {
   void setOfferKey(const QKeySequence& key);
   bool hasOffer() const { return offer_ != nullptr; }
   /// As if the first button were pressed. @return false: there is none
-  bool takeOffer();
+  bool triggerDefaultAction();
   /// Where the keyboard goes in here: the first button, or what closes the message.
   QWidget* firstControl() const;
 

@@ -15,7 +15,7 @@
 
 #include "ui/frame/announcer.h"
 #include "ui/frame/status_rows.h"
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 
 namespace relievo {
 namespace {

@@ -15,8 +15,8 @@
 
 #include "core/base/error.h"
 #include "core/measure/measure_text.h"
-#include "ui/language/core_words.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/core_text.h"
+#include "ui/language/error_text.h"
 #include "ui/style/text.h"
 
 namespace relievo {

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/session/map_facts.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 
 namespace relievo {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/provenance/sha256.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/panels/replay_events.h"
 #include "ui/panels/replay_panel.h"
 #include "ui/style/text.h"

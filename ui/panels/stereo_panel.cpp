@@ -16,7 +16,7 @@
 #include <QVBoxLayout>
 
 #include "ui/frame/side_panels.h"
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/style/text.h"
 
 namespace relievo {

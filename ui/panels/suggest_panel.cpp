@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 
 #include "ui/frame/side_panels.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/style/text.h"
 
 namespace relievo {

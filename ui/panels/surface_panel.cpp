@@ -88,20 +88,20 @@ QDoubleSpinBox* mmField(QFormLayout* layout, const QString& title, const QString
 /// What became of the holes: "3, on the base plane"; "3: 1 on the base plane, 2 interpolated".
 QString holesText(const std::vector<Hole>& holes, HoleRule rule) {
   if (holes.empty()) return SurfacePanel::tr("none");
-  const auto count = [&](Origin origin) {
+  const auto count = [&](CellStatus origin) {
     return std::count_if(holes.begin(), holes.end(),
                          [&](const Hole& hole) { return originOfHole(hole, rule) == origin; });
   };
   QStringList kinds, parts;
-  const auto name = [&](Origin origin, const QString& what) {
+  const auto name = [&](CellStatus origin, const QString& what) {
     const auto here = count(origin);
     if (here == 0) return;
     kinds << what;
     parts << QStringLiteral("%1 %2").arg(here).arg(what);
   };
-  name(Origin::base_plane, SurfacePanel::tr("on the base plane"));
-  name(Origin::interpolated, SurfacePanel::tr("interpolated"));
-  name(Origin::outside, SurfacePanel::tr("left open"));
+  name(CellStatus::base_plane, SurfacePanel::tr("on the base plane"));
+  name(CellStatus::interpolated, SurfacePanel::tr("interpolated"));
+  name(CellStatus::outside, SurfacePanel::tr("left open"));
   return kinds.size() == 1
              ? QStringLiteral("%1, %2").arg(holes.size()).arg(kinds.front())
              : QStringLiteral("%1: %2").arg(holes.size()).arg(parts.join(QStringLiteral(", ")));
@@ -111,11 +111,11 @@ QString holesText(const std::vector<Hole>& holes, HoleRule rule) {
 QString holesText(const Surface& surface, HoleRule rule) {
   if (surface.engine != "as stored") return holesText(surface.holes, rule);
   const auto shares = mapFacts(surface).shares;
-  const auto percent = [&](Origin origin) {
+  const auto percent = [&](CellStatus origin) {
     return 100 * shares.at(static_cast<std::size_t>(origin));
   };
-  const double on_base = percent(Origin::base_plane);
-  const double filled = percent(Origin::interpolated);
+  const double on_base = percent(CellStatus::base_plane);
+  const double filled = percent(CellStatus::interpolated);
   if (on_base + filled == 0) return SurfacePanel::tr("none");
   return SurfacePanel::tr("not counted; %1 % of the cells on the base plane, %2 % interpolated")
       .arg(numberText(on_base, 2), numberText(filled, 2));

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/style/palette.h"
 
 namespace relievo {

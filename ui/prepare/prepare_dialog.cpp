@@ -16,8 +16,8 @@
 #include <QPushButton>
 #include <QTimer>
 
-#include "ui/language/core_words.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/core_text.h"
+#include "ui/language/error_text.h"
 #include "ui/prepare/step_form.h"
 #include "ui/prepare/step_words.h"
 #include "ui/work/file_names.h"

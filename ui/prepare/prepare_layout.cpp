@@ -20,7 +20,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/prepare/prepare_dialog.h"
 #include "ui/prepare/step_form.h"
 #include "ui/prepare/step_words.h"

@@ -2090,7 +2090,7 @@
         <translation>Von hier verdeckt: %1; hinterschnitten: %2; zu steil: %3.</translation>
     </message>
     <message>
-        <source>Flyers left out: %1.</source>
+        <source>Stray points left out: %1.</source>
         <translation>Ausreißer weggelassen: %1.</translation>
     </message>
     <message>
@@ -2937,7 +2937,7 @@
     </message>
 </context>
 <context>
-    <name>relievo::FalconNews</name>
+    <name>relievo::FalconStatusAnnouncer</name>
     <message>
         <source>Top arm found.</source>
         <translation>Oberer Arm gefunden.</translation>

@@ -2090,7 +2090,7 @@
         <translation>यहाँ से छिपा: %1; नीचे कटा: %2; बहुत तीव्र ढाल: %3।</translation>
     </message>
     <message>
-        <source>Flyers left out: %1.</source>
+        <source>Stray points left out: %1.</source>
         <translation>छोड़े गए भटके बिंदु: %1।</translation>
     </message>
     <message>
@@ -2937,7 +2937,7 @@
     </message>
 </context>
 <context>
-    <name>relievo::FalconNews</name>
+    <name>relievo::FalconStatusAnnouncer</name>
     <message>
         <source>Top arm found.</source>
         <translation>ऊपरी भुजा मिली।</translation>

@@ -6,7 +6,7 @@
 
 #include "core/relief/relief_image.h"
 #include "core/session/colours/surface_colours.h"
-#include "core/session/large/level_cut.h"
+#include "core/session/large/crop_level.h"
 #include "core/session/large/tiled_surface.h"
 
 namespace relievo {
@@ -77,7 +77,8 @@ void VideoSurface::showPart(ReliefScene& scene, const RectMm& rect, double gain)
   gain_ = gain;
   window_.reset();
   const LevelSamples samples = samplesIn(surface_, level, *part_);
-  show(scene, levelCut(surface_, {level}, samples, gain), levelColours(surface_, {level}, samples));
+  show(scene, cropLevel(surface_, {level}, samples, gain),
+       levelColours(surface_, {level}, samples));
 }
 
 }  // namespace relievo

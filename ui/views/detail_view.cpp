@@ -37,7 +37,7 @@ std::shared_ptr<const HeldGrid> gridOf(const Surface& surface, const RegionWindo
 
 }  // namespace
 
-DetailView::DetailView(Document& document, QuietTurns& turns, QWidget* parent)
+DetailView::DetailView(Document& document, RenderScheduler& turns, QWidget* parent)
     : SurfaceView(turns, parent), document_(document) {
   setObjectName(QStringLiteral("detail_view"));
   setAccessibleName(tr("Detail view"));

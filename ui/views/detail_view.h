@@ -20,7 +20,7 @@ namespace relievo {
 class DetailView : public SurfaceView {
   Q_OBJECT
  public:
-  DetailView(Document& document, QuietTurns& turns, QWidget* parent = nullptr);
+  DetailView(Document& document, RenderScheduler& turns, QWidget* parent = nullptr);
 
   /// Draws the hand where the force loop says it is; ignored if it belongs to another window.
   void showProbe(const Probe& probe);

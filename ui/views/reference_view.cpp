@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/session/colours/surface_colours.h"
-#include "core/session/large/level_cut.h"
-#include "ui/language/spoken_error.h"
+#include "core/session/large/crop_level.h"
+#include "ui/language/error_text.h"
 #include "ui/style/text.h"
 #include "ui/views/overlays/pink_overlay.h"
 
@@ -37,7 +37,7 @@ std::shared_ptr<const HeldGrid> referenceGrid(const Surface& surface) {
     const GridSize next = levelFrame(surface, Level{level.value + 1}).size;
     if (std::min(next.cols, next.rows) < 2) break;
   }
-  DepthMap map = levelCut(surface, level);
+  DepthMap map = cropLevel(surface, level);
   auto grid = std::make_shared<HeldGrid>();
   grid->frame = map.frame;
   grid->heights_mm = std::move(map.heights_mm);
@@ -85,7 +85,7 @@ QString nameOf(PinkPart part) {
 
 }  // namespace
 
-ReferenceView::ReferenceView(Document& document, QuietTurns& turns, QWidget* parent)
+ReferenceView::ReferenceView(Document& document, RenderScheduler& turns, QWidget* parent)
     : SurfaceView(turns, parent),
       document_(document),
       suggested_(new SuggestionFrames(this, [this](double x, double y) { return pointOf(x, y); })),

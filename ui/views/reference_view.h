@@ -20,7 +20,7 @@ class PinkOverlay;
 class ReferenceView : public SurfaceView {
   Q_OBJECT
  public:
-  ReferenceView(Document& document, QuietTurns& turns, QWidget* parent = nullptr);
+  ReferenceView(Document& document, RenderScheduler& turns, QWidget* parent = nullptr);
 
   /// Point of the widget over a view position; for tests and for the keyboard.
   QPointF pointOf(double x_mm, double y_mm) const;

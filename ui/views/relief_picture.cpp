@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/depth/rules/rasterize.h"
 #include "core/relief/relief_image.h"
-#include "core/session/large/level_cut.h"
+#include "core/session/large/crop_level.h"
 #include "core/session/open_input.h"
 #include "ui/work/surface_work.h"
 
@@ -43,8 +43,8 @@ QImage reliefPicture(const Surface& surface, int longest_px) {
     return std::max(size.cols, size.rows);
   };
   while (from.value > 0 && longest() < longest_px) --from.value;
-  DepthMap map = levelCut(surface, from);
-  std::fill(map.origins.begin(), map.origins.end(), Origin::measured);
+  DepthMap map = cropLevel(surface, from);
+  std::fill(map.origins.begin(), map.origins.end(), CellStatus::measured);
   ReliefLook look;
   look.kind = ReliefKind::multi_hillshade;
   const std::vector<std::uint8_t> colours = reliefColours(reliefValues(map, look), look);

@@ -15,7 +15,7 @@ namespace relievo {
 struct HeldGrid {
   GridFrame frame;
   std::vector<float> heights_mm;
-  std::vector<Origin> origins;             ///< Same size.
+  std::vector<CellStatus> origins;         ///< Same size.
   GridColours own = {};                    ///< What the scan says; empty: nothing.
   std::vector<std::uint8_t> colours = {};  ///< As painted: three a sample, or none: stone.
   bool lit = true;

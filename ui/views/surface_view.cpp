@@ -26,9 +26,9 @@
 #include "ui/views/overlays/cell_legend.h"
 #include "ui/views/overlays/colour_bar.h"
 #include "ui/views/overlays/grid_painter.h"
-#include "ui/views/quiet_turns.h"
-#include "ui/vtk/first_draws.h"
+#include "ui/views/render_scheduler.h"
 #include "ui/vtk/scale_length.h"
+#include "ui/vtk/shader_warmup.h"
 
 namespace relievo {
 namespace {
@@ -119,8 +119,8 @@ vtkStandardNewMacro(MixingWindow);
 /// its place.
 class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
  public:
-  Canvas(SurfaceView* view, ReliefScene& scene, QuietTurns& turns)
-      : QVTKOpenGLNativeWidget(view), scene_(scene), turns_(turns) {
+  Canvas(SurfaceView* view, ReliefScene& scene, RenderScheduler& turns)
+      : QVTKOpenGLNativeWidget(view), scene_(scene), scheduler_(turns) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setFocusPolicy(Qt::NoFocus);
     setAcceptDrops(false);
@@ -134,7 +134,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   void warmUp() {
     if (stage_ != Stage::cold) return;
     stage_ = Stage::warming;
-    turns_.ask(this, [this] { warmUpStep(); });
+    scheduler_.schedule(this, [this] { warmUpStep(); });
   }
   void appearWhenWarm() {
     wanted_ = true;
@@ -167,7 +167,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   void requestRender() {
     if (stale_) return;
     stale_ = true;
-    turns_.ask(this, [this] { renderIfStale(); });
+    scheduler_.schedule(this, [this] { renderIfStale(); });
   }
   void renderIfStale() {
     if (!stale_ || !isVisible()) return;
@@ -178,7 +178,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     setAttribute(Qt::WA_UpdatesDisabled);
     renderWindow()->Render();
     setAttribute(Qt::WA_UpdatesDisabled, false);
-    turns_.ask(this, [this] { update(); });
+    scheduler_.schedule(this, [this] { update(); });
   }
 
  protected:
@@ -222,7 +222,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
         stage_ = Stage::cold;
         return;
       }
-      first_draws_ = std::make_unique<FirstDraws>(window_);
+      first_draws_ = std::make_unique<ShaderWarmup>(window_);
     } else if (first_draws_->step()) {
       // One more thing is drawn.
     } else if (!copied_) {
@@ -234,7 +234,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
       if (wanted_) show();
       return;
     }
-    turns_.ask(this, [this] { warmUpStep(); });
+    scheduler_.schedule(this, [this] { warmUpStep(); });
   }
   void attachScene() {
     first_draws_.reset();
@@ -243,7 +243,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     stage_ = Stage::warm;
   }
   void prepare() {
-    seen_coarse_ = !whole_ && turns_.coarse().on();
+    seen_coarse_ = !whole_ && scheduler_.coarse().on();
     const double ratio = devicePixelRatioF() * (seen_coarse_ ? CoarsePictures::kPart : 1);
     const QSize pixels = size() * ratio;
     // Lines and the scale bar grow with the screen's density and, like text, with its size and the
@@ -263,7 +263,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   }
 
   ReliefScene& scene_;
-  QuietTurns& turns_;
+  RenderScheduler& scheduler_;
   Stage stage_ = Stage::cold;
   bool wanted_ = false, copied_ = false, drawn_ = false, stale_ = false;
   bool whole_ = false, seen_coarse_ = false;  ///< Asked for; of the newest picture.
@@ -271,11 +271,11 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   QSize seen_pixels_;    ///< Of the one that is, and which it is in.
   GLuint seen_in_ = 0;
   vtkNew<MixingWindow> window_;
-  std::unique_ptr<FirstDraws> first_draws_;
+  std::unique_ptr<ShaderWarmup> first_draws_;
 };
 
-SurfaceView::SurfaceView(QuietTurns& turns, QWidget* parent)
-    : QWidget(parent), turns_(turns), scene_(std::make_unique<ReliefScene>()) {
+SurfaceView::SurfaceView(RenderScheduler& turns, QWidget* parent)
+    : QWidget(parent), scheduler_(turns), scene_(std::make_unique<ReliefScene>()) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(120, 120);
@@ -463,9 +463,9 @@ void SurfaceView::follow(std::function<void()> work) {
   since_asked.start();
   work();
   following_ = true;
-  turns_.ask(this, [this, since_asked] {
+  scheduler_.schedule(this, [this, since_asked] {
     following_ = false;
-    turns_.coarse().stepDrawn(since_asked.elapsed(), newest_ != nullptr);
+    scheduler_.coarse().stepDrawn(since_asked.elapsed(), newest_ != nullptr);
     if (newest_) follow(std::exchange(newest_, nullptr));
   });
 }
@@ -507,7 +507,7 @@ ViewMm SurfaceView::at(const QPointF& point, double z_mm) const {
 }
 
 CoarsePictures& SurfaceView::coarsePictures() {
-  return turns_.coarse();
+  return scheduler_.coarse();
 }
 
 // Sight lines are parallel: on a plane of one height places and points are the same but for scale,

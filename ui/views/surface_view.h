@@ -16,7 +16,7 @@ class CellLegend;
 class CoarsePictures;
 class ColourBar;
 class GridPainter;
-class QuietTurns;
+class RenderScheduler;
 struct PaintedGrid;
 
 /// A relief on screen: one scene in one OpenGL widget. Mouse and keys come to this widget as
@@ -76,7 +76,7 @@ class SurfaceView : public QWidget {
 
  protected:
   /// @param turns  of all views of the window; outlives this
-  SurfaceView(QuietTurns& turns, QWidget* parent);
+  SurfaceView(RenderScheduler& turns, QWidget* parent);
   void showEvent(QShowEvent* event) override;
   void setGrid(std::shared_ptr<const HeldGrid> grid);
   void setCamera(const ReliefCamera& camera);
@@ -113,7 +113,7 @@ class SurfaceView : public QWidget {
   void showLegend();
   ReliefLook paintedLook() const;
 
-  QuietTurns& turns_;
+  RenderScheduler& scheduler_;
   bool following_ = false;  ///< Until the pictures of what was done last had their turns.
   std::function<void()> newest_;
   SceneState state_;

@@ -114,7 +114,7 @@ struct ReliefScene::Impl {
   // What was asked for; copy() repeats it.
   SurfaceGrid grid;
   std::vector<float> heights;
-  std::vector<Origin> origins;
+  std::vector<CellStatus> origins;
   std::vector<std::uint8_t> colours;
   bool has_surface = false;
   ReliefCamera camera;
@@ -290,7 +290,7 @@ ReliefScene::~ReliefScene() {
 void ReliefScene::setSurface(const SurfaceGrid& grid) {
   impl_->mesh.update(grid);
   impl_->heights = *grid.heights_mm;
-  impl_->origins = grid.origins ? *grid.origins : std::vector<Origin>{};
+  impl_->origins = grid.origins ? *grid.origins : std::vector<CellStatus>{};
   impl_->colours = grid.colours ? *grid.colours : std::vector<std::uint8_t>{};
   impl_->grid = {grid.frame, &impl_->heights, grid.origins ? &impl_->origins : nullptr,
                  grid.colours ? &impl_->colours : nullptr, grid.lit};

@@ -22,8 +22,8 @@ namespace relievo {
 /// Heights to draw: a window, or a whole pyramid level. Copied by setSurface.
 struct SurfaceGrid {
   GridFrame frame;
-  const std::vector<float>* heights_mm = nullptr;  ///< Row-major, row 0 lowest y.
-  const std::vector<Origin>* origins = nullptr;    ///< Same size, or null: all measured.
+  const std::vector<float>* heights_mm = nullptr;    ///< Row-major, row 0 lowest y.
+  const std::vector<CellStatus>* origins = nullptr;  ///< Same size, or null: all measured.
   /// Three bytes per sample, red first; null: stone.
   const std::vector<std::uint8_t>* colours = nullptr;
   bool lit = true;  ///< False: colours as they are, without lamps.

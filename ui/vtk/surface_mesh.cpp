@@ -59,7 +59,7 @@ void SurfaceMesh::classify(const SurfaceGrid& grid) {
   std::size_t inside_count = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const bool inside =
-        std::isfinite(h[i]) && !(grid.origins && (*grid.origins)[i] == Origin::outside);
+        std::isfinite(h[i]) && !(grid.origins && (*grid.origins)[i] == CellStatus::outside);
     inside_[i] = inside ? 1 : 0;
     if (!inside) continue;
     ++inside_count;
@@ -196,9 +196,9 @@ void SurfaceMesh::rebuildOrigins(const SurfaceGrid& grid) {
       const int row = sampleOf(j, size.rows);
       for (int i = 0; i < mesh.cols; ++i) {
         const std::size_t sample = size.index({sampleOf(i, size.cols), row});
-        const Origin origin = grid.origins ? (*grid.origins)[sample] : Origin::measured;
-        *out++ = origin == Origin::interpolated ? 1.0F : 0.0F;
-        *out++ = origin == Origin::base_plane ? 1.0F : 0.0F;
+        const CellStatus origin = grid.origins ? (*grid.origins)[sample] : CellStatus::measured;
+        *out++ = origin == CellStatus::interpolated ? 1.0F : 0.0F;
+        *out++ = origin == CellStatus::base_plane ? 1.0F : 0.0F;
         *out++ = inside_[sample] ? 0.0F : 1.0F;
       }
     }

@@ -6,7 +6,7 @@
 #include <new>
 
 #include "core/base/error.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 
 namespace relievo {
 namespace {

@@ -4,9 +4,9 @@
 #include <memory>
 #include <QMainWindow>
 
-#include "ui/style/field_manners.h"
+#include "ui/style/input_event_filter.h"
 #include "ui/style/palette.h"
-#include "ui/views/quiet_turns.h"
+#include "ui/views/render_scheduler.h"
 #include "ui/window/controllers.h"
 
 class QComboBox;
@@ -123,8 +123,8 @@ class MainWindow : public QMainWindow {
   Settings settings_;
   Document document_;
   CommandTable commands_{*this};
-  FieldManners field_manners_{this};
-  QuietTurns quiet_turns_;  ///< Before the views, which are children and go first.
+  InputEventFilter field_manners_{this};
+  RenderScheduler quiet_turns_;  ///< Before the views, which are children and go first.
   /// The window hears of its parts while this lives.
   std::unique_ptr<QObject> hearing_ = std::make_unique<QObject>();
   StatusFields* status_ = nullptr;

@@ -32,7 +32,7 @@ namespace relievo {
 void MainWindow::makeCommands() {
   commands_.on(Command::close, this, [this] { closeDocument(messages_->shown()); });
   commands_.on(Command::quit, this, [this] { close(); });
-  commands_.on(Command::answer, this, [this] { strip_->takeOffer(); });
+  commands_.on(Command::answer, this, [this] { strip_->triggerDefaultAction(); });
   commands_.on(Command::keys, this, [this] {
     auto* sheet = new KeysSheet(findChildren<QAction*>(), controllers_->pointer.bindings(), this);
     sheet->setAttribute(Qt::WA_DeleteOnClose);

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/language/spoken_text.h"
 #include "ui/work/file_names.h"
 

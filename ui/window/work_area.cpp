@@ -55,7 +55,7 @@ QWidget* headed(QWidget* view, QLabel* title, QLabel* note) {
 
 }  // namespace
 
-WorkArea::WorkArea(Document& document, QuietTurns& turns, QWidget* parent)
+WorkArea::WorkArea(Document& document, RenderScheduler& turns, QWidget* parent)
     : QWidget(parent), document_(document) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
@@ -66,7 +66,7 @@ WorkArea::WorkArea(Document& document, QuietTurns& turns, QWidget* parent)
   row->addWidget(panels_.all);
 }
 
-void WorkArea::layOutViews(Document& document, QuietTurns& turns) {
+void WorkArea::layOutViews(Document& document, RenderScheduler& turns) {
   reference_ = new ReferenceView(document, turns);
   detail_ = new DetailView(document, turns);
   inset_ = new OverviewInset(document, detail_);

@@ -15,7 +15,7 @@ class MeasurePanel;
 class OverviewInset;
 class PlacesPanel;
 class ProfileStrip;
-class QuietTurns;
+class RenderScheduler;
 class ReferenceView;
 class RegionPanel;
 class ReplayControl;
@@ -32,7 +32,7 @@ class ViewPanel;
 class WorkArea : public QWidget {
   Q_DECLARE_TR_FUNCTIONS(relievo::WorkArea)
  public:
-  WorkArea(Document& document, QuietTurns& turns, QWidget* parent);
+  WorkArea(Document& document, RenderScheduler& turns, QWidget* parent);
 
   DetailView& detail() { return *detail_; }
   ReferenceView& reference() { return *reference_; }
@@ -64,7 +64,7 @@ class WorkArea : public QWidget {
   void restoreFrom(const Settings& settings);
 
  private:
-  void layOutViews(Document& document, QuietTurns& turns);
+  void layOutViews(Document& document, RenderScheduler& turns);
   void makePanels(Document& document);
 
   Document& document_;

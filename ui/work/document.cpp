@@ -14,7 +14,7 @@
 #include "core/session/source/unit_guess.h"
 #include "core/tiles/tiled_map.h"
 #include "ui/dialogs/depth_map_preview.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 #include "ui/views/relief_picture.h"
 #include "ui/work/file_names.h"
 #include "ui/work/state_command.h"

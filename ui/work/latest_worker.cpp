@@ -77,7 +77,7 @@ void LatestWorker::launch(Request request) {
     QMetaObject::invokeMethod(
         this,
         [this, id = request.id, done = request.done, fault] {
-          turns_.ask(this, [this, id, done, fault] { finish(id, done, fault); });
+          turns_.schedule(this, [this, id, done, fault] { finish(id, done, fault); });
         },
         Qt::QueuedConnection);
   });

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "core/base/task.h"
-#include "ui/views/quiet_turns.h"
+#include "ui/views/render_scheduler.h"
 
 class QWidget;
 
@@ -56,7 +56,7 @@ class LatestWorker : public QObject {
   std::uint64_t wanted_ = 0;  ///< The one whose end is waited for; 0: none.
   bool running_ = false;
   std::unique_ptr<Request> pending_;
-  QuietTurns turns_;  ///< Of results, which may take long to show.
+  RenderScheduler turns_;  ///< Of results, which may take long to show.
   std::jthread thread_;
 };
 

@@ -8,7 +8,7 @@
 #include "core/base/failure.h"
 #include "core/depth/rules/rasterize.h"
 #include "core/session/source/unit_guess.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 
 namespace relievo {
 namespace {

@@ -36,11 +36,11 @@ void requireUse(const char* option, bool given, bool applies, const std::string&
   throw failure<MessageId::option_needs_other>(option, needs);
 }
 
-void requireCarrier(const CarrierArguments& a) {
+void requireHostFile(const HostFileArguments& a) {
   requireUse("--changed-input", a.changed_input, a.given(), "--from-image or --project");
 }
 
-void requireProject(const CarrierArguments& a) {
+void requireProject(const HostFileArguments& a) {
   requireUse("--place", !a.place.empty(), a.given(), "--project or --from-image");
 }
 

@@ -30,11 +30,11 @@ void addLookOptions(CLI::App& verb, LookArguments& arguments);
 /// @param needs  what it belongs to @throw ArgumentError  given, but it does not apply
 void requireUse(const char* option, bool given, bool applies, const std::string& needs);
 
-struct CarrierArguments;
+struct HostFileArguments;
 /// @throw ArgumentError  --changed-input without a state
-void requireCarrier(const CarrierArguments& arguments);
+void requireHostFile(const HostFileArguments& arguments);
 /// @throw ArgumentError  --place without a state
-void requireProject(const CarrierArguments& arguments);
+void requireProject(const HostFileArguments& arguments);
 
 /// A look with what the arguments say in place of what it said.
 /// @throw ArgumentError  a value that is not of its option's form, beyond its limits, or of no use

@@ -10,7 +10,7 @@
 #include "app/cli/state.h"
 #include "app/cli/verbs/packed_file.h"
 #include "core/base/failure.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/provenance/sha256.h"
 #include "core/session/finer_heights.h"
 #include "core/session/firmness.h"
@@ -77,7 +77,7 @@ class Scenes {
     if (map == 0) return header_;
     const auto told = loop_.files.maps.find(map);
     std::optional<Project> project;
-    if (told != loop_.files.maps.end()) project = carriedProject(recording_, told->second);
+    if (told != loop_.files.maps.end()) project = embeddedProject(recording_, told->second);
     if (!project) {
       throw failure<MessageId::replayed_map_unknown>();
     }
@@ -131,9 +131,9 @@ std::optional<ReplayResult> replayOfWindow(
     const std::function<void(const HapticSample&, double t_s)>& each, const Task& task) {
   const std::optional<RecordedLoop> loop = recordedLoop(log.footer);
   if (!loop) return std::nullopt;
-  const CarrierArguments carrier{
+  const HostFileArguments host_file{
       .from_image = place.file, .project = {}, .outside_files = place.outside_files};
-  Scenes scenes(storedProject(carrier, place.input, task), *loop, place, task);
+  Scenes scenes(storedProject(host_file, place.input, task), *loop, place, task);
   return replayLoop(
       *loop, log,
       [&scenes](const RecordedScene& scene) -> const HapticSpace& { return scenes.at(scene); },

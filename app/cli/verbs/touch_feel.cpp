@@ -30,7 +30,7 @@ SurfaceKind surfaceKind(const std::string& name, ProxyKind proxy) {
   if (name != "auto") {
     throw failure<MessageId::option_none_of>("--surface", name, "auto, exact and spline");
   }
-  return proxy == ProxyKind::converged ? SurfaceKind::gated : SurfaceKind::bilinear;
+  return proxy == ProxyKind::converged ? SurfaceKind::crease_aware : SurfaceKind::bilinear;
 }
 
 const char* nameOf(SurfaceKind kind) {
@@ -39,7 +39,7 @@ const char* nameOf(SurfaceKind kind) {
       return "exact";
     case SurfaceKind::spline:
       return "spline";
-    case SurfaceKind::gated:
+    case SurfaceKind::crease_aware:
       break;
   }
   return "gated";

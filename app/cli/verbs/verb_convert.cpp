@@ -83,7 +83,7 @@ MapExport partAskedFor(const ConvertArguments& a, const Surface& surface) {
   return choice;
 }
 
-Outcome runConvert(const ConvertArguments& a, const Task& task) {
+CommandResult runConvert(const ConvertArguments& a, const Task& task) {
   requireReplaceable(a.out);
   auto format = exportFormatOf(a.out);
   if (!format) {

@@ -42,9 +42,9 @@ void writeQuality(const std::filesystem::path& out, const Surface& surface, cons
   const QualityMap& quality = surface.quality;
   DepthMap counts{.frame = surface.map.frame,
                   .heights_mm = std::vector<float>(quality.counts.begin(), quality.counts.end()),
-                  .origins = std::vector<Origin>(quality.counts.size(), Origin::measured)};
+                  .origins = std::vector<CellStatus>(quality.counts.size(), CellStatus::measured)};
   for (std::size_t i = 0; i < quality.counts.size(); ++i) {
-    if (quality.counts[i] == 0) counts.origins[i] = Origin::outside;
+    if (quality.counts[i] == 0) counts.origins[i] = CellStatus::outside;
   }
   MapFileOptions options{.view_from_file = surface.view_from_file,
                          .write_origins = false,
@@ -110,7 +110,7 @@ Json depthBufferJson(const Surface& surface) {
           {"step_mm", format.stepMm()},  {"accuracy_mm", format.accuracyMm()}};
 }
 
-Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
+CommandResult runDepthmap(const DepthmapArguments& a, const Task& task) {
   if (areGiven(a.tiles) && a.quality) {
     throw failure<MessageId::option_quality>();
   }

@@ -64,11 +64,11 @@ Json jsonOf(const Description& d) {
   return json;
 }
 
-Outcome runDescribe(const DescribeArguments& a, const Task& task) {
+CommandResult runDescribe(const DescribeArguments& a, const Task& task) {
   const Surface surface = loadForVerb(a.map, task);
   const Description description = describe(surface);
   const MessageLanguage& language = messageLanguage(a.language);
-  Outcome outcome;
+  CommandResult outcome;
   outcome.exit_code = exitCodeAfter(surface);
   Json sentences = Json::array();
   for (const Message& sentence : sentencesOf(description)) {

@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "core/io/raster/colour_raster.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/project/project_files.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/tiled_map.h"
@@ -21,11 +21,11 @@ bool isThere(const fs::path& file) {
   return fs::exists(file, unknown);
 }
 
-void addState(VerbFiles& files, const fs::path& carrier, const std::string& given) {
-  if (!isThere(carrier)) return;  // Whoever reads it says so.
-  const auto project = carriedProject(carrier);
+void addState(VerbFiles& files, const fs::path& host_file, const std::string& given) {
+  if (!isThere(host_file)) return;  // Whoever reads it says so.
+  const auto project = embeddedProject(host_file);
   if (!project) return;
-  files.reads(given.empty() ? foundInput(carrier, project->file) : fs::path(given));
+  files.reads(given.empty() ? foundInput(host_file, project->file) : fs::path(given));
   for (const InputFile& recording : project->recordings) {
     files.reads(recording.file, "a recording of the project that is read");
   }
@@ -59,14 +59,14 @@ void VerbFiles::reads(const fs::path& scan) {
   reads(scan.string() + ".aux.xml", "the georeference of the scan");
 }
 
-void VerbFiles::readsStateOf(const CarrierArguments& carrier, const std::string& given) {
-  if (!carrier.given()) {
+void VerbFiles::readsStateOf(const HostFileArguments& host_file, const std::string& given) {
+  if (!host_file.given()) {
     reads(given);
     return;
   }
-  reads(carrier.from_image, "the picture that is read");
-  reads(carrier.project, "the project that is read");
-  addState(*this, carrier.from_image.empty() ? carrier.project : carrier.from_image, given);
+  reads(host_file.from_image, "the picture that is read");
+  reads(host_file.project, "the project that is read");
+  addState(*this, host_file.from_image.empty() ? host_file.project : host_file.from_image, given);
 }
 
 void VerbFiles::readsStateOf(const fs::path& log, const std::string& given) {

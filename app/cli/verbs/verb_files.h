@@ -21,7 +21,7 @@ struct VerbFiles {
   /// A picture or project whose state comes back, and the files that the state names.
   /// @param given  the scan, if no state is given or it is not where the state says; else empty
   /// @throw FileError  the state is unreadable, or (E501) the scan is nowhere
-  void readsStateOf(const CarrierArguments& carrier, const std::string& given);
+  void readsStateOf(const HostFileArguments& host_file, const std::string& given);
   /// Likewise of a log that says how its map was made. @throw FileError
   void readsStateOf(const std::filesystem::path& log, const std::string& given);
 

@@ -26,18 +26,19 @@ struct FillArguments {
 FilledMap refilled(const DepthMap& map, const HoleChoice& choice, const Task& task) {
   FrontDepths depths(map.heights_mm.size(), std::numeric_limits<float>::quiet_NaN());
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    const bool hole = map.origins[i] == Origin::base_plane || map.origins[i] == Origin::outside;
+    const bool hole =
+        map.origins[i] == CellStatus::base_plane || map.origins[i] == CellStatus::outside;
     if (!hole) depths[i] = map.heights_mm[i];
   }
   FilledMap filled =
       fillDepths(depths, map.frame, {.has_sampling_gaps = false, .base_quantile = 0}, choice, task);
   for (std::size_t i = 0; i < depths.size(); ++i) {
-    Origin& origin = filled.map.origins[i];
+    CellStatus& origin = filled.map.origins[i];
     float& height = filled.map.heights_mm[i];
     if (!std::isnan(depths[i])) {
       origin = map.origins[i];
       height = map.heights_mm[i];
-    } else if (origin == Origin::interpolated) {
+    } else if (origin == CellStatus::interpolated) {
       height += static_cast<float>(filled.base_z_mm);  // Back to the map's own base plane.
     } else {
       height = 0;
@@ -46,7 +47,7 @@ FilledMap refilled(const DepthMap& map, const HoleChoice& choice, const Task& ta
   return filled;
 }
 
-Outcome runFill(const FillArguments& a, const Task& task) {
+CommandResult runFill(const FillArguments& a, const Task& task) {
   const HoleChoice choice = surfaceOptions(a.map).holes;
   MapArguments as_it_is = a.map;
   as_it_is.holes = "base";
@@ -56,7 +57,7 @@ Outcome runFill(const FillArguments& a, const Task& task) {
   fillColours(own, filled.map, task);
   writeMapWithColours(a.out, filled.map, own, {.view_from_file = surface.view_from_file});
 
-  Outcome outcome;
+  CommandResult outcome;
   const std::string missing = holesLeft(filled.holes, choice);
   if (!missing.empty()) {
     tell(missing);

@@ -14,7 +14,7 @@
 #include "core/io/formats/number_text.h"
 #include "core/io/input_facts.h"
 #include "core/io/raster/raster.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/project/file_set.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/provenance.h"
@@ -212,12 +212,12 @@ struct Shown {
 
 /// Empty: points or heights, or nothing of ours.
 std::string kindOf(const InputFacts& facts) {
-  switch (facts.carrier) {
-    case CarrierKind::picture:
+  switch (facts.host_file) {
+    case HostFileKind::picture:
       return "picture";
-    case CarrierKind::recording:
+    case HostFileKind::recording:
       return "recording";
-    case CarrierKind::table:
+    case HostFileKind::table:
       return "table";
     default:
       return {};
@@ -227,10 +227,10 @@ std::string kindOf(const InputFacts& facts) {
 /// Pictures, drawings, recordings and tables of ours; maps and clouds hold points of their own.
 std::optional<Shown> shownBy(const std::filesystem::path& file, const InputFacts& facts) {
   const std::string kind = kindOf(facts);
-  const auto state = kind.empty() ? std::nullopt : stateCarriedBy(file);
+  const auto state = kind.empty() ? std::nullopt : embeddedStateOf(file);
   if (!state) return std::nullopt;
   Shown shown{.kind = kind, .of = {}, .version = {}, .region = {}};
-  if (const std::optional<Project> project = carriedProject(file, *state)) {
+  if (const std::optional<Project> project = embeddedProject(file, *state)) {
     shown.of = {project->file, project->sha256, project->bytes};
     shown.version = project->version;
     shown.region = project->region;
@@ -242,7 +242,7 @@ std::optional<Shown> shownBy(const std::filesystem::path& file, const InputFacts
   return shown;
 }
 
-Outcome infoOfShown(const InfoArguments& a, const Shown& shown) {
+CommandResult infoOfShown(const InfoArguments& a, const Shown& shown) {
   Json json;
   json["file"] = a.file;
   json["format"] = shown.kind + " of relievo";
@@ -255,7 +255,7 @@ Outcome infoOfShown(const InfoArguments& a, const Shown& shown) {
     json["level"] = shown.region->level.value;
     json["region_mm"] = batch::jsonOf(*shown.region);
   }
-  Outcome outcome;
+  CommandResult outcome;
   outcome.lines = {a.file + ": " + shown.kind + " of relievo " + shown.version,
                    "of " + shownName(shown.of.file) + ", sha256 " + shown.of.sha256};
   if (addSet(a, json, outcome.lines)) outcome.exit_code = 5;
@@ -263,7 +263,7 @@ Outcome infoOfShown(const InfoArguments& a, const Shown& shown) {
   return outcome;
 }
 
-Outcome runInfo(const InfoArguments& a, const Task& task) {
+CommandResult runInfo(const InfoArguments& a, const Task& task) {
   std::optional<LengthUnit> given;
   if (!a.unit.empty()) {
     given = lengthUnit(a.unit);
@@ -311,7 +311,7 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
   addValues(found, json);
 
   // Names of a file's scans need not be UTF-8; JSON must be.
-  Outcome outcome;
+  CommandResult outcome;
   outcome.lines = {a.file + ": " + info.format,
                    std::to_string(info.points) + " points, " + std::to_string(info.finite_points) +
                        " finite, " + std::to_string(info.faces) + " faces",

@@ -204,13 +204,13 @@ void writeSectionFiles(const MeasureArguments& a, const Reading& reading, const 
   }
 }
 
-Outcome runMeasure(const MeasureArguments& a, const Task& task) {
+CommandResult runMeasure(const MeasureArguments& a, const Task& task) {
   const std::vector<Measurement> list = measurements(a);
   checkFiles(a, list);
   const Surface surface = openForVerb(a.map, task);
   const MapCells cells = mapCells(surface, task);
   Json json;
-  Outcome outcome;
+  CommandResult outcome;
   json["spacing_mm"] = cells.frame().spacing_mm;
   json["measurements"] = Json::array();
   std::vector<Reading> readings;

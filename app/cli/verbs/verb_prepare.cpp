@@ -110,7 +110,7 @@ std::vector<std::string> linesOf(const PrepareVerbArguments& a, const PreparedFi
   return lines;
 }
 
-Outcome runPrepare(const PrepareVerbArguments& a, const Task& task) {
+CommandResult runPrepare(const PrepareVerbArguments& a, const Task& task) {
   if (std::filesystem::path(a.out).extension() != ".ply") {
     throw failure<MessageId::prepared_name>(a.out);
   }

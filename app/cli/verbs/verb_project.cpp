@@ -3,13 +3,13 @@
 #include <array>
 #include <CLI/CLI.hpp>
 
-#include "app/cli/companions.h"
+#include "app/cli/dependencies.h"
 #include "app/cli/json.h"
 #include "app/cli/report_text.h"
 #include "app/cli/state.h"
 #include "app/cli/verb.h"
 #include "core/base/failure.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/project/package.h"
 #include "core/project/project.h"
 #include "core/project/project_files.h"
@@ -50,9 +50,9 @@ std::vector<std::string> namesOf(const auto& list) {
 }
 
 /// A project from a picture, figure or log of ours: what it shows, and logs as recordings.
-Outcome makeNew(const ProjectArguments& a, const Task& task) {
+CommandResult makeNew(const ProjectArguments& a, const Task& task) {
   if (a.out.empty()) throw failure<MessageId::project_new_needs_name>();
-  auto carried = carriedProject(a.file);
+  auto carried = embeddedProject(a.file);
   const std::string shown = fs::path(a.file).filename().string();
   if (!carried) {
     throw failure<MessageId::project_of_no_region>(shown);
@@ -63,7 +63,7 @@ Outcome makeNew(const ProjectArguments& a, const Task& task) {
     project.places.push_back({fs::path(shown).stem().string(), project.region, project.gain});
   }
   for (const std::string& recording : a.recordings) {
-    const auto touched = carriedProject(recording);
+    const auto touched = embeddedProject(recording);
     if (touched && touched->sha256 != project.sha256) {
       throw failure<MessageId::project_of_other_recording>(
           fs::path(recording).filename().string(), fs::path(touched->file).filename().string(),
@@ -77,7 +77,7 @@ Outcome makeNew(const ProjectArguments& a, const Task& task) {
           .lines = {a.out + ": a project on " + fs::path(project.file).filename().string()}};
 }
 
-Outcome showInfo(const ProjectArguments& a) {
+CommandResult showInfo(const ProjectArguments& a) {
   const Project p = readProject(a.file);
   Json json;
   json["input"] = p.file;
@@ -88,7 +88,7 @@ Outcome showInfo(const ProjectArguments& a) {
   json["recordings"] = Json::array();
   for (const InputFile& file : p.recordings) json["recordings"].push_back(file.file);
   json["steps"] = p.history.size();
-  Outcome outcome{.json = reportText(json), .lines = {}};
+  CommandResult outcome{.json = reportText(json), .lines = {}};
   json = Json::parse(outcome.json);  // With names that are UTF-8.
   for (const auto& [key, value] : json.items()) {
     outcome.lines.push_back(key + ": " +
@@ -98,9 +98,9 @@ Outcome showInfo(const ProjectArguments& a) {
 }
 
 /// Exit 5 if a file is missing or is another one.
-Outcome check(const ProjectArguments& a, const Task& task) {
+CommandResult check(const ProjectArguments& a, const Task& task) {
   const std::vector<FileCheck> checks = checkFiles(readProject(a.file), task);
-  Outcome outcome{.json = reportText(Json{{"files", checkJson(checks)}}), .lines = {}};
+  CommandResult outcome{.json = reportText(Json{{"files", checkJson(checks)}}), .lines = {}};
   for (const FileCheck& one : checks) {
     outcome.lines.push_back(one.file.file + ": " +
                             kFileStates.at(static_cast<std::size_t>(one.state)));
@@ -113,7 +113,7 @@ Outcome check(const ProjectArguments& a, const Task& task) {
 }
 
 /// Files that are not as before are looked for by their checksums.
-Outcome relink(const ProjectArguments& a, const Task& task) {
+CommandResult relink(const ProjectArguments& a, const Task& task) {
   Project project = readProject(a.file);
   const fs::path folder = fs::absolute(a.file).parent_path();
   const std::vector<FileCheck> before = checkFiles(project, task);
@@ -133,8 +133,8 @@ Outcome relink(const ProjectArguments& a, const Task& task) {
   }
   if (found > 0) writeProject(a.out.empty() ? a.file : a.out, project);
   const std::vector<FileCheck> after = checkFiles(project, task);
-  Outcome outcome{.json = reportText(Json{{"relinked", found}, {"files", checkJson(after)}}),
-                  .lines = {counted(found, "file was", "files were") + " found again"}};
+  CommandResult outcome{.json = reportText(Json{{"relinked", found}, {"files", checkJson(after)}}),
+                        .lines = {counted(found, "file was", "files were") + " found again"}};
   if (!allAsBefore(after)) {
     outcome.exit_code = 5;
     tell(
@@ -144,14 +144,14 @@ Outcome relink(const ProjectArguments& a, const Task& task) {
   return outcome;
 }
 
-Outcome pack(const ProjectArguments& a, const Task& task) {
+CommandResult pack(const ProjectArguments& a, const Task& task) {
   if (a.out.empty()) throw failure<MessageId::project_package_needs_name>();
   const Project project = readProject(a.file);
   PackageContents contents{
       .with_input = !a.without_input,
       .figures = {},
-      .companions = [scans = !a.without_input](const fs::path& recording, const Task& work) {
-        return companionsOf(recording, scans, work);
+      .dependencies = [scans = !a.without_input](const fs::path& recording, const Task& work) {
+        return dependenciesOf(recording, scans, work);
       }};
   for (const std::string& figure : a.figures) contents.figures.emplace_back(figure);
   writePackage(a.out, project, contents, task);
@@ -159,9 +159,9 @@ Outcome pack(const ProjectArguments& a, const Task& task) {
           .lines = {a.out + ": packed for citation"}};
 }
 
-Outcome verify(const ProjectArguments& a, const Task& task) {
+CommandResult verify(const ProjectArguments& a, const Task& task) {
   const PackageCheck result = verifyPackage(a.file, task);
-  Outcome outcome{
+  CommandResult outcome{
       .json = reportText(Json{{"files", result.files}, {"problems", result.problems}}),
       .lines = {a.file + ": " +
                 counted(result.files, "file is as it was", "files are as they were") + " packed"}};
@@ -189,7 +189,7 @@ void checkOptions(const ProjectArguments& a) {
   only("--without-input", a.without_input, {"package"});
 }
 
-Outcome runProject(const ProjectArguments& a, const Task& task) {
+CommandResult runProject(const ProjectArguments& a, const Task& task) {
   checkOptions(a);
   if (a.action == "new") return makeNew(a, task);
   if (a.action == "info") return showInfo(a);
@@ -212,7 +212,7 @@ VerbFiles filesOf(const ProjectArguments& a) {
   for (const std::string& figure : a.figures) files.reads(figure, "a figure that is packed");
   if (a.action != "relink") files.reads(a.file, "the file that is read");
   if (!is_there(a.file) || a.action == "verify") return files;
-  const auto project = carriedProject(a.file);
+  const auto project = embeddedProject(a.file);
   if (!project) return files;
   files.reads(project->file);
   for (const InputFile& log : project->recordings) {

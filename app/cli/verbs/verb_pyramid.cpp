@@ -33,7 +33,7 @@ std::filesystem::path levelFile(const std::filesystem::path& out, std::size_t le
 DepthMap mapOf(const PyramidLevel& level) {
   return {.frame = level.frame,
           .heights_mm = {level.heights_mm.begin(), level.heights_mm.end()},
-          .origins = std::vector<Origin>(level.heights_mm.size(), Origin::measured)};
+          .origins = std::vector<CellStatus>(level.heights_mm.size(), CellStatus::measured)};
 }
 
 GridColours coloursOf(const Surface& surface, std::size_t level) {
@@ -58,7 +58,7 @@ void writeLevels(const std::filesystem::path& out, const Surface& surface,
   set.commit();
 }
 
-Outcome runPyramid(const PyramidArguments& a, const Task& task) {
+CommandResult runPyramid(const PyramidArguments& a, const Task& task) {
   requireOwnOrAbsent(levelFile(a.out, 0));
   if (areGiven(a.tiles)) return runByTiles(a.map, a.tiles, levelFile(a.out, 0), task);
   EarlyInput input(a.map.file, a.out, task);
@@ -69,7 +69,7 @@ Outcome runPyramid(const PyramidArguments& a, const Task& task) {
   const std::string state = toJson(provenanceOfVerb(a.map, surface, input.take()), -1);
   writeLevels(a.out, surface, state);
   Json levels = Json::array();
-  Outcome outcome;
+  CommandResult outcome;
   for (std::size_t l = 0; l < surface.pyramid.levels.size(); ++l) {
     const PyramidLevel& level = surface.pyramid.levels[l];
     const std::filesystem::path file = levelFile(a.out, l);

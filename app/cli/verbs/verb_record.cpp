@@ -72,8 +72,8 @@ void makeReady(Device& device, double seconds, const Task& task) {
   waitUntilReady(*falcon, seconds, "nothing was recorded", task);
 }
 
-Outcome reported(const std::string& file, std::uint64_t rows, HapticLoop& loop,
-                 const LoopRecording& sink, const std::string& limited, bool slept) {
+CommandResult reported(const std::string& file, std::uint64_t rows, HapticLoop& loop,
+                       const LoopRecording& sink, const std::string& limited, bool slept) {
   const LoopStats& stats = loop.stats().front();
   const bool failed = sink.fault() != DeviceFault::none;
   const std::string fault(describe(sink.fault()));
@@ -106,7 +106,7 @@ Outcome reported(const std::string& file, std::uint64_t rows, HapticLoop& loop,
           .exit_code = slept || failed ? kDeviceExit : 0};
 }
 
-Outcome runRecord(const TouchArguments& asked, const Task& task) {
+CommandResult runRecord(const TouchArguments& asked, const Task& task) {
   if (!(asked.seconds > 0) || !(asked.seconds <= 86'400)) {
     throw failure<MessageId::option_seconds>();
   }

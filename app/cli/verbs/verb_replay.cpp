@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/cli/companions.h"
+#include "app/cli/dependencies.h"
 #include "app/cli/json.h"
 #include "app/cli/report_text.h"
 #include "app/cli/state.h"
@@ -17,7 +17,7 @@
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/input_facts.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/project/package.h"
 #include "core/project/project.h"
 #include "core/provenance/embedded.h"
@@ -40,7 +40,7 @@ struct ReplayArguments {
 constexpr int kVerifyMismatch = 5;
 
 bool isPackage(const std::string& file) {
-  return inputFacts(file).carrier == CarrierKind::package;
+  return inputFacts(file).host_file == HostFileKind::package;
 }
 
 bool isOfWindow(const LogTable& log) {
@@ -214,14 +214,14 @@ bool verifyRecording(const std::string& recording, const std::string& input,
 }
 
 /// Every file of a package against its checksum, then every recording against its surface.
-Outcome verifyAll(const ReplayArguments& a, const Task& task) {
+CommandResult verifyAll(const ReplayArguments& a, const Task& task) {
   const PackageCheck check = verifyPackage(a.log, task);
   Json json{{"package", a.log},
             {"files", check.files},
             {"problems", check.problems},
             {"recordings", Json::array()}};
   for (const std::string& problem : check.problems) tell(problem);
-  Outcome outcome{
+  CommandResult outcome{
       .json = {},
       .lines = {a.log + ": " + counted(check.files, "file is as it was", "files are as they were") +
                 " packed"},
@@ -262,7 +262,7 @@ void checkOutput(const ReplayArguments& a, const LogTable& log, const Task& task
   files.writes(a.out);
   if (isOfWindow(log)) {
     files.readsStateOf(a.log, a.input);
-    for (const InputFile& file : companionsOf(a.log, true, task)) {
+    for (const InputFile& file : dependenciesOf(a.log, true, task)) {
       files.reads(file.file, "a file that the recording needs");
     }
   } else {
@@ -275,7 +275,7 @@ void checkOutput(const ReplayArguments& a, const LogTable& log, const Task& task
 
 /// What the command in a log reads, which whoever made the log chose. @throw FileError
 void requireOwnFiles(const ReplayArguments& a, const LogTable& log, const Task& task) {
-  const auto state = carriedProject(a.log);
+  const auto state = embeddedProject(a.log);
   const std::string sha256 = state ? state->sha256 : std::string();
   const TouchArguments touch = argumentsOf(commandOf(log, a.log));
   if (a.input.empty()) {
@@ -341,7 +341,7 @@ std::string said(const ReplayResult& result, Json& json) {
   return line + (json["why"].is_null() ? "" : ". " + json["why"].get<std::string>());
 }
 
-Outcome runReplay(const ReplayArguments& a, const Task& task) {
+CommandResult runReplay(const ReplayArguments& a, const Task& task) {
   if (isPackage(a.log)) {
     if (!a.out.empty()) {
       throw failure<MessageId::output_of_a_package>();

@@ -61,7 +61,7 @@ void requireRoom(const RecordedSound& of, const std::string& comment) {
   throw failure<MessageId::sound_too_long>(hours(most), hours(of.frames()));
 }
 
-Outcome runSound(const SoundArguments& a, const Task& task) {
+CommandResult runSound(const SoundArguments& a, const Task& task) {
   if (!isWavName(a.out)) throw failure<MessageId::sound_is_no_wav>(std::filesystem::path(a.out));
   sound::SoundRequest request = a.request;
   if (!a.heights.empty()) {
@@ -88,7 +88,7 @@ Outcome runSound(const SoundArguments& a, const Task& task) {
   json["heights_given"] = request.heights.has_value();
   json["heard"] = struck;
   json["peak"] = summary.peak;
-  Outcome outcome;
+  CommandResult outcome;
   outcome.json = reportText(json);
   std::string heard;
   for (std::size_t i = 0; i < kEarconNames.size(); ++i) {

@@ -36,12 +36,12 @@ std::string lineOf(std::size_t place, const FeelableWindow& window, const Detail
          percent(window.measured_share) + " measured, " + percent(window.steep_share) + " steep";
 }
 
-Outcome runSuggest(const SuggestArguments& a, const Task& task) {
+CommandResult runSuggest(const SuggestArguments& a, const Task& task) {
   const Surface surface = loadForVerb(a.map, task);
   if (surface.tiles) throw failure<MessageId::suggest_not_in_tiles>();
   const std::vector<FeelableWindow> windows =
       feelableWindows(surface.map, surface.pyramid, a.feel, task);
-  Outcome outcome;
+  CommandResult outcome;
   outcome.exit_code = exitCodeAfter(surface);
   Json rows = Json::array();
   for (const FeelableWindow& window : windows) {

@@ -214,7 +214,7 @@ GuidedFindings touchGuided(const std::optional<Stroke>& stroke, const TouchSetup
       task);
 }
 
-Outcome runTouch(const TouchArguments& a, const Task& task) {
+CommandResult runTouch(const TouchArguments& a, const Task& task) {
   if (a.stroke.empty() && a.guide.empty()) throw failure<MessageId::touch_needs_stroke>();
   checkTouch(a);
   std::optional<Stroke> stroke;
@@ -292,7 +292,7 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   json["proxy_off_surface_mm"] = findings.off_surface_mm;
   json["force_to_normal_deg"] = findings.force_to_normal_deg;
   json["guide"] = led ? jsonOfGuide(setup, *led) : Json();
-  Outcome outcome{
+  CommandResult outcome{
       .json = reportText(json),
       .lines = {a.out + ": " + std::to_string(ticks) + " ticks, largest force " +
                 shortNumber(findings.largest_force_n) + " N" +

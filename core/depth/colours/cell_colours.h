@@ -21,8 +21,8 @@ template <std::size_t Channels>
 using Light = std::array<std::uint16_t, Channels>;
 
 /// Do points give this cell a colour at all?
-inline bool takesColours(Origin origin) noexcept {
-  return origin == Origin::measured || origin == Origin::steep;
+inline bool takesColours(CellStatus origin) noexcept {
+  return origin == CellStatus::measured || origin == CellStatus::steep;
 }
 
 /// Does the cell have its height from about there? @param z  of the point, above the base plane

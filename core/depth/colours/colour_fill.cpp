@@ -38,10 +38,10 @@ Value mixed(const Value& a, const Value& b, const Value& c, const Value& d, floa
 
 }  // namespace
 
-ColourWish wishOf(Origin origin) noexcept {
-  if (origin == Origin::interpolated) return ColourWish::always;
-  return origin == Origin::measured || origin == Origin::steep ? ColourWish::near
-                                                               : ColourWish::none;
+ColourWish wishOf(CellStatus origin) noexcept {
+  if (origin == CellStatus::interpolated) return ColourWish::always;
+  return origin == CellStatus::measured || origin == CellStatus::steep ? ColourWish::near
+                                                                       : ColourWish::none;
 }
 
 template <std::size_t Channels>
@@ -225,7 +225,7 @@ void fillColours(std::vector<Pixel<Channels>>& pixels, const DepthMap& map,
     rims[static_cast<std::size_t>(number)] = {.below = {at(band.from), at(band.first)},
                                               .above = {at(band.end), at(band.to)}};
   }
-  inBands(bands, std::min(bands, threadsFor(size.count(), threads)), [&](int first, int end) {
+  parallelFor(bands, std::min(bands, threadsFor(size.count(), threads)), [&](int first, int end) {
     for (int number = first; number < end; ++number) {
       task.check();
       const auto band = fill.bandOf(number * kBandRows, kBandRows);
@@ -249,18 +249,18 @@ void fillColours(GridColours& colours, const DepthMap& map, const Task& task) {
 namespace {
 
 template <std::size_t Size>
-void coverRim(std::vector<std::array<std::uint8_t, Size>>& pixels, std::span<const Origin> origins,
-              GridSize size) {
+void coverRim(std::vector<std::array<std::uint8_t, Size>>& pixels,
+              std::span<const CellStatus> origins, GridSize size) {
   if (pixels.empty()) return;
   for (int row = 0; row < size.rows; ++row) {
     for (int col = 0; col < size.cols; ++col) {
       const std::size_t i = size.index({.col = col, .row = row});
-      if (origins[i] != Origin::outside || pixels[i][Size - 1] != 0) continue;
+      if (origins[i] != CellStatus::outside || pixels[i][Size - 1] != 0) continue;
       for (int k = 0; k < 9; ++k) {
         const Cell beside{.col = col + k % 3 - 1, .row = row + k / 3 - 1};
         if (!size.contains(beside)) continue;
         const std::size_t from = size.index(beside);
-        if (origins[from] == Origin::outside || pixels[from][Size - 1] == 0) continue;
+        if (origins[from] == CellStatus::outside || pixels[from][Size - 1] == 0) continue;
         pixels[i] = pixels[from];
         break;
       }
@@ -270,7 +270,7 @@ void coverRim(std::vector<std::array<std::uint8_t, Size>>& pixels, std::span<con
 
 }  // namespace
 
-void coverRim(GridColours& colours, std::span<const Origin> origins, GridSize size) {
+void coverRim(GridColours& colours, std::span<const CellStatus> origins, GridSize size) {
   coverRim(colours.colours, origins, size);
   coverRim(colours.intensities, origins, size);
 }

@@ -24,7 +24,7 @@ enum class ColourWish : std::uint8_t {
   near,    ///< Measured: one from around, if any lies within `kBareReach` cells.
   always,  ///< Interpolated.
 };
-ColourWish wishOf(Origin origin) noexcept;
+ColourWish wishOf(CellStatus origin) noexcept;
 
 inline constexpr int kBareReach = 8;  ///< Side of the squares one of whose cells must have one.
 
@@ -89,6 +89,6 @@ void fillColours(GridColours& colours, const DepthMap& map, const Task& task);
 
 /// Gives samples outside the object the colour of one beside them that lies on it: a picture's
 /// outline runs half a sample beyond the object and would be stone. [any thread]
-void coverRim(GridColours& colours, std::span<const Origin> origins, GridSize size);
+void coverRim(GridColours& colours, std::span<const CellStatus> origins, GridSize size);
 
 }  // namespace relievo

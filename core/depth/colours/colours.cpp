@@ -122,7 +122,7 @@ std::vector<Pixel<Source::kChannels>> pointPixels(const DepthRequest& request, c
     std::vector<CellSums<kChannels>> cells(static_cast<std::size_t>(rows) *
                                            static_cast<std::size_t>(size.cols));
     Pixel<kChannels>* const out = &pixels[size.index({.col = 0, .row = start_row})];
-    inBands(rows, threads, [&](int first, int end) {
+    parallelFor(rows, threads, [&](int first, int end) {
       addPoints(request, map, source, {.first = start_row + first, .end = start_row + end},
                 start_row, cells, task);
       const auto at = [&](int row) {

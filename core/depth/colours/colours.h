@@ -41,11 +41,11 @@ enum class ColourRule {
 inline constexpr double kColourDepthCells = 1.5;  ///< Half the depth of that layer, in samples.
 
 /// Colours and intensities of the samples from what gave them their heights. Clouds: the points of
-/// the cell within `kColourDepthCells` spacings of its height, so that neither flyers nor the back
-/// leave a trace. Meshes: the front-most triangle at the sample, from its corners or its texture at
-/// the fineness of the cell. Cells between them by push-pull; holes, outside and cells far from any
-/// colour have none. Intensities spread their middle 96 % over 0 ... 255. The same bytes for any
-/// number of threads. [worker]
+/// the cell within `kColourDepthCells` spacings of its height, so that neither outliers nor the
+/// back leave a trace. Meshes: the front-most triangle at the sample, from its corners or its
+/// texture at the fineness of the cell. Cells between them by push-pull; holes, outside and cells
+/// far from any colour have none. Intensities spread their middle 96 % over 0 ... 255. The same
+/// bytes for any number of threads. [worker]
 /// @param request  its view_from_file is that of the finished map: z above the base plane
 /// @param map  on request.frame
 /// @throw Cancelled

@@ -148,8 +148,8 @@ class MeshBand {
       const auto z = static_cast<float>(plane.zAt(col, row));
       if (!(z > z_mm_[cell - start_])) return;
       z_mm_[cell - start_] = z;
-      const Origin origin = map_.origins[cell];
-      if (origin != Origin::measured && origin != Origin::steep) return;
+      const CellStatus origin = map_.origins[cell];
+      if (origin != CellStatus::measured && origin != CellStatus::steep) return;
       Pixel<kChannels>& pixel = out_[cell];
       pixel = {};
       const auto light = source_.at(t, col, row);
@@ -181,7 +181,7 @@ std::vector<Pixel<Source::kChannels>> meshPixels(const DepthRequest& request, co
   std::vector<Pixel<Source::kChannels>> pixels(size.count(), Pixel<Source::kChannels>{});
   const auto& triangles = request.scan.triangles;
   const int threads = threadsFor(size.count() + triangles.size(), request.threads);
-  inBands(size.rows, threads, [&](int first, int end) {
+  parallelFor(size.rows, threads, [&](int first, int end) {
     MeshBand<Source> band(map, source, transfer, first, end, pixels);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       if (i % 1024 == 0) task.check();

@@ -15,7 +15,7 @@
 #include "core/depth/fill/mask.h"
 #include "core/depth/fill/membrane.h"
 #include "core/depth/fill/push_pull.h"
-#include "core/depth/layers/see_through.h"
+#include "core/depth/layers/hidden_points.h"
 
 namespace relievo {
 namespace {
@@ -178,7 +178,7 @@ Mask steepCells(const CapturedDepths& depths, const Mask& measured, const GridFr
     }
   };
   const int threads = threadsFor(kWorkOfCell * measured.size(), 0);
-  inBands(frame.size.rows, threads, [&](int first, int end) {
+  parallelFor(frame.size.rows, threads, [&](int first, int end) {
     for (auto row = static_cast<std::size_t>(first); row < static_cast<std::size_t>(end); ++row) {
       if (cols > 2) mark(row * cols + 1, (row + 1) * cols - 1, 1);
       if (row > 0 && row + 1 < rows) mark(row * cols, (row + 1) * cols, cols);
@@ -192,9 +192,9 @@ bool isToBeFilled(const Hole& hole, const HoleChoice& choice) {
   return fills && hole.area_mm2 <= choice.max_area_mm2;
 }
 
-Origin originOfHole(const Hole& hole, HoleRule rule) {
-  if (hole.filled) return Origin::interpolated;
-  return rule == HoleRule::none ? Origin::outside : Origin::base_plane;
+CellStatus originOfHole(const Hole& hole, HoleRule rule) {
+  if (hole.filled) return CellStatus::interpolated;
+  return rule == HoleRule::none ? CellStatus::outside : CellStatus::base_plane;
 }
 
 std::string holesLeft(const std::vector<Hole>& holes, const HoleChoice& choice) {
@@ -265,7 +265,7 @@ FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const Fill
     layMembranes(holes, areas, covered, filled, frame.size, task);
   }
 
-  std::vector<Origin> origin_of_label(areas.cells.size(), Origin::outside);
+  std::vector<CellStatus> origin_of_label(areas.cells.size(), CellStatus::outside);
   for (const LabelledHole& labelled : holes) {
     origin_of_label[static_cast<std::size_t>(labelled.label)] =
         originOfHole(labelled.hole, choice.rule);
@@ -276,17 +276,18 @@ FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const Fill
   DepthMap& map = result.map;
   map.frame = frame;
   reserveLarge(map.origins, count);
-  map.origins.assign(count, Origin::outside);
+  map.origins.assign(count, CellStatus::outside);
   // In place: the depths are not needed any more.
-  inBands(frame.size.rows, threads, [&](int first, int end) {
+  parallelFor(frame.size.rows, threads, [&](int first, int end) {
     for (std::size_t i = frame.size.index({.col = 0, .row = first});
          i < frame.size.index({.col = 0, .row = end}); ++i) {
       const int label = areas.label[i];
-      const Origin origin = measured[i] != 0 ? (steep[i] != 0 ? Origin::steep : Origin::measured)
-                            : label < 0      ? Origin::interpolated
-                                             : origin_of_label[static_cast<std::size_t>(label)];
+      const CellStatus origin = measured[i] != 0
+                                    ? (steep[i] != 0 ? CellStatus::steep : CellStatus::measured)
+                                : label < 0 ? CellStatus::interpolated
+                                            : origin_of_label[static_cast<std::size_t>(label)];
       map.origins[i] = origin;
-      const bool on_base = origin == Origin::base_plane || origin == Origin::outside;
+      const bool on_base = origin == CellStatus::base_plane || origin == CellStatus::outside;
       const double height = static_cast<double>(filled[i]) - result.base_z_mm;
       filled[i] = on_base ? 0.0F : static_cast<float>(height);
     }

@@ -34,7 +34,7 @@ struct Hole {
 };
 
 /// What the cells of a hole become.
-Origin originOfHole(const Hole& hole, HoleRule rule);
+CellStatus originOfHole(const Hole& hole, HoleRule rule);
 
 /// Does the choice ask for this hole to be filled?
 bool isToBeFilled(const Hole& hole, const HoleChoice& choice);

@@ -94,16 +94,17 @@ HiddenSurface countHidden(const DepthRequest& request, const FrontDepths& front,
   return counter.result();
 }
 
-DepthLosses lossesOf(const HiddenSurface& hidden, std::size_t flyers,
+DepthLosses lossesOf(const HiddenSurface& hidden, std::size_t outliers,
                      std::size_t seen_through_points, const OriginCounts& cells) {
-  DepthLosses losses{.flyers = flyers};
+  DepthLosses losses{.outliers = outliers};
   if (hidden.all > 0) {
     losses.hidden_share = (hidden.hidden + static_cast<double>(seen_through_points)) / hidden.all;
   }
   const auto all = std::accumulate(cells.begin(), cells.end(), std::size_t{0});
-  const auto inside = static_cast<double>(all - cells[static_cast<std::size_t>(Origin::outside)]);
+  const auto inside =
+      static_cast<double>(all - cells[static_cast<std::size_t>(CellStatus::outside)]);
   if (inside == 0) return losses;
-  const std::size_t steep = cells[static_cast<std::size_t>(Origin::steep)];
+  const std::size_t steep = cells[static_cast<std::size_t>(CellStatus::steep)];
   losses.steep_share = static_cast<double>(steep) / inside;
   // Behind most cells of a body lies its back, which is no undercut; there only more layers are.
   const bool has_back = 2 * static_cast<double>(hidden.cells) > inside;

@@ -19,7 +19,7 @@ HiddenSurface countHidden(const DepthRequest& request, const FrontDepths& front,
 /// Joins what engine and map know.
 /// @param seen_through_points  of cells that showed the back and were left out of the map
 /// @param cells  of the finished map, by origin
-DepthLosses lossesOf(const HiddenSurface& hidden, std::size_t flyers,
+DepthLosses lossesOf(const HiddenSurface& hidden, std::size_t outliers,
                      std::size_t seen_through_points, const OriginCounts& cells);
 
 }  // namespace relievo

@@ -25,14 +25,14 @@ class SquareSlide {
   Mask operator()(const Mask& mask, int threads) const {
     Mask along_rows(mask.size());
     Mask result(mask.size());
-    inBands(static_cast<int>(rows_), threads, [&](int first, int end) {
+    parallelFor(static_cast<int>(rows_), threads, [&](int first, int end) {
       std::vector<std::uint8_t> line(cols_ + 2 * radius_);
       for (int row = first; row < end; ++row) {
         const std::size_t at = static_cast<std::size_t>(row) * cols_;
         slideLine(&mask[at], &along_rows[at], line);
       }
     });
-    inBands(static_cast<int>(rows_), threads, [&](int first, int end) {
+    parallelFor(static_cast<int>(rows_), threads, [&](int first, int end) {
       slideRows(along_rows, static_cast<std::size_t>(first), static_cast<std::size_t>(end), result);
     });
     return result;

@@ -155,14 +155,14 @@ class Sides {
   /// shownFrom, of all of them side by side.
   std::vector<double> shownFrom(const std::vector<Rotation>& rotations, const Task& task) const {
     std::vector<double> shown(rotations.size());
-    inBands(static_cast<int>(rotations.size()), threadsFor(scan_.points.size(), 0),
-            [&](int first, int end) {
-              for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end);
-                   ++i) {
-                task.check();
-                shown[i] = shownFrom(rotations[i]);
-              }
-            });
+    parallelFor(static_cast<int>(rotations.size()), threadsFor(scan_.points.size(), 0),
+                [&](int first, int end) {
+                  for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end);
+                       ++i) {
+                    task.check();
+                    shown[i] = shownFrom(rotations[i]);
+                  }
+                });
     return shown;
   }
 
@@ -241,7 +241,7 @@ NamedRotation faceOf(const Sides& sides, const Task& task) {
   constexpr std::array<std::string_view, 6> kNames{"top",  "front", "right",
                                                    "back", "left",  "bottom"};
   // What is seen about equally well from several sides is seen from above: airborne scans differ by
-  // a few flyers only.
+  // a few outliers only.
   constexpr double kFromAbove = 1.15;
   std::vector<Rotation> rotations;
   rotations.reserve(kNames.size());

@@ -296,8 +296,9 @@ std::vector<FrontPiece> drawDiscs(const std::vector<SurfaceDisc>& discs, const D
                                   HiddenDiscs hidden, const Task& task) {
   std::vector<FrontPiece> pieces(raster.size.count(), {.z = kNan, .tolerance = 0, .spacing = 0});
   const int threads = threadsFor(20 * discs.size(), 0);
-  inBands(raster.size.rows, threads,
-          [&](int first, int end) { drawBand(discs, raster, hidden, first, end, task, pieces); });
+  parallelFor(raster.size.rows, threads, [&](int first, int end) {
+    drawBand(discs, raster, hidden, first, end, task, pieces);
+  });
   return pieces;
 }
 

@@ -60,7 +60,7 @@ class VoidFinder {
 
   void find(const Task& task) {
     std::vector<std::map<std::size_t, FrontPiece>> rows(static_cast<std::size_t>(size_.rows));
-    inBands(size_.rows, threadsFor(16 * size_.count(), 0), [&](int first, int end) {
+    parallelFor(size_.rows, threadsFor(16 * size_.count(), 0), [&](int first, int end) {
       for (int row = first; row < end; ++row) {
         if (row % 16 == 0) task.check();
         for (int col = 0; col < size_.cols; ++col) {

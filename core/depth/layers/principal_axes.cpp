@@ -92,7 +92,7 @@ Eigen::Vector3d medianOf(const std::vector<Sample>& samples) {
   return median;
 }
 
-/// A plane through what is near the middle, so that a few far flyers cannot turn it; then twice
+/// A plane through what is near the middle, so that a few far outliers cannot turn it; then twice
 /// through what is near that plane.
 Fit trimmedFit(const std::vector<Sample>& samples, double share, const Task& task) {
   const Eigen::Vector3d middle = medianOf(samples);

@@ -18,7 +18,7 @@ struct PrincipalAxes {
 
 /// Of the surface (triangles by their area) or, without triangles, of the points.
 /// @param trimmed_share  of the points is left out, those farthest from the plane of the two longer
-///                       axes: flyers do not tilt it; 0 takes all [worker]
+///                       axes: outliers do not tilt it; 0 takes all [worker]
 /// @throw Cancelled
 PrincipalAxes principalAxes(const Scan& scan, double trimmed_share, const Task& task = {});
 

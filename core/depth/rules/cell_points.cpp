@@ -66,7 +66,7 @@ CellPoints::CellPoints(const DepthRequest& request, std::span<const RowRange> ra
 
   // visit(part, bucket, row, col, point) for every point in a wanted row.
   const auto for_points = [&](auto&& visit) {
-    inBands(threads, threads, [&](int first_part, int) {
+    parallelFor(threads, threads, [&](int first_part, int) {
       const auto part = static_cast<std::size_t>(first_part);
       const std::size_t begin = points.size() * part / parts;
       const std::size_t end = points.size() * (part + 1) / parts;

@@ -161,7 +161,7 @@ class MetCubes {
 
   void add(std::span<const ViewMm> points, std::uint64_t /*before*/) {
     const auto threads = static_cast<int>(bits_.size());
-    inBands(threads, threads, [&](int number, int) {
+    parallelFor(threads, threads, [&](int number, int) {
       const auto part = static_cast<std::size_t>(number);
       std::vector<std::uint64_t>& bits = bits_[part];
       const std::size_t end = points.size() * (part + 1) / bits_.size();
@@ -257,7 +257,7 @@ class SharedCubes {
   template <class Work>
   void onEach(Work&& work) const {
     const auto count = static_cast<int>(shares_.size());
-    inBands(count, count, [&](int own, int) { work(static_cast<std::size_t>(own)); });
+    parallelFor(count, count, [&](int own, int) { work(static_cast<std::size_t>(own)); });
   }
   /// How many cubes hold points.
   std::size_t count() const {

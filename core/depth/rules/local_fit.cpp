@@ -13,7 +13,7 @@ constexpr std::size_t kUnknowns = 6;  // 1, u, v, u^2, uv, v^2
 constexpr std::size_t kFewest = 8;    // Points for a quadratic.
 constexpr double kMisfit = 1.6;       // Residuals this many times the noise: not one quadratic.
 constexpr double kExact = 1e-3;       // Spacings; misfits below it do not matter.
-constexpr int kMostDropped = 2;       // Points of a window that may be flyers.
+constexpr int kMostDropped = 2;       // Points of a window that may be outliers.
 
 using Coefficients = std::array<double, kUnknowns>;
 
@@ -136,7 +136,7 @@ std::optional<LocalFit::Fit> LocalFit::fitWithin(const RowPoints& rows, int col,
                     .high = static_cast<double>(high->z)};
     if (found.rms <= allowed_mm_) return found;
     if (!first) first = found;
-    // A flyer or two spoil a fit that is good without them; an edge stays one.
+    // A outlier or two spoil a fit that is good without them; an edge stays one.
     if (dropped == kMostDropped) break;
     window_[farthest] = window_.back();
     window_.pop_back();

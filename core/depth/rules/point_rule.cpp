@@ -14,7 +14,7 @@
 
 #include "core/base/bands.h"
 #include "core/base/large_pages.h"
-#include "core/depth/layers/flyers.h"
+#include "core/depth/layers/outliers.h"
 #include "core/depth/rules/cell_points.h"
 #include "core/depth/rules/local_fit.h"
 #include "core/depth/rules/row_fits.h"
@@ -330,7 +330,7 @@ class Scatter {
   }
 
  private:
-  int halo() const { return reachOf(rule_) + kFlyerReach; }
+  int halo() const { return reachOf(rule_) + kOutlierReach; }
 
   void chooseRule(const CellPoints& points) {
     RuleProposal rule{.rule = request_.rule.value_or(PointRule::front), .reason = "as chosen"};
@@ -355,16 +355,16 @@ class Scatter {
     const int rows_at_once = rowsAtOnce(request_.frame.size);
     const int units = (slab.end - slab.first + rows_at_once - 1) / rows_at_once;
     const int threads = threadsFor(points.count() + out_.front.size(), request_.threads);
-    inBands(units, threads, [&](int first_unit, int end_unit) {
+    parallelFor(units, threads, [&](int first_unit, int end_unit) {
       RowWriter writer(request_, rule_, noise_mm_, out_, task_);
       RowPoints rows;
-      std::size_t flyers = 0;
+      std::size_t outliers = 0;
       std::size_t on_grid = 0;
       for (int unit = first_unit; unit < end_unit; ++unit) {
         task_.check();
         const int first = slab.first + unit * rows_at_once;
         const int end = std::min(first + rows_at_once, slab.end);
-        // More than the rule reaches, so that flyers are known as far as it does.
+        // More than the rule reaches, so that outliers are known as far as it does.
         points.rows(first - halo(), end + halo(), rows);
         CellRange counted = countedBy(request_);
         counted.first.row = std::max(counted.first.row, first);
@@ -372,12 +372,12 @@ class Scatter {
         for (int row = counted.first.row; row < counted.end.row; ++row) {
           on_grid += rows.count(counted.first.col, counted.end.col, row);
         }
-        flyers += dropFlyers(rows, request_.frame.spacing_mm, counted);
+        outliers += dropOutliers(rows, request_.frame.spacing_mm, counted);
         writer.write(rows, first, end);
       }
       // Whole numbers: the order of the bands does not matter.
       const std::lock_guard lock(joining_);
-      out_.flyers += flyers;
+      out_.outliers += outliers;
       hidden_.all += static_cast<double>(on_grid);
       hidden_.hidden += writer.hidden().hidden;
       hidden_.cells += writer.hidden().cells;

@@ -8,17 +8,17 @@
 #include <utility>
 
 #include "core/base/bands.h"
-#include "core/depth/layers/flyers.h"
+#include "core/depth/layers/outliers.h"
 #include "core/depth/rules/local_fit.h"
 
 namespace relievo {
 namespace {
 
 constexpr double kEnoughToAverage = 4;          // Points a cell.
-constexpr double kMostLayeredShare = 0.05;      // Flyers and walls put that many cells apart.
+constexpr double kMostLayeredShare = 0.05;      // Outliers and walls put that many cells apart.
 constexpr float kOnSample = 0.02F;              // Cells; points this near lie on their samples.
 constexpr std::size_t kSampledCells = 100'000;  // Enough to choose a rule and to know the noise.
-constexpr int kSampleHalo = LocalFit::kWidest + kFlyerReach;
+constexpr int kSampleHalo = LocalFit::kWidest + kOutlierReach;
 
 using CellSpan = std::span<const PlacedPoint>;
 
@@ -91,7 +91,7 @@ std::vector<RowSample> samplesOf(const CellPoints& points, const GridFrame& fram
                                  const Task& task) {
   std::vector<RowSample> samples;
   for (const RowRange& range : sampledRows(frame.size)) samples.push_back({range, {}});
-  inBands(static_cast<int>(samples.size()), threads, [&](int first, int end) {
+  parallelFor(static_cast<int>(samples.size()), threads, [&](int first, int end) {
     for (int k = first; k < end; ++k) {
       task.check();
       RowSample& sample = samples[static_cast<std::size_t>(k)];
@@ -104,7 +104,7 @@ std::vector<RowSample> samplesOf(const CellPoints& points, const GridFrame& fram
 RowSample sampleOf(const CellPoints& points, RowRange range, const GridFrame& frame) {
   RowSample sample{.range = widened(range, -kSampleHalo), .rows = {}};
   points.rows(range.first, range.end, sample.rows);
-  dropFlyers(sample.rows, frame.spacing_mm, {});
+  dropOutliers(sample.rows, frame.spacing_mm, {});
   return sample;
 }
 
@@ -138,7 +138,7 @@ RuleProposal proposeRule(const SampleCounts& found) {
 double pointNoise(const std::vector<RowSample>& samples, const GridFrame& frame, int threads,
                   const Task& task) {
   std::vector<double> noises(samples.size());
-  inBands(static_cast<int>(samples.size()), threads, [&](int first, int end) {
+  parallelFor(static_cast<int>(samples.size()), threads, [&](int first, int end) {
     for (int k = first; k < end; ++k) {
       task.check();
       const auto i = static_cast<std::size_t>(k);

@@ -20,7 +20,7 @@ inline RowRange widened(RowRange range, int by) {
   return {.first = range.first - by, .end = range.end + by};
 }
 
-/// Rows by which rule and noise are chosen, without flyers, and as far around them as fits look.
+/// Rows by which rule and noise are chosen, without outliers, and as far around them as fits look.
 struct RowSample {
   RowRange range;
   RowPoints rows;

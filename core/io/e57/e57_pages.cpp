@@ -35,8 +35,8 @@ void E57Pages::readHeader() {
   };
   const auto major = loadAs<std::uint32_t>(bytes.data() + 8, ByteOrder::little);
   if (major != 1) {
-    refuseScan(job_.file, "it says to be E57 version " + std::to_string(major) +
-                              "; this version reads E57 1. Export it again as E57 1.0.");
+    throwReadError(job_.file, "it says to be E57 version " + std::to_string(major) +
+                                  "; this version reads E57 1. Export it again as E57 1.0.");
   }
   const std::uint64_t promised = u64_at(16);
   xml_at_ = u64_at(24);
@@ -44,17 +44,17 @@ void E57Pages::readHeader() {
   page_bytes_ = u64_at(40);
   // The standard knows pages of 1024 bytes only; other powers of two are harmless.
   if (page_bytes_ < 64 || page_bytes_ > (1U << 20U) || (page_bytes_ & (page_bytes_ - 1)) != 0) {
-    refuseScan(job_.file, "its header gives an impossible page size. Copy or export it again.");
+    throwReadError(job_.file, "its header gives an impossible page size. Copy or export it again.");
   }
   // The list of scans is at the end, so nothing of a cut file can be placed.
   if (promised > bytes.size()) {
     const ImportOptions strict;
     ScanInfo none;
-    handleShortfall({"bytes", promised, bytes.size(), 0},
-                    {job_.file, job_.bytes, strict, job_.task}, none);
+    handleTruncation({"bytes", promised, bytes.size(), 0},
+                     {job_.file, job_.bytes, strict, job_.task}, none);
   }
   if (promised < page_bytes_ || promised % page_bytes_ != 0) {
-    refuseScan(job_.file, "its length is no multiple of its pages. Copy or export it again.");
+    throwReadError(job_.file, "its length is no multiple of its pages. Copy or export it again.");
   }
   payload_bytes_ = page_bytes_ - kChecksumBytes;
   logical_bytes_ = promised / page_bytes_ * payload_bytes_;

@@ -145,7 +145,7 @@ class E57Reader {
     for (const SoundScan& sound : scans) readScan(sound);
     const std::uint64_t found = builder_.pointCount();
     if (found < promised_) {
-      handleShortfall({"points", promised_, found, found}, job_, builder_.info());
+      handleTruncation({"points", promised_, found, found}, job_, builder_.info());
     }
     return builder_.finish();
   }
@@ -277,7 +277,7 @@ Scan readE57(const ReadJob& job) {
   try {
     return E57Reader(job).read();
   } catch (const E57Fault& fault) {
-    refuseScan(job.file, std::string(fault.what()) + ". The file is damaged; export it again.");
+    throwReadError(job.file, std::string(fault.what()) + ". The file is damaged; export it again.");
   }
 }
 

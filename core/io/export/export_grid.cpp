@@ -53,9 +53,10 @@ namespace {
 
 /// Holes lie on the base plane for the hand; a file's coordinates know no such plane.
 void leaveOutBasePlane(ExportGrid& grid) {
-  const auto cells = std::count(grid.origins.begin(), grid.origins.end(), Origin::base_plane);
+  const auto cells = std::count(grid.origins.begin(), grid.origins.end(), CellStatus::base_plane);
   if (cells == 0) return;
-  std::replace(grid.origins.begin(), grid.origins.end(), Origin::base_plane, Origin::outside);
+  std::replace(grid.origins.begin(), grid.origins.end(), CellStatus::base_plane,
+               CellStatus::outside);
   grid.left_out.push_back(
       std::to_string(cells) +
       (cells == 1 ? " cell without a height stays" : " cells without a height stay") +
@@ -98,7 +99,7 @@ std::optional<ExportGrid> fileGrid(const DepthMap& map, const ViewFromFile& view
   grid.first_x = raster->first.x;
   grid.first_y = raster->first.y;
   for (std::size_t i = 0; i < grid.heights.size(); ++i) {
-    if (grid.origins[i] == Origin::measured && raster->valid[i]) {
+    if (grid.origins[i] == CellStatus::measured && raster->valid[i]) {
       grid.heights[i] = raster->values[i];
     }
   }
@@ -172,7 +173,7 @@ void writeVti(const std::filesystem::path& file, const ExportGrid& grid) {
   ExportFile out(file);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" "
          "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<ImageData WholeExtent=\""
-      << extent << "\" Origin=\"";
+      << extent << "\" CellStatus=\"";
   out.number(grid.first_x);
   out << " ";
   out.number(grid.first_y);

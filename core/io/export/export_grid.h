@@ -22,7 +22,7 @@ struct ExportGrid {
   GridSize size;
   double spacing = 1, first_x = 0, first_y = 0;  ///< Of the samples, in `unit`.
   std::vector<float> heights;                    ///< Row-major, row 0 at the lowest y; in `unit`.
-  std::vector<Origin> origins;                   ///< Same order and size.
+  std::vector<CellStatus> origins;               ///< Same order and size.
   std::string unit = "mm";
   std::string projection;  ///< Well-known text, in `unit`; empty: none stated.
   std::string state = {};  ///< As MapFileOptions::state, of a GeoTIFF.
@@ -32,7 +32,7 @@ struct ExportGrid {
   std::vector<std::string> left_out = {};  ///< For people: what the file had and this has not.
 
   /// Is there a height? Holes on the base plane have one, cells outside the object have none.
-  bool holds(std::size_t i) const noexcept { return origins[i] != Origin::outside; }
+  bool holds(std::size_t i) const noexcept { return origins[i] != CellStatus::outside; }
 };
 
 /// As the map is: view millimetres above the base plane.

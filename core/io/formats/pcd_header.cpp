@@ -62,8 +62,8 @@ class PcdHeaderParser {
 
  private:
   [[noreturn]] void refuse(const std::string& finding) const {
-    refuseScan(file_, "its header " + finding + " (line " + std::to_string(lines_.number()) +
-                          "). It is no PCD file, or damaged; export it again.");
+    throwReadError(file_, "its header " + finding + " (line " + std::to_string(lines_.number()) +
+                              "). It is no PCD file, or damaged; export it again.");
   }
 
   void parseLine(std::string_view word, std::string_view rest) {

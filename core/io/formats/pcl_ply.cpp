@@ -210,7 +210,7 @@ void readPlyRecords(const PlyHeader& header, std::string_view records, std::uint
   for (int i = 0; i < readers; ++i) own.push_back(std::make_unique<PlyBlocks>(form, layout));
   for (int first = 0; first < blocks; first += readers) {
     const int now = std::min(readers, blocks - first);
-    inBands(now, now, [&](int reader, int) {
+    parallelFor(now, now, [&](int reader, int) {
       const std::uint64_t done = kBlock * static_cast<std::uint64_t>(first + reader);
       own[static_cast<std::size_t>(reader)]->read(records.substr(done * layout.bytes),
                                                   std::min(kBlock, count - done));

@@ -49,7 +49,8 @@ class HeaderParser {
 
   PlyHeader parse() {
     if (!lines_.next() || trimmed(lines_.line()) != "ply") {
-      refuseScan(file_, "it does not start with the word \"ply\". It is no PLY file, or damaged.");
+      throwReadError(file_,
+                     "it does not start with the word \"ply\". It is no PLY file, or damaged.");
     }
     while (lines_.next()) {
       if (lines_.line().size() > 4096) refuseLine("is too long for a PLY header");
@@ -70,9 +71,9 @@ class HeaderParser {
 
  private:
   [[noreturn]] void refuseLine(const std::string& finding) const {
-    refuseScan(file_, "header line " + std::to_string(lines_.number()) + " (\"" +
-                          std::string(trimmed(lines_.line()).substr(0, 60)) + "\") " + finding +
-                          ". Export it again.");
+    throwReadError(file_, "header line " + std::to_string(lines_.number()) + " (\"" +
+                              std::string(trimmed(lines_.line()).substr(0, 60)) + "\") " + finding +
+                              ". Export it again.");
   }
 
   void parseLine(std::string_view word, std::string_view rest) {
@@ -151,8 +152,8 @@ class HeaderParser {
   void checkLineEnds() {
     const std::string_view header = head_.substr(0, header_.body_start);
     if (hasLoneCr(header) && header.find('\n') != std::string_view::npos) {
-      refuseScan(file_,
-                 "its header mixes kinds of line ends. The file is damaged; export it again.");
+      throwReadError(file_,
+                     "its header mixes kinds of line ends. The file is damaged; export it again.");
     }
   }
 

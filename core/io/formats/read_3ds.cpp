@@ -46,16 +46,16 @@ class ThreeDsReader {
     job_.task.report("reading mesh", 0);
     std::string_view rest = job_.bytes;
     const auto main = takeChunk(rest);
-    if (!main || main->kind != kMain) refuseScan(job_.file, kNoTree);
+    if (!main || main->kind != kMain) throwReadError(job_.file, kNoTree);
     std::string_view parts = main->body;
     while (const auto part = takeChunk(parts)) {
       if (part->kind == kScene) readScene(part->body);
     }
     if (cut_) {
       cut_->complete_points = builder_.pointCount();
-      handleShortfall(*cut_, job_, builder_.info());
+      handleTruncation(*cut_, job_, builder_.info());
     } else if (beyond_ > 0) {
-      handleShortfall(
+      handleTruncation(
           {"bytes", job_.bytes.size() + beyond_, job_.bytes.size(), builder_.pointCount()}, job_,
           builder_.info());
     }
@@ -71,7 +71,7 @@ class ThreeDsReader {
     job_.task.check();
     if (rest.size() < kChunkHead) return std::nullopt;
     const std::uint64_t length = loadAs<std::uint32_t>(rest.data() + 2, ByteOrder::little);
-    if (length < kChunkHead) refuseScan(job_.file, kNoTree);
+    if (length < kChunkHead) throwReadError(job_.file, kNoTree);
     if (length > rest.size()) beyond_ = std::max(beyond_, length - rest.size());
     const auto kept = static_cast<std::size_t>(std::min<std::uint64_t>(length, rest.size()));
     const Chunk chunk{u16At(rest, 0), rest.substr(kChunkHead, kept - kChunkHead)};
@@ -144,7 +144,7 @@ class ThreeDsReader {
 
   void noteCutAt(std::uint64_t found) {
     if (missing_ == 0 || cut_) return;
-    cut_ = Shortfall{missing_records_, found + missing_, found, 0};
+    cut_ = Truncation{missing_records_, found + missing_, found, 0};
   }
 
   const ReadJob& job_;
@@ -152,7 +152,7 @@ class ThreeDsReader {
   std::uint64_t beyond_ = 0;  ///< Bytes that chunks promise beyond their parent's end, at most.
   std::uint64_t missing_ = 0;
   std::string_view missing_records_;
-  std::optional<Shortfall> cut_;
+  std::optional<Truncation> cut_;
 };
 
 }  // namespace

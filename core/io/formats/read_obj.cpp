@@ -41,7 +41,7 @@ class ObjReader {
           ColourFact{.source = "texture", .bits = 8, .points = textured_corners_};
     }
     if (builder_.pointCount() == 0) {
-      refuseScan(job_.file, "it has no vertices (\"v x y z\"). Choose another file.");
+      throwReadError(job_.file, "it has no vertices (\"v x y z\"). Choose another file.");
     }
     return builder_.finish();
   }
@@ -55,9 +55,9 @@ class ObjReader {
   }
 
   [[noreturn]] void refuseLine(const std::string& finding) const {
-    refuseScan(job_.file, "line " + std::to_string(lines_.number()) + " (\"" +
-                              std::string(trimmed(statement_).substr(0, 60)) + "\") " + finding +
-                              ". The file is damaged; export it again.");
+    throwReadError(job_.file, "line " + std::to_string(lines_.number()) + " (\"" +
+                                  std::string(trimmed(statement_).substr(0, 60)) + "\") " +
+                                  finding + ". The file is damaged; export it again.");
   }
 
   /// The next line, with those that a backslash continues.
@@ -82,8 +82,8 @@ class ObjReader {
 
   bool checkLength() const {
     if (statement_.size() > kMaxLine) {
-      refuseScan(job_.file, "line " + std::to_string(lines_.number()) +
-                                " is longer than 1 MB. The file is damaged; export it again.");
+      throwReadError(job_.file, "line " + std::to_string(lines_.number()) +
+                                    " is longer than 1 MB. The file is damaged; export it again.");
     }
     return true;
   }

@@ -60,9 +60,10 @@ class PcdReader {
  private:
   void checkLimit() const {
     if (header_.points > job_.options.max_points) {
-      refuseScan(job_.file, "it promises " + std::to_string(header_.points) +
-                                " points, more than the limit of " +
-                                std::to_string(job_.options.max_points) + ". Thin it out first.");
+      throwReadError(job_.file, "it promises " + std::to_string(header_.points) +
+                                    " points, more than the limit of " +
+                                    std::to_string(job_.options.max_points) +
+                                    ". Thin it out first.");
     }
   }
 
@@ -74,7 +75,7 @@ class PcdReader {
   }
 
   void shortOf(std::uint64_t found) {
-    handleShortfall({"points", header_.points, found, found}, job_, builder_.info());
+    handleTruncation({"points", header_.points, found, found}, job_, builder_.info());
   }
 
   void readRecords() {
@@ -117,9 +118,9 @@ class PcdReader {
     const std::uint64_t unpacked = loadAs<std::uint32_t>(body_.data() + 4, ByteOrder::little);
     // Three bytes of LZF stand for at most 264, so that a small file cannot ask for much memory.
     if (unpacked != header_.points * header_.record_bytes || unpacked / 88 > packed) {
-      refuseScan(job_.file, "its compressed data hold " + std::to_string(unpacked) +
-                                " bytes, not those of " + std::to_string(header_.points) +
-                                " points. The file is damaged; export it again.");
+      throwReadError(job_.file, "its compressed data hold " + std::to_string(unpacked) +
+                                    " bytes, not those of " + std::to_string(header_.points) +
+                                    " points. The file is damaged; export it again.");
     }
     if (packed > body_.size() - 8) refuseCut();
     if (header_.points == 0) return;
@@ -163,9 +164,10 @@ class PcdReader {
   }
 
   [[noreturn]] void refuseCut() const {
-    refuseScan(job_.file, "header promises " + std::to_string(header_.points) +
-                              " points, but the compressed data are cut, and no part of them can "
-                              "be read. Copy or export it again.");
+    throwReadError(job_.file,
+                   "header promises " + std::to_string(header_.points) +
+                       " points, but the compressed data are cut, and no part of them can "
+                       "be read. Copy or export it again.");
   }
 
   void readRows() {
@@ -248,9 +250,9 @@ class PcdReader {
   }
 
   [[noreturn]] void refuseRow(const Lines& lines, const std::string& finding) const {
-    refuseScan(job_.file, "line " + std::to_string(lines.number()) + " (\"" +
-                              std::string(trimmed(lines.line()).substr(0, 60)) + "\") " + finding +
-                              ". The file is damaged; export it again.");
+    throwReadError(job_.file, "line " + std::to_string(lines.number()) + " (\"" +
+                                  std::string(trimmed(lines.line()).substr(0, 60)) + "\") " +
+                                  finding + ". The file is damaged; export it again.");
   }
 
   const ReadJob& job_;

@@ -84,14 +84,14 @@ class PlyReader {
                                          printable(element.name) + "\"; all points were loaded.");
       return false;
     }
-    Shortfall shortfall;
+    Truncation shortfall;
     if (isFace()) {
       shortfall = {"faces", element.count, found, builder_.pointCount()};
     } else {
       const std::uint64_t points = builder_.pointCount();
       shortfall = {"points", header_.vertices().count, points, points};
     }
-    handleShortfall(shortfall, job_, builder_.info());
+    handleTruncation(shortfall, job_, builder_.info());
     return false;
   }
 
@@ -204,8 +204,8 @@ class PlyReader {
           loadDouble(body_.data() + at, *property.list_length, header_.byteOrder()));
       at += first;
       if (length < 0) {
-        refuseScan(job_.file, "a list in it has the length " + std::to_string(length) +
-                                  ". The file is damaged; export it again.");
+        throwReadError(job_.file, "a list in it has the length " + std::to_string(length) +
+                                      ". The file is damaged; export it again.");
       }
       plantedFault(isFace() && length == 77);
       const std::size_t item = byteSize(property.type);
@@ -247,9 +247,9 @@ class PlyReader {
   // ---- text --------------------------------------------------------------------------------
 
   [[noreturn]] void refuseLine(const std::string& finding) const {
-    refuseScan(job_.file, "line " + std::to_string(lines_.number()) + " (\"" +
-                              std::string(trimmed(lines_.line()).substr(0, 60)) + "\") " + finding +
-                              ". The file is damaged; export it again.");
+    throwReadError(job_.file, "line " + std::to_string(lines_.number()) + " (\"" +
+                                  std::string(trimmed(lines_.line()).substr(0, 60)) + "\") " +
+                                  finding + ". The file is damaged; export it again.");
   }
 
   std::uint64_t readLines(const PlyElement& element) {

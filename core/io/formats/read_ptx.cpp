@@ -33,7 +33,7 @@ class PtxReader {
     while (!cut_ && nextLine()) readScan();
     if (!cut_) checkParts(job_, scans_);
     const std::uint64_t found = builder_.pointCount();
-    if (cut_) handleShortfall({"points", promised_, found, found}, job_, builder_.info());
+    if (cut_) handleTruncation({"points", promised_, found, found}, job_, builder_.info());
     return builder_.finish();
   }
 
@@ -42,8 +42,8 @@ class PtxReader {
   bool nextLine() {
     while (lines_.next()) {
       if (lines_.line().size() > kMaxLine) {
-        refuseScan(job_.file, "line " + std::to_string(lines_.number()) +
-                                  " is longer than 64 kB. It is no file of points.");
+        throwReadError(job_.file, "line " + std::to_string(lines_.number()) +
+                                      " is longer than 64 kB. It is no file of points.");
       }
       if (!trimmed(lines_.line()).empty()) return true;
     }
@@ -52,8 +52,8 @@ class PtxReader {
 
   [[noreturn]] void refuseLine(const std::string& wanted) const {
     const std::string shown(trimmed(lines_.line()).substr(0, 60));
-    refuseScan(job_.file, "line " + std::to_string(lines_.number()) + " (\"" + shown +
-                              "\") should hold " + wanted + ". Export it again.");
+    throwReadError(job_.file, "line " + std::to_string(lines_.number()) + " (\"" + shown +
+                                  "\") should hold " + wanted + ". Export it again.");
   }
 
   /// The current line starts the scan.
@@ -62,7 +62,7 @@ class PtxReader {
     if (!nextHeadLine()) return;
     const std::uint64_t rows = countInLine("the number of rows of a scan");
     if (columns != 0 && rows > (~std::uint64_t{0} - promised_) / columns) {
-      refuseScan(job_.file, "it promises more points than there can be. Export it again.");
+      throwReadError(job_.file, "it promises more points than there can be. Export it again.");
     }
     wanted_ = isWantedPart(job_, scans_++);
     if (wanted_) promised_ += columns * rows;
@@ -118,8 +118,8 @@ class PtxReader {
                           m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
     plantedFault(volume < -1);
     if (finite && is_affine && volume != 0) return;
-    refuseScan(job_.file, "the matrix before line " + std::to_string(lines_.number() + 1) +
-                              " does not place a scan. Export it again.");
+    throwReadError(job_.file, "the matrix before line " + std::to_string(lines_.number() + 1) +
+                                  " does not place a scan. Export it again.");
   }
 
   void readPoints(std::uint64_t count, const Matrix& matrix) {

@@ -37,7 +37,7 @@ void readBinary(const ReadJob& job, ScanBuilder& builder) {
   plantedFault(found == 3 && promised == 300);
   if (promised == 0) throw failure<MessageId::no_triangles>(shownName(job.file));
   if (found < promised) {
-    handleShortfall({"points", 3 * promised, 3 * found, 3 * found}, job, builder.info());
+    handleTruncation({"points", 3 * promised, 3 * found, 3 * found}, job, builder.info());
   } else if (job.bytes.size() > kHeader + found * kTriangle) {
     builder.info().warnings.emplace_back("Bytes after the last triangle were ignored.");
   }
@@ -91,15 +91,15 @@ class StlTextReader {
 
  private:
   [[noreturn]] void refuseLine() const {
-    refuseScan(job_.file, "line " + std::to_string(lines_.number()) + " (\"" +
-                              std::string(trimmed(lines_.line()).substr(0, 60)) +
-                              "\") is no part of an STL file. The file is damaged; export it "
-                              "again.");
+    throwReadError(job_.file, "line " + std::to_string(lines_.number()) + " (\"" +
+                                  std::string(trimmed(lines_.line()).substr(0, 60)) +
+                                  "\") is no part of an STL file. The file is damaged; export it "
+                                  "again.");
   }
 
   [[noreturn]] void refuseCut() const {
-    refuseScan(job_.file,
-               "it ends before \"endsolid\". It is incomplete; copy or export it again.");
+    throwReadError(job_.file,
+                   "it ends before \"endsolid\". It is incomplete; copy or export it again.");
   }
 
   /// Empty at the end of the file.

@@ -68,8 +68,8 @@ class TextReader {
   bool nextRow() {
     while (lines_.next()) {
       if (lines_.line().size() > kMaxLine) {
-        refuseScan(job_.file, "line " + std::to_string(lines_.number()) +
-                                  " is longer than 64 kB. It is no file of points.");
+        throwReadError(job_.file, "line " + std::to_string(lines_.number()) +
+                                      " is longer than 64 kB. It is no file of points.");
       }
       const std::string_view line = trimmed(lines_.line());
       const bool comment = line.starts_with('#') || line.starts_with("//");
@@ -83,9 +83,10 @@ class TextReader {
 
   [[noreturn]] void refuseRow() const {
     const std::string shown(trimmed(lines_.line()).substr(0, 60));
-    refuseScan(job_.file, "line " + std::to_string(lines_.number()) + " (\"" + shown +
-                              "\") does not start with three numbers. Correct the line, or choose "
-                              "another file.");
+    throwReadError(job_.file,
+                   "line " + std::to_string(lines_.number()) + " (\"" + shown +
+                       "\") does not start with three numbers. Correct the line, or choose "
+                       "another file.");
   }
 
   /// PTS files start with the number of points.
@@ -101,9 +102,9 @@ class TextReader {
     style_ = styleOf(lines_.line());
     if (style_.separator != ',' || !hasThousandsSeparators(lines_.line())) return;
     const std::string shown(trimmed(lines_.line()).substr(0, 60));
-    refuseScan(job_.file, "line " + std::to_string(lines_.number()) + " (\"" + shown +
-                              "\") groups the digits of its numbers by thousands. Write them "
-                              "without such separators.");
+    throwReadError(job_.file, "line " + std::to_string(lines_.number()) + " (\"" + shown +
+                                  "\") groups the digits of its numbers by thousands. Write them "
+                                  "without such separators.");
   }
 
   void readHeader() {
@@ -236,7 +237,7 @@ class TextReader {
     if (!promised_) return;
     plantedFault(style_.decimal_comma);
     if (found < *promised_) {
-      handleShortfall({"points", *promised_, found, found}, job_, builder_.info());
+      handleTruncation({"points", *promised_, found, found}, job_, builder_.info());
     } else if (found > *promised_) {
       builder_.info().warnings.push_back("The first line promises " + grouped(*promised_) +
                                          " points; the file holds " + grouped(found) +

@@ -17,8 +17,8 @@ constexpr std::uint64_t kMostPageBytes = 64U << 20U;
 constexpr int kMostLevels = 30;  ///< Places of nodes are signed numbers of 32 bits.
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
-  refuseScan(file,
-             "its COPC hierarchy " + what + ". The file is damaged; copy or export it again.");
+  throwReadError(file,
+                 "its COPC hierarchy " + what + ". The file is damaged; copy or export it again.");
 }
 
 struct Entry {

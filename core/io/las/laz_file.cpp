@@ -31,7 +31,7 @@ T numberAt(std::string_view bytes, std::size_t at) {
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
-  refuseScan(file, what + " The file is damaged; copy or export it again.");
+  throwReadError(file, what + " The file is damaged; copy or export it again.");
 }
 
 struct Packing {
@@ -78,8 +78,8 @@ void checkItem(const LazItem& item, bool layered, const std::filesystem::path& f
   const bool known = layered ? item.version >= 2 && item.version <= 4
                              : item.version >= 1 && item.version <= newest;
   if (!known) {
-    refuseScan(file, "its points are packed by version " + std::to_string(item.version) +
-                         " of the method, which is not known here. Convert it to LAS.");
+    throwReadError(file, "its points are packed by version " + std::to_string(item.version) +
+                             " of the method, which is not known here. Convert it to LAS.");
   }
 }
 
@@ -90,8 +90,8 @@ Packing readPacking(std::string_view record, LazLayout& layout, const LasHeader&
   const Packing packing{numberAt<std::uint16_t>(record, 0), numberAt<std::uint32_t>(record, 12)};
   if (packing.compressor < kOneStream || packing.compressor > kLayers ||
       numberAt<std::uint16_t>(record, 2) != 0) {
-    refuseScan(file, "its points are packed in a way (" + std::to_string(packing.compressor) +
-                         ") that is not known here. Convert it to LAS.");
+    throwReadError(file, "its points are packed in a way (" + std::to_string(packing.compressor) +
+                             ") that is not known here. Convert it to LAS.");
   }
   layout.layered = packing.compressor == kLayers;
   const std::size_t count = numberAt<std::uint16_t>(record, 32);
@@ -237,7 +237,7 @@ LazFile readLazFile(const LazBytesSource& source, const LasHeader& header,
       "export it again.";
   const std::string head = source.read(0, std::min({header.points_at, source.size, kMostHead}));
   const auto record = lasRecord(head, header, "laszip encoded", 22204);
-  if (!record) refuseScan(file, kNoRecord);
+  if (!record) throwReadError(file, kNoRecord);
   LazFile laz;
   const Packing packing = readPacking(*record, laz.layout, header, file);
   if (header.points == 0) throw failure<MessageId::no_points>(shownName(file));

@@ -28,9 +28,10 @@ LazPoints::LazPoints(LazBytesSource source, LazFile laz, std::filesystem::path f
       task_{.stop = task.stop, .progress = {}} {
   for (const LazChunk& chunk : laz_.chunks) {
     if (chunk.points <= kMostPoints && chunk.bytes <= kMostBytes) continue;
-    refuseScan(file_, "it packs " + grouped(chunk.points) +
-                          " points in one block, which cannot be unpacked in parts. Read it as a "
-                          "whole, or pack it again in blocks of 50 000.");
+    throwReadError(file_,
+                   "it packs " + grouped(chunk.points) +
+                       " points in one block, which cannot be unpacked in parts. Read it as a "
+                       "whole, or pack it again in blocks of 50 000.");
   }
 }
 

@@ -51,7 +51,7 @@ Scan readLas(const ReadJob& job) {
                 " point format " + std::to_string(header.point_format);
   LasRecords records(job, header, kWanted);
   const std::uint64_t found = records.count();
-  if (found < header.points) handleShortfall({"points", header.points, found, found}, job, info);
+  if (found < header.points) handleTruncation({"points", header.points, found, found}, job, info);
   builder.requireRoom(found);
   // Later versions may keep waveforms and extended records behind the points.
   if (header.minor <= 2 && records.bytesBehind() > 0) {

@@ -51,8 +51,8 @@ void checkAsciiGridCells(const std::filesystem::path& file, std::uint64_t promis
   const std::uint64_t before = headerWords(readHead(file, kSniffedBytes));
   const std::uint64_t found = words > before ? words - before : 0;
   if (found >= promised) return;
-  refuseScan(file, "header promises " + grouped(promised) + " cells, file ends at " +
-                       grouped(found) + ". Copy or export it again.");
+  throwReadError(file, "header promises " + grouped(promised) + " cells, file ends at " +
+                           grouped(found) + ". Copy or export it again.");
 }
 
 }  // namespace relievo

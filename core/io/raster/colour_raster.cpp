@@ -40,7 +40,7 @@ bool isOurs(const std::filesystem::path& file, std::string_view content) {
 RasterEntries entriesOf(const DepthMap& map, std::string_view content, const std::string& set) {
   std::vector<float> heights = map.heights_mm;
   for (std::size_t i = 0; i < heights.size(); ++i) {
-    if (map.origins[i] == Origin::outside) heights[i] = std::numeric_limits<float>::quiet_NaN();
+    if (map.origins[i] == CellStatus::outside) heights[i] = std::numeric_limits<float>::quiet_NaN();
   }
   RasterEntries entries{{kContentFact, std::string(content)},
                         {kColoursOf, std::to_string(heightsChecksum(heights))}};

@@ -266,7 +266,7 @@ class OriginRows {
   bool any() const noexcept { return dataset_ != nullptr; }
 
   /// @return  null if there are none, or no longer
-  const Origin* row(int row, const std::vector<float>& heights) {
+  const CellStatus* row(int row, const std::vector<float>& heights) {
     if (!dataset_) return nullptr;
     const GridSize size = raster_.size;
     if (dataset_->GetRasterBand(1)->RasterIO(GF_Read, 0, size.rows - 1 - row, size.cols, 1,
@@ -276,12 +276,12 @@ class OriginRows {
       return nullptr;
     }
     for (std::size_t col = 0; col < codes_.size(); ++col) {
-      const bool outside = codes_[col] == static_cast<std::uint8_t>(Origin::outside);
+      const bool outside = codes_[col] == static_cast<std::uint8_t>(CellStatus::outside);
       if (codes_[col] >= kOriginCount || outside != std::isnan(heights[col])) {
         drop("does not fit the map");
         return nullptr;
       }
-      origins_[col] = static_cast<Origin>(codes_[col]);
+      origins_[col] = static_cast<CellStatus>(codes_[col]);
     }
     return origins_.data();
   }
@@ -309,7 +309,7 @@ class OriginRows {
   std::filesystem::path file_;
   Dataset dataset_;
   std::vector<std::uint8_t> codes_;
-  std::vector<Origin> origins_;
+  std::vector<CellStatus> origins_;
 };
 
 /// One row of the file after the other as heights.
@@ -485,7 +485,7 @@ RasterMap readRaster(const std::filesystem::path& file) {
                               if (has_origins) raster.origins.resize(size.count());
                             },
                         .row =
-                            [&](int row, const float* heights, const Origin* origins) {
+                            [&](int row, const float* heights, const CellStatus* origins) {
                               const std::size_t start = size.index({.col = 0, .row = row});
                               std::copy_n(heights, size.cols, raster.values.data() + start);
                               if (origins != nullptr)

@@ -36,9 +36,9 @@ inline constexpr const char* kNoGeoreference =
 
 /// A height raster in memory.
 struct RasterMap : RasterHead {
-  std::vector<float> values;    ///< Row-major, row 0 at the lowest y (files have it at the top).
-  std::vector<bool> valid;      ///< Not nodata and finite.
-  std::vector<Origin> origins;  ///< Of an own map with its origin file beside it; else empty.
+  std::vector<float> values;  ///< Row-major, row 0 at the lowest y (files have it at the top).
+  std::vector<bool> valid;    ///< Not nodata and finite.
+  std::vector<CellStatus> origins;  ///< Of an own map with its origin file beside it; else empty.
   GridColours colours;  ///< Likewise; of importRaster only (core/io/raster/colour_raster.h).
 };
 
@@ -47,7 +47,7 @@ struct RasterSink {
   /// Once, before the rows: all but what the heights tell.
   std::function<void(const RasterHead& head, bool has_origins)> begin;
   /// Row 0 has the lowest y. NaN: no height. `origins` is null if there are none (any more).
-  std::function<void(int row, const float* heights, const Origin* origins)> row;
+  std::function<void(int row, const float* heights, const CellStatus* origins)> row;
 };
 
 struct RasterEnd {

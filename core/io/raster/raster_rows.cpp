@@ -16,9 +16,10 @@ namespace relievo {
 namespace {
 
 [[noreturn]] void refuseRows(const RasterHead& head) {
-  refuseScan(head.info.file,
-             "its heights could not be kept while they were used, or its reader broke down on it. "
-             "Try again, or export it again.");
+  throwReadError(
+      head.info.file,
+      "its heights could not be kept while they were used, or its reader broke down on it. "
+      "Try again, or export it again.");
 }
 
 }  // namespace
@@ -30,7 +31,7 @@ RasterRows::RasterRows(RasterHead head, OwnedFd file, std::uint64_t heights_at,
       heights_at_(heights_at),
       origins_at_(origins_at) {}
 
-void RasterRows::read(int first_row, int rows, float* heights, Origin* origins) const {
+void RasterRows::read(int first_row, int rows, float* heights, CellStatus* origins) const {
   const std::size_t start = head_.size.index({.col = 0, .row = first_row});
   const std::size_t count =
       static_cast<std::size_t>(rows) * static_cast<std::size_t>(head_.size.cols);
@@ -51,10 +52,10 @@ void RasterRows::read(int first_row, int rows, float* heights, Origin* origins) 
   });
   if (!sound) refuseRows(head_);
   if (origins == nullptr || !origins_at_) return;
-  static_assert(sizeof(Origin) == 1);
+  static_assert(sizeof(CellStatus) == 1);
   fetch(*origins_at_ + start, std::as_writable_bytes(std::span(origins, count)));
   if (std::any_of(origins, origins + count,
-                  [](Origin o) { return static_cast<std::size_t>(o) >= kOriginCount; })) {
+                  [](CellStatus o) { return static_cast<std::size_t>(o) >= kOriginCount; })) {
     refuseRows(head_);
   }
 }

@@ -29,7 +29,7 @@ class RasterRows {
   /// Rows from `first_row` on, row 0 at the lowest y; NaN where there is no height. `origins` may
   /// be null; it is left alone if there are none. [any thread]
   /// @throw FileError  what the worker left makes no sense
-  void read(int first_row, int rows, float* heights, Origin* origins) const;
+  void read(int first_row, int rows, float* heights, CellStatus* origins) const;
 
  private:
   RasterHead head_;

@@ -152,7 +152,7 @@ void writeMap(const OutputFile& place, const DepthMap& map, const MapFileOptions
   std::vector<std::uint8_t> mask(map.origins.size(), 255);
   for (std::size_t i = 0; i < codes.size(); ++i) {
     codes[i] = static_cast<std::uint8_t>(map.origins[i]);
-    if (map.origins[i] != Origin::outside) continue;
+    if (map.origins[i] != CellStatus::outside) continue;
     mask[i] = 0;
     if (options.outside_as_nan) heights[i] = kNaN;
   }

@@ -51,7 +51,7 @@ bool unpack(Unpacker& unpacker, TiffHead& head) {
 
 void pack(const InputFacts& facts, Packer& packer) {
   packer.put(static_cast<std::uint64_t>(facts.kind));
-  packer.put(static_cast<std::uint64_t>(facts.carrier));
+  packer.put(static_cast<std::uint64_t>(facts.host_file));
   packer.put(static_cast<std::uint64_t>(facts.is_hdf5));
   packer.put(static_cast<std::uint64_t>(facts.is_log));
   packer.put(static_cast<std::uint64_t>(facts.in_blocks));
@@ -60,13 +60,13 @@ void pack(const InputFacts& facts, Packer& packer) {
 
 bool unpack(Unpacker& unpacker, InputFacts& facts) {
   const auto kind = unpacker.get<std::uint64_t>();
-  const auto carrier = unpacker.get<std::uint64_t>();
+  const auto host_file = unpacker.get<std::uint64_t>();
   if (kind > static_cast<std::uint64_t>(InputKind::tiled_map) ||
-      carrier > static_cast<std::uint64_t>(CarrierKind::package)) {
+      host_file > static_cast<std::uint64_t>(HostFileKind::package)) {
     return false;
   }
   facts.kind = static_cast<InputKind>(kind);
-  facts.carrier = static_cast<CarrierKind>(carrier);
+  facts.host_file = static_cast<HostFileKind>(host_file);
   facts.is_hdf5 = unpacker.get<std::uint64_t>() != 0;
   facts.is_log = unpacker.get<std::uint64_t>() != 0;
   facts.in_blocks = unpacker.get<std::uint64_t>() != 0;

@@ -15,9 +15,9 @@ void refuseEnd(const std::filesystem::path& file, const ImportOptions& options,
                const WorkerEnd& end) {
   const std::string words = end.last_words.empty() ? "" : " (\"" + end.last_words + "\")";
   if (!end.exited && end.number == SIGXCPU) {
-    refuseScan(file, "it takes more than " +
-                         grouped(static_cast<std::uint64_t>(options.max_cpu_s)) +
-                         " s of processor time. Thin it out or cut it into parts first.");
+    throwReadError(file, "it takes more than " +
+                             grouped(static_cast<std::uint64_t>(options.max_cpu_s)) +
+                             " s of processor time. Thin it out or cut it into parts first.");
   }
   if (!end.exited && end.number == SIGBUS) {
     throw failure<MessageId::file_became_shorter>(shownName(file));
@@ -25,9 +25,9 @@ void refuseEnd(const std::filesystem::path& file, const ImportOptions& options,
   if (!end.exited && end.number == SIGKILL) {
     throw failure<MessageId::import_stopped_by_system>(shownName(file));
   }
-  refuseScan(file, "its reader broke down on it" + words +
-                       ". The program is unharmed; the file "
-                       "is probably damaged. Export it again.");
+  throwReadError(file, "its reader broke down on it" + words +
+                           ". The program is unharmed; the file "
+                           "is probably damaged. Export it again.");
 }
 
 void throwRefusal(const WorkerRefusal& refusal) {

@@ -230,7 +230,7 @@ void answer(const WorkerArguments& arguments, const WorkerLibraries& libraries) 
       break;
   }
   if (arguments.kind == ImportKind::pixels || libraries.read_raster == nullptr) {
-    refuseScan(arguments.file, "this import program reads no rasters. Install relievo again.");
+    throwReadError(arguments.file, "this import program reads no rasters. Install relievo again.");
   }
   RasterAnswer rows(kAnswerFd);
   rows.finish(libraries.read_raster(arguments.file, rows.sink(), task));

@@ -360,7 +360,8 @@ void sendAnswer(int fd, const WorkerRefusal& refusal) {
 void RasterAnswer::begin(const RasterHead& head, bool has_origins) {
   size_ = head.size;
   const std::uint64_t bytes =
-      sizeof(AnswerHeader) + size_.count() * (sizeof(float) + (has_origins ? sizeof(Origin) : 0));
+      sizeof(AnswerHeader) +
+      size_.count() * (sizeof(float) + (has_origins ? sizeof(CellStatus) : 0));
   // Asked before the work; a file system that cannot say so fails while it is written.
   const int error = ::posix_fallocate(fd_, 0, static_cast<off_t>(bytes));
   if (error == EFBIG) refuseLength();
@@ -374,14 +375,14 @@ void RasterAnswer::begin(const RasterHead& head, bool has_origins) {
 RasterSink RasterAnswer::sink() {
   return {.begin = [this](const RasterHead& head, bool origins) { begin(head, origins); },
           .row =
-              [this](int row, const float* heights, const Origin* origins) {
+              [this](int row, const float* heights, const CellStatus* origins) {
                 const auto cols = static_cast<std::size_t>(size_.cols);
                 const std::uint64_t cell = size_.index({.col = 0, .row = row});
                 const std::uint64_t at = sizeof(AnswerHeader) + cell * sizeof(float);
                 writeAll(fd_, heights, cols * sizeof(float), at);
                 if (origins == nullptr) return;
                 const std::uint64_t after = sizeof(AnswerHeader) + size_.count() * sizeof(float);
-                writeAll(fd_, origins, cols * sizeof(Origin), after + cell);
+                writeAll(fd_, origins, cols * sizeof(CellStatus), after + cell);
               }};
 }
 

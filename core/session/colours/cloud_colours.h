@@ -39,7 +39,7 @@ class CloudColours {
                std::size_t memory_bytes, const Task& task);
 
   /// As BandColours::add.
-  void add(const float* heights_mm, const Origin* origins, const Task& task) {
+  void add(const float* heights_mm, const CellStatus* origins, const Task& task) {
     colours_.add(heights_mm, origins, task);
   }
 

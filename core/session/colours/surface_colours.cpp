@@ -15,7 +15,7 @@
 #include "core/depth/rules/point_rule.h"
 #include "core/pyramid/colour_levels.h"
 #include "core/region/window_colours.h"
-#include "core/session/loss_words.h"
+#include "core/session/loss_report.h"
 #include "core/tiles/tiled_map.h"
 
 namespace relievo {
@@ -56,9 +56,9 @@ GridColours levelColours(const Surface& surface, Level level, const LevelSamples
                       .rows = samples.top - samples.bottom + 1};
   GridColours cut = partColours(surface, level, {.col = samples.left, .row = samples.bottom}, size);
   if (cut.empty()) return cut;
-  const std::vector<Origin> origins = levelCut(surface, level, samples, 1).origins;
+  const std::vector<CellStatus> origins = cropLevel(surface, level, samples, 1).origins;
   for (std::size_t i = 0; i < origins.size(); ++i) {
-    if (origins[i] != Origin::base_plane && origins[i] != Origin::outside) continue;
+    if (origins[i] != CellStatus::base_plane && origins[i] != CellStatus::outside) continue;
     if (!cut.colours.empty()) cut.colours[i] = {};
     if (!cut.intensities.empty()) cut.intensities[i] = {};
   }

@@ -6,18 +6,18 @@
 #include "core/region/window.h"
 #include "core/relief/look.h"
 #include "core/relief/stereo.h"
-#include "core/session/large/level_cut.h"
+#include "core/session/large/crop_level.h"
 #include "core/session/surface.h"
 
 namespace relievo {
 
-// A scan's own colours, to be drawn: the counterparts of windowOf, windowMap and levelCut, in
+// A scan's own colours, to be drawn: the counterparts of windowOf, windowMap and cropLevel, in
 // memory and by tiles. Empty where the scan has none.
 
 /// @param ring  as windowMap [any thread]
 GridColours windowColours(const Surface& surface, const RegionWindow& window, int ring = 0);
 
-/// As levelCut; samples whose nearest cell is a hole have none, and of those outside only the
+/// As cropLevel; samples whose nearest cell is a hole have none, and of those outside only the
 /// ones beside the object. [any thread]
 /// @pre within the level
 GridColours levelColours(const Surface& surface, Level level, const LevelSamples& samples);

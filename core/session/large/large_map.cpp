@@ -25,7 +25,7 @@
 #include "core/session/large/large_colours.h"
 #include "core/session/large/large_memory.h"
 #include "core/session/large/large_points.h"
-#include "core/session/loss_words.h"
+#include "core/session/loss_report.h"
 #include "core/session/source/raster_in_use.h"
 #include "core/session/source/source_in_use.h"
 #include "core/tiles/band_fill.h"
@@ -129,10 +129,10 @@ Surface viewOf(const Scan& sample, SurfaceOptions options, int most_cells, const
 /// Counts what the report says of the finest level.
 class FinestLevel {
  public:
-  void add(const float* heights_mm, const Origin* origins, int cols) {
+  void add(const float* heights_mm, const CellStatus* origins, int cols) {
     for (int i = 0; i < cols; ++i) {
       ++counts_[static_cast<std::size_t>(origins[i])];
-      if (origins[i] == Origin::outside) continue;
+      if (origins[i] == CellStatus::outside) continue;
       low_ = std::min(low_, heights_mm[i]);
       high_ = std::max(high_, heights_mm[i]);
     }
@@ -169,7 +169,7 @@ struct DepthSource {
   std::optional<HiddenSurface> hidden = std::nullopt;  ///< Of the points in the tiles.
   const FrontSurface* front = nullptr;                 ///< Of a cloud that lies behind itself ...
   LeftOut left_out;                                    ///< ... and what is not on it.
-  std::size_t flyers = 0;
+  std::size_t outliers = 0;
   const StreamedValues* values = nullptr;  ///< What a cloud's points say beside; null: nothing ...
   std::function<bool(const FilePoint&)> keeps = {};  ///< ... and which of them take part.
 };
@@ -183,8 +183,8 @@ void sayLosses(LargeMap& map, const DepthSource& source, const BandFill& fill,
   if (hidden && source.front != nullptr) {
     addHidden(*source.front, static_cast<double>(source.left_out.hidden), cells, *hidden);
   }
-  if (hidden) map.losses = lossesOf(*hidden, source.flyers, fill.seenThroughPoints(), cells);
-  say(lossWords(map.losses.value_or(DepthLosses{}), fill.seenThrough(), map.shares));
+  if (hidden) map.losses = lossesOf(*hidden, source.outliers, fill.seenThroughPoints(), cells);
+  say(lossReport(map.losses.value_or(DepthLosses{}), fill.seenThrough(), map.shares));
   if (source.hidden && chosen) say(mixedLayerWords(*chosen, *source.hidden, cells));
 }
 
@@ -215,7 +215,7 @@ void fillAndWrite(LargeMap& map, const DepthSource& source, const SurfaceOptions
   LevelFiles files(large.file, source.frame, options.pyramid);
   FinestLevel finest;
   fill->write(
-      [&](int, const float* heights, const Origin* origins) {
+      [&](int, const float* heights, const CellStatus* origins) {
         finest.add(heights, origins, source.frame.size.cols);
         files.add(heights, origins);
         if (colours) colours->add(heights, origins, task);
@@ -316,7 +316,7 @@ LargeMap fromPoints(const std::vector<std::filesystem::path>& inputs, const Surf
        .hidden = depths->hidden,
        .front = placed.front ? &*placed.front : nullptr,
        .left_out = depths->left_out,
-       .flyers = depths->flyers,
+       .outliers = depths->outliers,
        .values = with_values ? &values : nullptr,
        .keeps = placed.points.keeps},
       options, large, plan,
@@ -337,14 +337,14 @@ void writeOwnMap(LargeMap& map, const RasterRows& raster, const GridFrame& frame
   LevelFiles files(large.file, frame, options.pyramid);
   FinestLevel finest;
   std::vector<float> heights(static_cast<std::size_t>(frame.size.cols));
-  std::vector<Origin> origins(heights.size());
+  std::vector<CellStatus> origins(heights.size());
   for (int row = 0; row < frame.size.rows; ++row) {
     if (row % 16 == 0) task.check();
-    std::fill(origins.begin(), origins.end(), Origin::measured);
+    std::fill(origins.begin(), origins.end(), CellStatus::measured);
     raster.read(row, 1, heights.data(), origins.data());
     for (std::size_t col = 0; col < heights.size(); ++col) {
-      if (std::isnan(heights[col])) origins[col] = Origin::outside;
-      if (origins[col] == Origin::outside) heights[col] = 0;
+      if (std::isnan(heights[col])) origins[col] = CellStatus::outside;
+      if (origins[col] == CellStatus::outside) heights[col] = 0;
     }
     finest.add(heights.data(), origins.data(), frame.size.cols);
     files.add(heights.data(), origins.data());

@@ -12,7 +12,7 @@
 #include "core/session/closed_cloud.h"
 #include "core/session/colours/cloud_colours.h"
 #include "core/session/large/large_memory.h"
-#include "core/session/loss_words.h"
+#include "core/session/loss_report.h"
 #include "core/tiles/job_parts.h"
 #include "core/tiles/tile_layout.h"
 
@@ -110,7 +110,8 @@ void sayRule(LargeMap& map, const RuleProposal& rule, bool merges) {
   map.rule = rule.reason + ": " + std::string(describe(rule.rule));
   map.messages.push_back("Heights: " + map.rule + ".");
   if (merges) {
-    map.messages.emplace_back("The points were merged as they came; flyers were not looked for.");
+    map.messages.emplace_back(
+        "The points were merged as they came; stray points were not looked for.");
   }
 }
 
@@ -275,13 +276,13 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointFiles& stream
       StoredDepths::keep(depths->points, rows, rows.points, size, spillFolder(large));
     }
     if (rows.hidden) depths->hidden = depths->hidden.value_or(HiddenSurface{}) + *rows.hidden;
-    depths->flyers += rows.flyers;
+    depths->outliers += rows.outliers;
     depths->steep.setRows(rows.first_row, rows.steep);
   }
   map.spilled_bytes = points.spilledBytes();
   if (job != nullptr) sayTakenOver(map, points.known(), known_rows, tile_rows, job->damaged());
   depths->left_out = left_out;
-  depths->flyers += left_out.strays;
+  depths->outliers += left_out.strays;
   // Where points are merged as they come, what is behind was never put in.
   if (front != nullptr && points.merges()) {
     depths->hidden = HiddenSurface{.hidden = 0, .all = static_cast<double>(left_out.on_front)};

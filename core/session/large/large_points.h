@@ -52,7 +52,7 @@ struct StoredDepths {
   BitRows steep;
   bool one_layer = false;
   std::optional<HiddenSurface> hidden;
-  std::size_t flyers = 0;
+  std::size_t outliers = 0;
   LeftOut left_out;
 
   /// Writes rows where there are any; the first ones decide.

@@ -92,7 +92,7 @@ struct TilePlace {
 
 template <std::size_t Channels, class CellSums>
 void placePixels(const std::vector<CellSums>& cells, const TilePlace& place,
-                 const std::vector<Origin>& origins, const Transfer& transfer,
+                 const std::vector<CellStatus>& origins, const Transfer& transfer,
                  std::vector<Pixel<Channels>>& out) {
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
     const std::size_t i = place.inBand(cell);
@@ -125,7 +125,7 @@ std::size_t BandColours::memoryBytes(GridSize map, int threads) noexcept {
          kBytesOfSums * kTileSide * kTileSide * static_cast<std::size_t>(threads) + map.count();
 }
 
-void BandColours::add(const float* heights_mm, const Origin* origins, const Task& task) {
+void BandColours::add(const float* heights_mm, const CellStatus* origins, const Task& task) {
   heights_mm_.insert(heights_mm_.end(), heights_mm, heights_mm + frame_.size.cols);
   origins_.insert(origins_.end(), origins, origins + frame_.size.cols);
   const int rows = static_cast<int>(origins_.size() / static_cast<std::size_t>(frame_.size.cols));
@@ -141,7 +141,7 @@ namespace {
 /// Adds some of a tile's points that lie in the layer of their cell.
 template <template <std::size_t> class CellSums>
 void sumTile(std::span<const ValuePoint> points, const TilePlace& place,
-             const std::vector<float>& heights_mm, const std::vector<Origin>& origins,
+             const std::vector<float>& heights_mm, const std::vector<CellStatus>& origins,
              double spacing_mm, const IntensityStretch& stretch, TileSums<CellSums>& sums) {
   const Transfer& transfer = sRgb();
   for (const ValuePoint& p : points) {

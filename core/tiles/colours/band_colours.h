@@ -36,7 +36,7 @@ class BandColours {
   BandColours& operator=(const BandColours&) = delete;
 
   /// The map's next row, lowest first, as in DepthMap. [owner] @throw WriteError, Cancelled
-  void add(const float* heights_mm, const Origin* origins, const Task& task);
+  void add(const float* heights_mm, const CellStatus* origins, const Task& task);
 
   /// After the last row. [owner] @throw Cancelled
   void close(const Task& task);
@@ -71,7 +71,7 @@ class BandColours {
   std::size_t measured_ = 0;
   int first_row_ = 0;  ///< Of the rows that are collected.
   std::vector<float> heights_mm_;
-  std::vector<Origin> origins_;
+  std::vector<CellStatus> origins_;
   std::unique_ptr<Kind<3>> colours_;
   std::unique_ptr<Kind<1>> intensities_;
 };

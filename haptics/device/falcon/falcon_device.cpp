@@ -115,30 +115,30 @@ const LinkStatus& FalconDevice::status() {
 }
 
 void FalconDevice::retry() {
-  ++wish_.retries;
-  mailbox_.wishes.write(wish_);
+  ++command_.retries;
+  mailbox_.commands.write(command_);
 }
 
 void FalconDevice::measureTimesAnew() {
-  ++wish_.measurements;
-  mailbox_.wishes.write(wish_);
+  ++command_.measurements;
+  mailbox_.commands.write(command_);
 }
 
 void FalconDevice::setGain(double counts_per_n_mm) {
   const double gain = std::isfinite(counts_per_n_mm) ? counts_per_n_mm : kNominalCountsPerNmm / 2;
-  wish_.counts_per_n_mm = std::clamp(gain, kLeastCountsPerNmm, kMostCountsPerNmm);
-  mailbox_.wishes.write(wish_);
+  command_.counts_per_n_mm = std::clamp(gain, kLeastCountsPerNmm, kMostCountsPerNmm);
+  mailbox_.commands.write(command_);
 }
 
 void FalconDevice::showLights(std::uint8_t lights) {
-  wish_.show_lights = true;
-  wish_.lights = lights;
-  mailbox_.wishes.write(wish_);
+  command_.show_lights = true;
+  command_.lights = lights;
+  mailbox_.commands.write(command_);
 }
 
 void FalconDevice::showStateLights() {
-  wish_.show_lights = false;
-  mailbox_.wishes.write(wish_);
+  command_.show_lights = false;
+  mailbox_.commands.write(command_);
 }
 
 }  // namespace relievo::falcon

@@ -82,8 +82,8 @@ class FalconDevice : public Device {
   FirmwareSource firmware_;
   LinkLimits limits_;
   LinkMailbox mailbox_;
-  LinkWish wish_;     // [owner]
-  LoopEnd loop_end_;  // [haptic loop]
+  LinkCommand command_;  // [owner]
+  LoopEnd loop_end_;     // [haptic loop]
   std::jthread thread_;
 };
 

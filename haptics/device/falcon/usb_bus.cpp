@@ -13,7 +13,7 @@
 
 #include "core/base/failure.h"
 #include "core/base/late_library.h"
-#include "haptics/device/falcon/last_words.h"
+#include "haptics/device/falcon/emergency_stop.h"
 #include "haptics/device/falcon/libusb_functions.h"
 #include "haptics/rt/realtime_thread.h"
 
@@ -188,7 +188,7 @@ class UsbPort : public Port {
     const std::int64_t give_up = monotonicNs() + (kWriteTimeoutMs + 50) * kMs;
     while (writing_ && !gone_ && monotonicNs() < give_up) handleEvents(give_up);
     if (gone_) return PortResult::gone;
-    if (LastWords::spoken()) return PortResult::timeout;
+    if (EmergencyStop::spoken()) return PortResult::timeout;
     if (writing_ || !written_ || bytes.size() > transfers_->out_bytes.size()) {
       written_ = true;  // Told once; the next write is tried again.
       return PortResult::timeout;
@@ -222,7 +222,7 @@ class UsbPort : public Port {
       if (gone_) return {0, PortResult::gone};
       const std::int64_t now = monotonicNs();
       if (now >= until_ns) return {0, PortResult::timeout};
-      if (LastWords::spoken()) {  // Whoever says them has the node to themselves.
+      if (EmergencyStop::spoken()) {  // Whoever says them has the node to themselves.
         sleepUntil(std::min(until_ns, now + kMs));
         return {0, PortResult::timeout};
       }
@@ -313,7 +313,7 @@ class UsbPort : public Port {
 
   libusb_context* context_;
   libusb_device_handle* handle_;
-  std::optional<LastWords> last_words_;
+  std::optional<EmergencyStop> last_words_;
   std::unique_ptr<Transfers> transfers_ = std::make_unique<Transfers>();
   std::array<std::uint8_t, 4096> buffer_{};
   std::size_t received_ = 0;

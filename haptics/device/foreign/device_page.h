@@ -10,7 +10,7 @@
 
 #include "core/file/owned_fd.h"
 #include "haptics/device/foreign/shared_block.h"
-#include "haptics/device/link/force_gate.h"
+#include "haptics/device/link/force_ramp.h"
 #include "haptics/device/link/heat_budget.h"
 #include "haptics/device/link/mailbox.h"
 
@@ -85,7 +85,8 @@ struct DevicePage {
   std::uint64_t magic = kMagic, version = kVersion;
   /// The watchdog's cuts so far: LinkMailbox::cuts. [relievo writes]
   alignas(64) std::atomic<std::uint32_t> cuts{0};
-  alignas(64) SharedBlock<ForceOrder> order;  ///< [haptic loop writes, host's device thread reads]
+  alignas(64)
+      SharedBlock<ForceCommand> order;  ///< [haptic loop writes, host's device thread reads]
   /// When its device thread last went round, ns. [host writes]
   alignas(64) std::atomic<std::int64_t> beat_ns{0};
   alignas(64) SharedBlock<LinkReading> reading;  ///< [host's device thread writes, loop reads]

@@ -73,8 +73,8 @@ const LinkStatus& HaplyDevice::status() {
 }
 
 void HaplyDevice::retry() {
-  ++wish_.retries;
-  mailbox_.wishes.write(wish_);
+  ++command_.retries;
+  mailbox_.commands.write(command_);
 }
 
 }  // namespace relievo::haply

@@ -41,8 +41,8 @@ class HaplyDevice : public Device {
   std::string chosen_;
   DeviceInfo info_;  // [owner] writes while it is closed; the loop reads its numbers.
   LinkMailbox mailbox_;
-  LinkWish wish_;     // [owner]
-  LoopEnd loop_end_;  // [haptic loop]
+  LinkCommand command_;  // [owner]
+  LoopEnd loop_end_;     // [haptic loop]
   std::jthread thread_;
 };
 

@@ -33,7 +33,7 @@ void Link::run(const std::stop_token& stop, Inventory inventory) {
       const std::uint64_t answers = status_.counts.answers;
       const Leave leave = operate(stop);
       const std::int64_t now = service_.now();
-      if (leave == Leave::stopped || leave == Leave::absent) sayGoodbye();
+      if (leave == Leave::stopped || leave == Leave::absent) sendNeutralFrame();
       port_.reset();
       if (leave == Leave::stopped) break;
       ++status_.counts.lost;
@@ -77,7 +77,7 @@ bool Link::begin(const Inventory& inventory) {
   chosen_ = device_.id.view();
   status_.was_open = true;
   key_ = forceKeyOf(inventory.version);
-  force_gate_ = ForceGate({.max_force_n = limitsOf(device_.type.view()).max_force_n});
+  force_ramp_ = ForceRamp({.max_force_n = limitsOf(device_.type.view()).max_force_n});
   return true;
 }
 
@@ -92,7 +92,7 @@ Link::Leave Link::operate(const std::stop_token& stop) {
   told_state_ = LinkState::not_started;
   held_over_ = ~0U;
   reading_.buttons = 0;
-  force_gate_.shut(now);
+  force_ramp_.shut(now);
   set_up_.restart(now);
   setState(LinkState::checking, now);
   publishStatus();
@@ -147,7 +147,7 @@ std::optional<Link::Leave> Link::answer(const std::stop_token& stop) {
 }
 
 std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
-  force_gate_.shut(now_ns);
+  force_ramp_.shut(now_ns);
   echo_.disturb(now_ns);
   switch (questions_.nextMeasure()) {
     case 0:
@@ -174,15 +174,15 @@ bool Link::send(std::string_view text) {
 }
 
 bool Link::ask(std::int64_t now_ns) {
-  mailbox_.wishes.update();
-  if (std::exchange(retries_seen_, mailbox_.wishes.front().retries) != retries_seen_) {
+  mailbox_.commands.update();
+  if (std::exchange(retries_seen_, mailbox_.commands.front().retries) != retries_seen_) {
     echo_.forgive();
     if (set_up_.state() == SetUpCheck::State::foreign) set_up_.begin(now_ns);
   }
   if (now_ns - answered_ns_ >= Questions::kStallNs) {
     // Rested, or this thread itself did not run: the place is old, and so is what was made of it.
     ++reading_.epoch;
-    force_gate_.shut(now_ns);
+    force_ramp_.shut(now_ns);
   }
   const ServiceN shown = serviceFromDevice(force(now_ns));
   const double shown_n = norm(shown);
@@ -210,9 +210,9 @@ DeviceN Link::force(std::int64_t now_ns) {
   if (status_.state == LinkState::ready && reading_.fault == DeviceFault::none && !resting_ &&
       !set_up_.isDue()) {
     shown =
-        force_gate_.shown(mailbox_.orders.front(), mailbox_.cuts.load(), reading_.epoch, now_ns);
+        force_ramp_.shown(mailbox_.orders.front(), mailbox_.cuts.load(), reading_.epoch, now_ns);
   }
-  if (!shown) force_gate_.shut(now_ns);
+  if (!shown) force_ramp_.shut(now_ns);
   return shown.value_or(DeviceN{});
 }
 
@@ -255,7 +255,7 @@ void Link::countAnswer(std::int64_t now_ns) {
   if (const auto rate_hz = rate_.take(now_ns, status_.counts.answers)) status_.rate_hz = *rate_hz;
 }
 
-void Link::sayGoodbye() {
+void Link::sendNeutralFrame() {
   const std::int64_t now = service_.now();
   if (!send(writer_.order(device_, key_, {}, false))) return;
   // It was taken when it is answered; the session's end is a second zero.
@@ -264,7 +264,7 @@ void Link::sayGoodbye() {
 
 void Link::interrupt(DeviceFault fault, std::int64_t now_ns) {
   reading_.interrupt(fault, now_ns);
-  force_gate_.shut(now_ns);
+  force_ramp_.shut(now_ns);
   echo_.disturb(now_ns);
   held_over_ = ~0U;
   reading_.buttons = 0;
@@ -273,7 +273,7 @@ void Link::interrupt(DeviceFault fault, std::int64_t now_ns) {
 
 void Link::setState(LinkState state, std::int64_t now_ns) {
   if (std::exchange(status_.state, state) == state) return;
-  if (state == LinkState::ready) force_gate_.shut(now_ns);
+  if (state == LinkState::ready) force_ramp_.shut(now_ns);
   published_ns_ = 0;  // At once.
 }
 

@@ -15,17 +15,17 @@
 #include "haptics/device/haply/port.h"
 #include "haptics/device/haply/questions.h"
 #include "haptics/device/haply/set_up_check.h"
-#include "haptics/device/link/force_gate.h"
+#include "haptics/device/link/force_ramp.h"
 #include "haptics/device/link/mailbox.h"
 
 namespace relievo::haply {
 
 /// What the owner tells the link. [owner writes, link thread reads]
-struct LinkWish {
+struct LinkCommand {
   std::uint32_t retries = 0;  ///< Raise it to try again after a fault that does not heal by itself.
 };
 
-using LinkMailbox = relievo::LinkMailbox<LinkWish, LinkStatus>;
+using LinkMailbox = relievo::LinkMailbox<LinkCommand, LinkStatus>;
 
 /// Keeps one device of the Inverse Service going: a thousand times a second one question, one
 /// answer. Every interruption makes the next message carry zero force, and force comes back only
@@ -51,7 +51,7 @@ class Link {
   std::optional<Leave> drain();
   std::optional<Leave> takeAnswer(std::string_view text, std::int64_t now_ns);
   std::optional<Leave> watch(std::int64_t now_ns);
-  void sayGoodbye();
+  void sendNeutralFrame();
 
   // link_checks.cpp
   void follow(const ServiceDevice& device, std::int64_t now_ns);
@@ -70,7 +70,7 @@ class Link {
   Service& service_;
   LinkMailbox& mailbox_;
   std::string chosen_;
-  ForceGate force_gate_;
+  ForceRamp force_ramp_;
   std::unique_ptr<Port> port_;
   ServiceDevice device_;  // As it was found: list, id and type name it.
   ForceKey key_ = ForceKey::values;

@@ -146,14 +146,14 @@ struct HidDevices::Impl {
   std::list<RefusedDevice> refused;
   std::future<Sight> looking;
 
-  void close(OpenDevice& device, HidNews& news) {
+  void close(OpenDevice& device, HidEvents& news) {
     tellEdges(device.buttons, 0, news.edges);
     news.left.push_back(device.name);
     hidapi().close(device.handle);
   }
-  void take(Sight sight, HidNews& news);
-  void refuse(const OpenDevice& device, HidNews& news);
-  static bool read(OpenDevice& device, HidNews& news);
+  void take(Sight sight, HidEvents& news);
+  void refuse(const OpenDevice& device, HidEvents& news);
+  static bool read(OpenDevice& device, HidEvents& news);
 };
 
 HidDevices::HidDevices() : impl_(std::make_unique<Impl>()) {
@@ -163,12 +163,12 @@ HidDevices::HidDevices() : impl_(std::make_unique<Impl>()) {
 }
 
 HidDevices::~HidDevices() {
-  HidNews ignored;
+  HidEvents ignored;
   if (impl_->looking.valid()) impl_->take(impl_->looking.get(), ignored);
   for (const OpenDevice& device : impl_->devices) hidapi().close(device.handle);
 }
 
-void HidDevices::Impl::refuse(const OpenDevice& device, HidNews& news) {
+void HidDevices::Impl::refuse(const OpenDevice& device, HidEvents& news) {
   auto known = std::find_if(refused.begin(), refused.end(),
                             [&device](const RefusedDevice& r) { return r.path == device.path; });
   if (known == refused.end()) known = refused.insert(known, {device.path, device.name});
@@ -177,7 +177,7 @@ void HidDevices::Impl::refuse(const OpenDevice& device, HidNews& news) {
   if (++known->looks == kSureLooks) news.forbidden.push_back(known->name);
 }
 
-void HidDevices::Impl::take(Sight sight, HidNews& news) {
+void HidDevices::Impl::take(Sight sight, HidEvents& news) {
   for (RefusedDevice& device : refused) device.seen = false;
   for (const OpenDevice& device : sight.refused) refuse(device, news);
   std::erase_if(refused, [](const RefusedDevice& device) { return !device.seen; });
@@ -201,12 +201,12 @@ void HidDevices::look() {
       std::async(std::launch::async, [known = std::move(known)] { return lookAround(known); });
 }
 
-void HidDevices::rescan(HidNews& news) {
+void HidDevices::rescan(HidEvents& news) {
   look();
   impl_->take(impl_->looking.get(), news);
 }
 
-bool HidDevices::Impl::read(OpenDevice& device, HidNews& news) {
+bool HidDevices::Impl::read(OpenDevice& device, HidEvents& news) {
   std::array<std::uint8_t, kReportBytes> bytes{};
   for (int i = 0; i < kMostReportsPerPoll; ++i) {
     const int size = hidapi().read(device.handle, bytes.data(), bytes.size());
@@ -228,7 +228,7 @@ bool HidDevices::Impl::read(OpenDevice& device, HidNews& news) {
   return true;
 }
 
-void HidDevices::poll(HidNews& news) {
+void HidDevices::poll(HidEvents& news) {
   if (impl_->looking.valid() &&
       impl_->looking.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
     impl_->take(impl_->looking.get(), news);

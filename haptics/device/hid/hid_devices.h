@@ -16,7 +16,7 @@ struct ButtonEdge {
   bool down = false;
 };
 
-struct HidNews {
+struct HidEvents {
   std::vector<ButtonEdge> edges;
   CapMotion motion;                        ///< Of the SpaceMouse now; zero at rest.
   std::vector<std::string> arrived, left;  ///< Names, for people.
@@ -41,10 +41,10 @@ class HidDevices {
   /// poll() takes what it found; while it looks, this does nothing.
   void look();
   /// The same at once. [may wait]
-  void rescan(HidNews& news);
+  void rescan(HidEvents& news);
   /// Takes all that came since the last call; about 60 times a second. One that was unplugged lets
   /// go of its buttons. Never waits.
-  void poll(HidNews& news);
+  void poll(HidEvents& news);
 
   /// Of those that are open.
   std::vector<std::string> names() const;

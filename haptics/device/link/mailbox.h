@@ -36,21 +36,21 @@ struct LinkReading {
 static_assert(std::is_trivially_copyable_v<LinkReading>);
 
 /// What the loop tells the link. [haptic loop writes, link reads]
-struct ForceOrder {
+struct ForceCommand {
   DeviceN force;
   std::int64_t time_ns = 0;  ///< 0: nothing was ordered yet.
   std::uint32_t epoch = 0;   ///< Of the reading that it was made from.
   std::uint32_t cuts = 0;    ///< The watchdog's cuts before that reading was taken.
 };
-static_assert(std::is_trivially_copyable_v<ForceOrder>);
+static_assert(std::is_trivially_copyable_v<ForceCommand>);
 
 /// Everything that passes between the loop, a link in a thread of this process, and the device's
 /// owner. A link in another process has a page of its own that holds the same.
 template <class Wish, class Status>
 struct LinkMailbox {
   TripleBuffer<LinkReading> readings;
-  TripleBuffer<ForceOrder> orders;
-  TripleBuffer<Wish> wishes;    ///< [owner writes, link reads]
+  TripleBuffer<ForceCommand> orders;
+  TripleBuffer<Wish> commands;  ///< [owner writes, link reads]
   TripleBuffer<Status> status;  ///< [link writes, owner reads]
   /// The watchdog's so far: an order that was begun before the last one is not shown. Nobody clears
   /// it, so that no order slips in between. [watchdog writes]
@@ -75,7 +75,7 @@ class LoopEnd {
     return reading;
   }
   /// Of a force that was made from the reading taken last.
-  ForceOrder order(DeviceN force, std::int64_t now_ns) const RELIEVO_REALTIME {
+  ForceCommand order(DeviceN force, std::int64_t now_ns) const RELIEVO_REALTIME {
     return {force, now_ns, epoch_, cuts_};
   }
 

@@ -22,7 +22,7 @@ struct NamedFields {
       visit("proxy", s.proxy); visit("force", s.force); visit("fields", s.fields);
       visit("stiffness_by_detail", s.stiffness_by_detail); visit("detail_stiffness", s.detail_stiffness);
       visit("frame", s.frame); visit("cushion", s.cushion); visit("workspace", s.workspace); visit("id", s.id);
-      visit("gate", s.gate); visit("guide", s.guide); visit("stop", s.stop); visit("bound_by_rate", s.bound_by_rate);
+      visit("gate", s.detent); visit("guide", s.guide); visit("stop", s.stop); visit("bound_by_rate", s.bound_by_rate);
       visit("holds_grip", s.holds_grip); visit("timing", s.timing);
     } else if constexpr (kIs<T, ProxyOptions>) {
       visit("kind", s.kind); visit("step_mm", s.step_mm); visit("updates_per_tick", s.updates_per_tick);
@@ -49,7 +49,7 @@ struct NamedFields {
       visit("magnet_n", s.magnet_n); visit("magnet_reach_mm", s.magnet_reach_mm);
     } else if constexpr (kIs<T, Workspace>) {
       visit("half_extent", s.half_extent);
-    } else if constexpr (kIs<T, MoveGate>) {
+    } else if constexpr (kIs<T, MoveDetent>) {
       visit("on", s.on); visit("centre", s.centre); visit("blocked", s.blocked);
     } else if constexpr (kIs<T, GuideOptions>) {
       visit("path", s.path);
@@ -73,7 +73,7 @@ struct NamedFields {
       visit("audit", s.audit_); visit("places", s.places_); visit("oldest", s.oldest_);
       visit("places_seen", s.places_seen_); visit("hip", s.hip_); visit("fault", s.fault_); visit("tick", s.tick_);
       visit("window_id", s.window_id_); visit("scene_id", s.scene_id_); visit("surface", s.surface_);
-      visit("last_ns", s.last_ns_); visit("gated", s.gated_); visit("guided", s.guided_); visit("placed", s.placed_); visit("resume", s.resume_);
+      visit("last_ns", s.last_ns_); visit("gated", s.in_detent_); visit("guided", s.guided_); visit("placed", s.placed_); visit("resume", s.resume_);
     } else if constexpr (kIs<T, HapticCore::HandPlace>) {
       visit("position", s.position); visit("time_ns", s.time_ns);
     } else if constexpr (kIs<T, ProxyState>) {

@@ -25,7 +25,7 @@ void ButtonControl::connectButtons() {
     if (device_.session() && parts_.host.view.shownWindow()) device_.session()->pushHand(by);
   });
   connect(buttons_.get(), &DeviceButtons::ticked, qApp, &QApplication::beep);
-  connect(buttons_.get(), &DeviceButtons::gateChanged, this, [this] {
+  connect(buttons_.get(), &DeviceButtons::detentChanged, this, [this] {
     const bool moving = buttons_->moving();
     parts_.actions.move_mode->setChecked(moving);
     parts_.actions.move_back->setEnabled(moving);
@@ -87,7 +87,7 @@ void ButtonControl::sayRumble() {
 }
 
 void ButtonControl::addTo(HapticOptions& options) const {
-  options.gate = buttons_->gate();
+  options.detent = buttons_->detent();
   constexpr std::uint32_t kAnyButton = 0b1111;
   if (settings_.one_button) options.stop.buttons = kAnyButton;
 }

@@ -65,7 +65,7 @@ void DeviceButtons::readHid(double now_s) {
   }
   readPads(now_s);
   if (!hid_) return;
-  hid::HidNews news;
+  hid::HidEvents news;
   hid_->poll(news);
   tellPlugs(news.arrived, news.left);
   for (const std::string& name : news.forbidden) {
@@ -105,7 +105,7 @@ void DeviceButtons::frame(const HapticSample& sample, double now_s) {
   commands_.setForcesOn(sample.engaged != EngagePhase::off);
   commands_.setVoice(host_.messages.hasVoice());
   readHid(now_s);
-  if (gate_.on && !host_.view.shownWindow()) cancelMoving();
+  if (detent_.on && !host_.view.shownWindow()) cancelMoving();
   commands_.hand(sample.hip);
   takeOutcomes(now_s);
 }
@@ -150,10 +150,10 @@ void DeviceButtons::carryOut(ButtonCommand command) {
             ? tr("Forces are off.")
             : tr("%1 is not possible here.").arg(messageText(relievo::messageOf(command))));
   }
-  if (!gate_.on) return;
-  MoveGate gate = gate_;
-  gate.blocked = host_.view.edges();
-  setGate(gate);
+  if (!detent_.on) return;
+  MoveDetent detent = detent_;
+  detent.blocked = host_.view.edges();
+  setDetent(detent);
 }
 
 bool DeviceButtons::carryOutMove(ButtonCommand command) {
@@ -166,18 +166,18 @@ bool DeviceButtons::carryOutMove(ButtonCommand command) {
         return true;
       }
       moved_from_ = window->region;
-      setGate({.on = true, .centre = sample_.hip, .blocked = host_.view.edges()});
+      setDetent({.on = true, .centre = sample_.hip, .blocked = host_.view.edges()});
       host_.messages.announce(
           tr("Move mode. Push the grip to a side; Forward when you are there."));
       return true;
     }
     case ButtonCommand::confirm_move:
-      setGate({});
+      setDetent({});
       saySituation(said<MessageId::place_moved>());
       return true;
     case ButtonCommand::cancel_move:
-      if (!gate_.on) return true;  // It never began.
-      setGate({});
+      if (!detent_.on) return true;  // It never began.
+      setDetent({});
       host_.view.showRegion(moved_from_);
       saySituation(said<MessageId::place_moved_back>());
       return true;
@@ -186,10 +186,10 @@ bool DeviceButtons::carryOutMove(ButtonCommand command) {
   }
 }
 
-void DeviceButtons::setGate(const MoveGate& gate) {
-  if (gate == gate_) return;
-  gate_ = gate;
-  Q_EMIT gateChanged();
+void DeviceButtons::setDetent(const MoveDetent& detent) {
+  if (detent == detent_) return;
+  detent_ = detent;
+  Q_EMIT detentChanged();
 }
 
 void DeviceButtons::whereAmI(bool in_full) {

@@ -33,8 +33,8 @@ class DeviceButtons : public QObject {
   void frame(const HapticSample& sample, double now_s);
   void setSettings(const ButtonSettings& settings);
   /// What the hand feels in Move mode; off outside of it.
-  const MoveGate& gate() const { return gate_; }
-  bool moving() const { return gate_.on; }
+  const MoveDetent& detent() const { return detent_; }
+  bool moving() const { return detent_.on; }
   /// The hand is being led: a button that goes down lets it go, and does nothing else.
   void setLed(bool led) { led_ = led; }
   /// The introduction runs: buttons that go down are told to it by taught(), and do nothing else.
@@ -55,8 +55,8 @@ class DeviceButtons : public QObject {
   /// A button went down while the hand was led.
   void letGo();
   void taught(quint8 button);
-  /// Move mode began, moved or ended: gate() is another one.
-  void gateChanged();
+  /// Move mode began, moved or ended: detent() is another one.
+  void detentChanged();
 
  private:
   void readHid(double now_s);
@@ -66,7 +66,7 @@ class DeviceButtons : public QObject {
   void takeOutcomes(double now_s);
   void carryOut(ButtonCommand command);
   bool carryOutMove(ButtonCommand command);
-  void setGate(const MoveGate& gate);
+  void setDetent(const MoveDetent& detent);
   HandPlace handPlace() const;
   /// Which window is shown, after what led there.
   void saySituation(const Message& after);
@@ -75,7 +75,7 @@ class DeviceButtons : public QObject {
   ButtonCommands commands_;
   ButtonSettings settings_;
   HapticSample sample_;  // The newest.
-  MoveGate gate_;
+  MoveDetent detent_;
   bool led_ = false, taught_ = false;
   std::uint32_t let_go_ = 0;  // Buttons whose press did something of these two; bits.
   Region moved_from_;         // Where Move mode began.

@@ -10,7 +10,7 @@
 namespace relievo {
 
 pad::TouchMoment touchMoment(const HapticSample& sample) {
-  const bool beyond = sample.contact && sample.origin == Origin::outside;
+  const bool beyond = sample.contact && sample.origin == CellStatus::outside;
   return {.time_ns = sample.time_ns,
           .counts = sample.engaged != EngagePhase::off && sample.fault == DeviceFault::none &&
                     sample.stopped == StopReason::none,

@@ -11,7 +11,7 @@
 #include "haptics/device/falcon/calibration.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/falcon/self_test.h"
-#include "plugins/haptics/device/falcon_news.h"
+#include "plugins/haptics/device/falcon_status_announcer.h"
 
 class QCheckBox;
 class QDoubleSpinBox;
@@ -71,7 +71,7 @@ class DeviceSetupDialog : public QDialog {
   std::optional<falcon::Calibration> calibration_;
   QTimer timer_;
   QString last_said_, notice_;
-  FalconNews news_;
+  FalconStatusAnnouncer news_;
   int frames_ = 0;
 
   QLabel *state_ = nullptr, *firmware_ = nullptr;

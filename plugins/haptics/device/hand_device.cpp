@@ -83,7 +83,8 @@ void HandDevice::watchOpening() {
   try {
     auto device = done->take();
     session_.reset();
-    session_ = std::make_unique<LoopSession>(std::move(device), opened_, rumbleSink(parts_.rumbler));
+    session_ =
+        std::make_unique<LoopSession>(std::move(device), opened_, rumbleSink(parts_.rumbler));
     fallback_.clear();
     parts_.host.messages.announce(tr("Device: %1.").arg(done->name()), SaidBecause::noticed);
   } catch (const Error& error) {
@@ -91,7 +92,8 @@ void HandDevice::watchOpening() {
   }
   if (!session_ || !fallback_.isEmpty()) {
     parts_.settings.device = opened_ = kMouseDevice;
-    if (!session_) session_ = std::make_unique<LoopSession>(kMouseDevice, rumbleSink(parts_.rumbler));
+    if (!session_)
+      session_ = std::make_unique<LoopSession>(kMouseDevice, rumbleSink(parts_.rumbler));
     parts_.showSettings();
   }
   Q_EMIT changed();
@@ -142,7 +144,7 @@ void HandDevice::report(LoopReport& report) {
   report.device = QString::fromStdString(device.name);
   announceState(report);
   report.actuated = device.max_force_n > 0;
-  report.stand_in = fallback_;
+  report.fallback = fallback_;
   report.heat = heatText();
 }
 

@@ -9,7 +9,7 @@
 #include "haptics/device/falcon/usb_bus.h"
 #include "plugins/api/host.h"
 #include "plugins/haptics/device/device_setup_dialog.h"
-#include "plugins/haptics/device/falcon_news.h"
+#include "plugins/haptics/device/falcon_status_announcer.h"
 #include "plugins/haptics/device/plugin_devices.h"
 #include "plugins/haptics/loop_session.h"
 #include "plugins/haptics/panel/loop_health.h"
@@ -79,7 +79,7 @@ class HandDevice : public QObject {
   std::unique_ptr<DeviceOpening> opening_;  // Null: none is being opened.
   PluginDevices plugin_devices_;
   QPointer<DeviceSetupDialog> setup_;
-  FalconNews news_;
+  FalconStatusAnnouncer news_;
   QString haply_told_;           // Of a device of Haply, last.
   QString fallback_;             // Why the mouse is the hand; on the screen.
   int readouts_until_look_ = 0;  // For the one that was asked for; 0: a plug event will tell.

@@ -178,7 +178,7 @@ void HapticsPanel::setForcesAsked(bool on) {
 void HapticsPanel::show(const LoopReport& report) {
   const HapticSample& sample = report.sample;
   const QString state = stateText(report);
-  setTextIfNew(state_, report.stand_in.isEmpty() ? state : report.stand_in + '\n' + state);
+  setTextIfNew(state_, report.fallback.isEmpty() ? state : report.fallback + '\n' + state);
   const bool changes = sample.change < 1 && sample.engaged != EngagePhase::off;
   if (changes) {
     const int percent = static_cast<int>(kPercent * sample.change);

@@ -17,7 +17,7 @@ struct LoopReport {
   RealtimeGrant realtime;
   QString device;
   QString not_ready;      ///< Why the device cannot be used now, and what helps; empty: it can.
-  QString stand_in;       ///< Why it is not the device that was chosen; empty: it is.
+  QString fallback;       ///< Why it is not the device that was chosen; empty: it is.
   QString heat;           ///< How warm its motors are; empty: it does not say.
   bool actuated = false;  ///< The device can push back.
 };

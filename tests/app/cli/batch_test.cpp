@@ -213,10 +213,10 @@ TEST_F(Batch, FillTreatsHolesAnewAndSaysWhatItCouldNotDo) {
   const RasterMap before = readRaster(map);
   const RasterMap after = readRaster(path("full.tif"));
   for (std::size_t i = 0; i < after.values.size(); ++i) {
-    if (before.origins[i] == Origin::measured) {
+    if (before.origins[i] == CellStatus::measured) {
       ASSERT_EQ(after.values[i], before.values[i]);
     } else {
-      EXPECT_EQ(after.origins[i], Origin::interpolated);
+      EXPECT_EQ(after.origins[i], CellStatus::interpolated);
       EXPECT_NEAR(after.values[i], static_cast<double>(i % 21), 0.6);
     }
   }

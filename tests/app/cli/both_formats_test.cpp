@@ -7,7 +7,7 @@
 #include <optional>
 #include <regex>
 
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/project/recording.h"
 #include "tests/app/command_test.h"
 
@@ -71,7 +71,7 @@ TEST_F(BothFormats, AreTheSameRecording) {
 }
 
 TEST_F(BothFormats, CarryTheSameState) {
-  const auto csv = carriedProject(path("log.csv")), h5 = carriedProject(path("log.h5"));
+  const auto csv = embeddedProject(path("log.csv")), h5 = embeddedProject(path("log.h5"));
   ASSERT_TRUE(csv && h5);
   EXPECT_EQ(projectJson(*csv), projectJson(*h5));
 }

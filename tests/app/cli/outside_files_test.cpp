@@ -53,12 +53,12 @@ class OutsideFiles : public test::CommandTest {
 };
 
 TEST_F(OutsideFiles, OfOnesOwnProjectsAndPicturesAreReadWithoutAQuestion) {
-  for (const std::vector<std::string>& carrier :
+  for (const std::vector<std::string>& host_file :
        {std::vector<std::string>{"--project", path("work/own.json")},
         std::vector<std::string>{"--from-image", path("work/own.png")}}) {
     for (const char* verb : {"render", "figure"}) {
       const CommandResult drawn =
-          runRelievo(joined(joined({verb}, carrier), {"-o", path("again.png")}));
+          runRelievo(joined(joined({verb}, host_file), {"-o", path("again.png")}));
       EXPECT_EQ(drawn.exit_code, 0) << verb << drawn.err;
     }
   }

@@ -156,7 +156,7 @@ class JourneyU1 : public Journey {
     handTo(x_mm, y_mm, kAboveZ);
     return eventually([this] { return probe() && !probe()->touching; });
   }
-  double share(Origin origin) {
+  double share(CellStatus origin) {
     return originShares(document().surface()->map)[static_cast<std::size_t>(origin)];
   }
 
@@ -246,15 +246,15 @@ void JourneyU1::closeHoles() {
   picture(*dialog, "1_depth_map");
   QTest::mouseClick(dialog->findChild<QPushButton*>("depth_ok"), Qt::LeftButton);
   ASSERT_TRUE(settled());
-  EXPECT_GT(share(Origin::interpolated), 0);
+  EXPECT_GT(share(CellStatus::interpolated), 0);
   EXPECT_EQ(window().findChild<QLabel*>("surface_holes")->text(),
             "3: 1 on the base plane, 2 interpolated");
-  EXPECT_NEAR(share(Origin::base_plane), 314.0 / 60'000, 0.03 * 314 / 60'000);
+  EXPECT_NEAR(share(CellStatus::base_plane), 314.0 / 60'000, 0.03 * 314 / 60'000);
   picture("1_filled");
   ASSERT_TRUE(otherSurfaceBy("undo"));
-  EXPECT_EQ(share(Origin::interpolated), 0) << "Ctrl+Z brings all holes back";
+  EXPECT_EQ(share(CellStatus::interpolated), 0) << "Ctrl+Z brings all holes back";
   ASSERT_TRUE(otherSurfaceBy("redo"));
-  EXPECT_GT(share(Origin::interpolated), 0);
+  EXPECT_GT(share(CellStatus::interpolated), 0);
   falcon_->with([](FalconEmulator& f) {
     for (const auto& command : f.commands()) EXPECT_TRUE(command.neutral()) << "before F5";
   });
@@ -269,7 +269,7 @@ void JourneyU1::feelDomeAndHole() {
   ASSERT_TRUE(touch(90, 100)) << "the dome: " << where();
   picture("2_dome");
   handTo(150, 60, kBelowZ);
-  ASSERT_TRUE(eventually([this] { return probe() && probe()->origin == Origin::base_plane; }));
+  ASSERT_TRUE(eventually([this] { return probe() && probe()->origin == CellStatus::base_plane; }));
   EXPECT_TRUE(eventually(
       [this] { return child<QLabel>("status_kind_of_surface")->text().contains("base plane"); }));
   picture("3_hole");
@@ -349,7 +349,7 @@ void JourneyU1::readRecording() {
   const auto known = [&](const TouchRow& row) { return windowOf(recorded_, row) != nullptr; };
   EXPECT_TRUE(std::all_of(recorded_.rows.begin(), recorded_.rows.end(), known));
   EXPECT_TRUE(std::any_of(recorded_.rows.begin(), recorded_.rows.end(), [](const TouchRow& row) {
-    return row.contact && row.origin == Origin::base_plane;
+    return row.contact && row.origin == CellStatus::base_plane;
   })) << "the mask stands in the same row";
   EXPECT_EQ(ridgesFelt(recorded_), 10) << "40 mm of 4 mm waves";
   std::ifstream in(log_, std::ios::binary);
@@ -484,7 +484,7 @@ void JourneyU1::openElsewhere() {
   window().open(path("work.relievo.json"));
   ASSERT_TRUE(settled()) << window().message().toStdString();
   EXPECT_EQ(document().project().region, region);
-  EXPECT_GT(share(Origin::interpolated), 0);
+  EXPECT_GT(share(CellStatus::interpolated), 0);
   EXPECT_EQ(window().findChild<MeasurePanel*>()->measurements().size(), measured_);
   const Project project = window().project();
   EXPECT_EQ(project.figure.dpi, 600);

@@ -207,11 +207,11 @@ TEST(RotatedBounds, ScalesToMillimetresAndKeepsTheOrigin) {
 }
 
 /// A plate of 60 x 20 mm, 2 mm of relief, tilted and turned in space.
-Scan tiltedPlate(const Rotation& view_from_file, int flyers) {
+Scan tiltedPlate(const Rotation& view_from_file, int outliers) {
   std::mt19937_64 random(21);
   std::uniform_real_distribution<double> uniform(-0.5, 0.5);
   Scan scan;
-  for (int i = 0; i < 20'000 + flyers; ++i) {
+  for (int i = 0; i < 20'000 + outliers; ++i) {
     const double x = 60 * uniform(random);
     const double y = 20 * uniform(random);
     double z = 0.3 * std::sin(x) * std::cos(y);
@@ -229,7 +229,7 @@ double cosineOfNormals(const Rotation& a, const Rotation& b) {
   return a[6] * b[6] + a[7] * b[7] + a[8] * b[8];
 }
 
-TEST(ChosenRotation, TheBestFitPlaneIsFacedAndFlyersDoNotTiltIt) {
+TEST(ChosenRotation, TheBestFitPlaneIsFacedAndOutliersDoNotTiltIt) {
   const Rotation truth = relievo::turned(*standardRotation("top"), {25, -35, 0});
   const Scan scan = tiltedPlate(truth, 40);
   const NamedRotation view = chosenRotation(scan, {.name = "fit", .rotation = {}});

@@ -24,7 +24,7 @@ using testing::SizeIs;
 
 constexpr RectMm kObject{-100, 50, 300, 200};  // Its corner is not the origin.
 using Heights = std::function<double(double x, double y)>;
-using Origins = std::function<Origin(double x, double y)>;
+using Origins = std::function<CellStatus(double x, double y)>;
 
 /// A map of cells of a side; x from the left edge, y from the bottom edge, mm.
 DepthMap mapOf(const Heights& z, double cell_mm = 1, const Origins& origin = {}) {
@@ -37,8 +37,8 @@ DepthMap mapOf(const Heights& z, double cell_mm = 1, const Origins& origin = {})
   for (int row = 0; row < map.frame.size.rows; ++row) {
     for (int col = 0; col < map.frame.size.cols; ++col) {
       const double x = (col + 0.5) * cell_mm, y = (row + 0.5) * cell_mm;
-      map.origins.push_back(origin ? origin(x, y) : Origin::measured);
-      const bool is_hole = map.origins.back() == Origin::base_plane;
+      map.origins.push_back(origin ? origin(x, y) : CellStatus::measured);
+      const bool is_hole = map.origins.back() == CellStatus::base_plane;
       map.heights_mm.push_back(is_hole ? 0 : static_cast<float>(z(x, y)));
     }
   }
@@ -211,9 +211,9 @@ TEST(Describe, TheRoughPartIsNamedAndASmoothBumpIsNone) {
 TEST(Describe, WhatWasNotMeasuredHasItsShareAndPlace) {
   // A tenth of the surface, of which two parts are apart.
   const Origins holes = [](double x, double y) {
-    if (x > 10 && x < 60 && y > 10 && y < 110) return Origin::base_plane;       // 5000 mm2.
-    if (x > 260 && x < 280 && y > 150 && y < 200) return Origin::interpolated;  // 1000 mm2.
-    return Origin::measured;
+    if (x > 10 && x < 60 && y > 10 && y < 110) return CellStatus::base_plane;       // 5000 mm2.
+    if (x > 260 && x < 280 && y > 150 && y < 200) return CellStatus::interpolated;  // 1000 mm2.
+    return CellStatus::measured;
   };
   const Description d =
       descriptionOf(mapOf([](double x, double y) { return 4 + 0.01 * x + 0.02 * y; }, 1, holes));
@@ -233,7 +233,7 @@ TEST(Describe, WhatFillsAHoleIsNeitherSmoothNorHighest) {
     return is_lid(x, y) ? 3 + 0.01 * x : 0.5 * (parity % 2);
   };
   const Origins filled = [&](double x, double y) {
-    return is_lid(x, y) ? Origin::interpolated : Origin::measured;
+    return is_lid(x, y) ? CellStatus::interpolated : CellStatus::measured;
   };
   EXPECT_EQ(descriptionOf(mapOf(z)).smoothest, Ninth::top_left) << "as it would be if measured";
   const Description d = descriptionOf(mapOf(z, 1, filled));
@@ -242,12 +242,13 @@ TEST(Describe, WhatFillsAHoleIsNeitherSmoothNorHighest) {
 }
 
 TEST(Describe, StrangeMapsAreDescribedToo) {
-  const Description outside = descriptionOf(
-      mapOf([](double, double) { return 0.0; }, 1, [](double, double) { return Origin::outside; }));
+  const Description outside = descriptionOf(mapOf(
+      [](double, double) { return 0.0; }, 1, [](double, double) { return CellStatus::outside; }));
   EXPECT_FALSE(outside.has_heights);
   EXPECT_THAT(spokenOf(outside), Contains("There are no heights to describe."));
-  const Description hole = descriptionOf(mapOf([](double, double) { return 0.0; }, 1,
-                                               [](double, double) { return Origin::base_plane; }));
+  const Description hole =
+      descriptionOf(mapOf([](double, double) { return 0.0; }, 1,
+                          [](double, double) { return CellStatus::base_plane; }));
   EXPECT_FALSE(hole.has_heights);
 }
 

@@ -20,7 +20,7 @@ HandPlace onTheDome() {
   return {.object = {0, 0, 300, 200},
           .at = {90, 100, 30},
           .touching = true,
-          .origin = Origin::measured,
+          .origin = CellStatus::measured,
           .name = "Dome",
           .detail = 1,
           .details = 4,
@@ -65,7 +65,7 @@ TEST(HandPlace, EdgesAreTheObjectsAndToATenthOfAMillimetre) {
 TEST(HandPlace, WhatWasNotMeasuredSaysWhy) {
   HandPlace place = onTheDome();
   place.name.clear();
-  place.origin = Origin::interpolated;
+  place.origin = CellStatus::interpolated;
   const std::vector<Message> words = shortWords(place);
   ASSERT_EQ(words.size(), 2U);
   EXPECT_EQ(englishSpoken(words[1]), "Not measured here.");
@@ -75,7 +75,7 @@ TEST(HandPlace, WhatWasNotMeasuredSaysWhy) {
 TEST(HandPlace, SteepGroundWasMeasured) {
   HandPlace place = onTheDome();
   place.name.clear();
-  place.origin = Origin::steep;
+  place.origin = CellStatus::steep;
   const std::vector<Message> words = shortWords(place);
   ASSERT_EQ(words.size(), 2U);
   EXPECT_EQ(englishSpoken(words[1]), "Measured here, but too steep to trust.");
@@ -100,7 +100,7 @@ TEST(HandPlace, InTheAirThereIsNoHeightAndBesideNoPlace) {
   EXPECT_THAT(spoken(shortWords(place)), ElementsAre("Beside the relief."));
   place.at.x = 90;
   place.touching = true;
-  place.origin = Origin::outside;
+  place.origin = CellStatus::outside;
   EXPECT_THAT(spoken(shortWords(place)), ElementsAre("Beside the relief."));
 }
 

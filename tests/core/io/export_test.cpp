@@ -33,11 +33,11 @@ namespace {
 DepthMap smallMap() {
   DepthMap map{.frame = {.size = {7, 5}, .spacing_mm = 0.1, .first_x_mm = 0.05, .first_y_mm = 0.05},
                .heights_mm = {},
-               .origins = std::vector<Origin>(35, Origin::measured)};
+               .origins = std::vector<CellStatus>(35, CellStatus::measured)};
   for (int i = 0; i < 35; ++i) map.heights_mm.push_back(0.3F * static_cast<float>(i) + 1 / 3.0F);
-  map.origins[16] = Origin::base_plane;
+  map.origins[16] = CellStatus::base_plane;
   map.heights_mm[16] = 0;
-  map.origins[34] = Origin::outside;
+  map.origins[34] = CellStatus::outside;
   map.heights_mm[34] = 0;
   map.heights_mm[3] = -0.7F;
   map.heights_mm[4] = 2;  // A whole number among the others.
@@ -196,8 +196,8 @@ TEST_F(Export, AnElevationModelGoesBackWhereItCameFrom) {
   raster.valid = {true, true, true, true, false, true};
   DepthMap map{.frame = {.size = {3, 2}, .spacing_mm = 500, .first_x_mm = 250, .first_y_mm = 250},
                .heights_mm = {0, 100, 200, 900, 450, 2600},
-               .origins = std::vector<Origin>(6, Origin::measured)};
-  map.origins[4] = Origin::interpolated;
+               .origins = std::vector<CellStatus>(6, CellStatus::measured)};
+  map.origins[4] = CellStatus::interpolated;
   ViewFromFile view;
   view.m = {1000, 0, 0,    250 - 512022100.0, 0, 1000, 0, 250 - 5403117300.0,
             0,    0, 1000, -250100,           0, 0,    0, 1};
@@ -259,7 +259,7 @@ TEST_F(Export, HeightsThatWereConvertedSayTheUnitTheyAreIn) {
     DepthMap map{
         .frame = {.size = raster.size, .spacing_mm = 500, .first_x_mm = 250, .first_y_mm = 250},
         .heights_mm = std::vector<float>(6, 0),
-        .origins = std::vector<Origin>(6, Origin::measured)};
+        .origins = std::vector<CellStatus>(6, CellStatus::measured)};
     ViewFromFile view;
     view.m = {1000, 0, 0, 0, 0, 1000, 0, 0, 0, 0, 1000, 0, 0, 0, 0, 1};
     const auto grid = fileGrid(map, view, LengthUnit::m, &raster);
@@ -287,7 +287,7 @@ TEST_F(Export, AReferenceSystemThatDoesNotAgreeWithTheUnitIsLeftOutWithAWord) {
   const DepthMap map{
       .frame = {.size = raster.size, .spacing_mm = 1, .first_x_mm = 0, .first_y_mm = 0},
       .heights_mm = std::vector<float>(6, 0),
-      .origins = std::vector<Origin>(6, Origin::measured)};
+      .origins = std::vector<CellStatus>(6, CellStatus::measured)};
   const auto grid = fileGrid(map, {}, LengthUnit::mm, &raster);
   ASSERT_TRUE(grid);
   EXPECT_EQ(grid->projection, "");
@@ -316,7 +316,7 @@ TEST_F(Export, AMapInViewMillimetresSaysSo) {
 /// that would be terrain which nobody measured.
 TEST_F(Export, HolesAreNoTerrainInTheFilesCoordinates) {
   DepthMap map = smallMap();
-  ASSERT_EQ(map.origins[16], Origin::base_plane);
+  ASSERT_EQ(map.origins[16], CellStatus::base_plane);
   ViewFromFile view;
   view.m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -500, 0, 0, 0, 1};
   const auto grid = fileGrid(map, view, LengthUnit::mm);
@@ -366,8 +366,8 @@ TEST_F(Export, CloudGeoTiffHasOverviewsAndKeepsUnitAndSystem) {
   for (int i = 0; i < 1100 * 700; ++i) {
     grid.heights.push_back(static_cast<float>(i % 1100) * 0.01F);
   }
-  grid.origins.assign(grid.heights.size(), Origin::measured);
-  for (std::size_t i = 0; i < 5000; ++i) grid.origins[i] = Origin::outside;
+  grid.origins.assign(grid.heights.size(), CellStatus::measured);
+  for (std::size_t i = 0; i < 5000; ++i) grid.origins[i] = CellStatus::outside;
   const auto file = folder_.path() / "cog.tif";
   exportGrid(file, grid, ExportFormat::cloud_geotiff);
   const RasterMap back = importRaster(file);
@@ -483,7 +483,7 @@ TEST_F(Export, ColoursGoIntoPly) {
 TEST_F(Export, WhatCannotBeWrittenLeavesWhatWasThere) {
   const auto file = folder_.write("map.xyz", "older");
   DepthMap nothing = smallMap();
-  nothing.origins.assign(35, Origin::outside);
+  nothing.origins.assign(35, CellStatus::outside);
   EXPECT_THROW(exportGrid(file, viewGrid(nothing), ExportFormat::xyz), ArgumentError);
   EXPECT_THROW(
       exportGrid(folder_.path() / "no" / "map.vti", viewGrid(smallMap()), ExportFormat::vti),

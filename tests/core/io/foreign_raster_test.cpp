@@ -19,7 +19,7 @@
 #include "core/io/raster/raster.h"
 #include "core/io/raster/raster_rows.h"
 #include "core/io/raster/tiff_head.h"
-#include "core/project/carried_state.h"
+#include "core/project/embedded_state.h"
 #include "core/session/load.h"
 #include "core/session/map_facts.h"
 #include "core/tiles/level_files.h"
@@ -85,7 +85,7 @@ TEST(ForeignRaster, IsOpenedByGdalInTheWorkerOnly) {
   EXPECT_EQ(inputFacts(file).kind, InputKind::raster);
   EXPECT_FALSE(TiledMap::isOne(file));
   EXPECT_EQ(rasterState(file), "words of another program");
-  EXPECT_FALSE(carriedProject(file).has_value());
+  EXPECT_FALSE(embeddedProject(file).has_value());
   EXPECT_FALSE(isOwnTiff(file));
   EXPECT_THROW(TiledMap{file}, FileError);
   EXPECT_EQ(importRaster(file).values.size(), 1200U);
@@ -100,7 +100,7 @@ TEST(ForeignRaster, FilesThatClaimToBeOursAreNotOpenedByGdalEither) {
   const test::TemporaryFolder folder;
   const DepthMap map{.frame = {.size = {300, 280}, .spacing_mm = 0.5},
                      .heights_mm = std::vector<float>(300 * 280, 2),
-                     .origins = std::vector<Origin>(300 * 280, Origin::measured)};
+                     .origins = std::vector<CellStatus>(300 * 280, CellStatus::measured)};
   LevelFiles files(folder.path() / "map.tif", map.frame, {});
   for (int row = 0; row < 280; ++row) files.add(&map.heights_mm[0], &map.origins[0]);
   files.finish({}, "state");

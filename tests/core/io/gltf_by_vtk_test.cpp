@@ -32,7 +32,7 @@ ExportGrid bowl() {
     const double x = i % kCols - 20;
     const double y = i / kCols - 15;
     map.heights_mm.push_back(static_cast<float>(0.01 * (x * x + y * y)));
-    map.origins.push_back(i == kGap ? Origin::outside : Origin::measured);
+    map.origins.push_back(i == kGap ? CellStatus::outside : CellStatus::measured);
   }
   grid = viewGrid(map);
   for (int i = 0; i < kCols * kRows; ++i) {

@@ -180,7 +180,7 @@ TEST(Import, GeoreferencedDoublesKeepTheirDigits) {
   }
 }
 
-TEST(Import, AFlyerDoesNotTakeTheResolutionFromTheRest) {
+TEST(Import, AnOutlierDoesNotTakeTheResolutionFromTheRest) {
   const TemporaryFolder folder;
   const Scan scan = importScan(folder.write("a.xyz", "-9999 -9999 -9999\n" + utmText("")));
   ASSERT_EQ(scan.points.size(), 4U);

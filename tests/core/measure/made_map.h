@@ -19,7 +19,7 @@ inline DepthMap mapOf(const std::function<double(double, double)>& z) {
       map.heights_mm.push_back(static_cast<float>(z(map.frame.xMm(col), map.frame.yMm(row))));
     }
   }
-  map.origins.assign(map.frame.size.count(), Origin::measured);
+  map.origins.assign(map.frame.size.count(), CellStatus::measured);
   return map;
 }
 

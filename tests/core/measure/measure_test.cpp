@@ -145,7 +145,7 @@ TEST(Measure, WhatWasNotMeasuredIsSaid) {
   DepthMap map = mapOf(ramp);
   for (int row = 0; row < 200; ++row) {
     for (int col = 100; col < 200; ++col) {
-      map.origins[map.frame.size.index({.col = col, .row = row})] = Origin::interpolated;
+      map.origins[map.frame.size.index({.col = col, .row = row})] = CellStatus::interpolated;
     }
   }
   EXPECT_EQ(read(map, {.kind = MeasureKind::distance, .places = {{20, 20}, {80, 20}}}).not_measured,
@@ -159,7 +159,7 @@ TEST(Measure, WhatWasNotMeasuredIsSaid) {
 
 TEST(Measure, PlacesBesideTheObjectAreRefused) {
   DepthMap map = mapOf(ramp);
-  map.origins[map.frame.size.index({.col = 10, .row = 10})] = Origin::outside;
+  map.origins[map.frame.size.index({.col = 10, .row = 10})] = CellStatus::outside;
   EXPECT_FALSE(surfacePoint(map, {.x = 5.25, .y = 5.25}));
   EXPECT_FALSE(surfacePoint(map, {.x = -1, .y = 5}));
   EXPECT_TRUE(surfacePoint(map, {.x = 0, .y = 100}));
@@ -175,7 +175,7 @@ TEST(Measure, BesideTheOutlineOnlyTheObjectCounts) {
   for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
     if (i % 200 < 100) continue;
     map.heights_mm[i] = 0;
-    map.origins[i] = Origin::outside;
+    map.origins[i] = CellStatus::outside;
   }
   // Between the last cell on the object, at 49.75 mm, and the first beyond, at 50.25.
   const auto beside = surfacePoint(map, {49.9, 30});
@@ -202,7 +202,7 @@ TEST(Measure, UncertaintiesAddUp) {
 TEST(Measure, CutCellsCountByTheirPart) {
   DepthMap map = mapOf([](double, double) { return 1; });
   for (std::size_t i = 0; i < map.origins.size(); ++i) {
-    if (i % 200 == 40) map.origins[i] = Origin::interpolated;  // From 20 to 20.5 mm.
+    if (i % 200 == 40) map.origins[i] = CellStatus::interpolated;  // From 20 to 20.5 mm.
   }
   const Reading reading = read(
       map, {.kind = MeasureKind::area, .places = {{10, 10}, {20.25, 10}, {20.25, 20}, {10, 20}}});

@@ -22,7 +22,7 @@ DepthMap ramp() {
   for (int row = 0; row < 20; ++row) {
     for (int col = 0; col < 20; ++col) map.heights_mm.push_back(0.5F * static_cast<float>(col));
   }
-  map.origins.assign(map.frame.size.count(), Origin::measured);
+  map.origins.assign(map.frame.size.count(), CellStatus::measured);
   return map;
 }
 
@@ -53,7 +53,7 @@ TEST(MeasureText, WhatCouldNotBeReadIsACommentInItsPlace) {
 
 TEST(MeasureText, AProfileIsOneRowPerSampleWithItsOrigin) {
   DepthMap map = ramp();
-  map.origins[map.frame.size.index({.col = 4, .row = 5})] = Origin::base_plane;
+  map.origins[map.frame.size.index({.col = 4, .row = 5})] = CellStatus::base_plane;
   const auto rows = profile(map, {{2.5, 5.5}, {6.5, 5.5}});
   const std::string csv = profileCsv(rows, "");
   EXPECT_THAT(csv,
@@ -68,7 +68,7 @@ TEST(MeasureText, AProfilesDrawingDashesWhatWasNotMeasured) {
   EXPECT_THAT(solid, HasSubstr("a &lt; b &amp; c"));
   EXPECT_THAT(solid, HasSubstr("true to scale"));
   EXPECT_THAT(solid, Not(HasSubstr("stroke-dasharray")));
-  map.origins[map.frame.size.index({.col = 9, .row = 5})] = Origin::interpolated;
+  map.origins[map.frame.size.index({.col = 9, .row = 5})] = CellStatus::interpolated;
   EXPECT_THAT(profileSvg(profile(map, {{2.5, 5.5}, {16.5, 5.5}}), ""),
               HasSubstr("stroke-dasharray"));
   // Flat: another scale for heights, and it is said.

@@ -105,8 +105,8 @@ TEST(Section, CellsOutsideAreLeftOutAndGapsAreTold) {
   for (int row = 0; row < 200; ++row) {
     for (int col = 0; col < 200; ++col) {
       const std::size_t i = map.frame.size.index({.col = col, .row = row});
-      if (col < 100) map.origins[i] = Origin::outside;
-      if (row < 100 && col >= 100) map.origins[i] = Origin::interpolated;
+      if (col < 100) map.origins[i] = CellStatus::outside;
+      if (row < 100 && col >= 100) map.origins[i] = CellStatus::interpolated;
     }
   }
   const auto curves = section(map, {.normal = {0, 0, 1}, .offset_mm = 10});

@@ -88,7 +88,7 @@ TEST(Uncertainty, OfAnAreaThatEndsWithTheObjectIsHalfACellAlongItsEdge) {
   DepthMap map = mapOf(block);
   for (int row = 0; row < 200; ++row) {
     for (int col = 0; col < 100; ++col) {
-      map.origins[map.frame.size.index({.col = col, .row = row})] = Origin::outside;
+      map.origins[map.frame.size.index({.col = col, .row = row})] = CellStatus::outside;
     }
   }
   const auto q = area(map, square(-20, 120));
@@ -119,7 +119,7 @@ DepthMap filledStep(int first_col, int cols) {
       const std::size_t i = map.frame.size.index({.col = col, .row = row});
       const double along = (col - first_col + 1.0) / (cols + 1);
       map.heights_mm[i] = static_cast<float>(10 * std::clamp(1 - along, 0.0, 1.0));
-      if (col >= first_col && col < first_col + cols) map.origins[i] = Origin::interpolated;
+      if (col >= first_col && col < first_col + cols) map.origins[i] = CellStatus::interpolated;
     }
   }
   return map;
@@ -145,7 +145,7 @@ TEST(Uncertainty, OfAGapThatEndsWithTheObjectIsThatOfTheRimThereIs) {
   DepthMap map = filledStep(40, 20);
   for (int row = 0; row < map.frame.size.rows; ++row) {
     for (int col = 60; col < map.frame.size.cols; ++col) {
-      map.origins[map.frame.size.index({.col = col, .row = row})] = Origin::outside;
+      map.origins[map.frame.size.index({.col = col, .row = row})] = CellStatus::outside;
     }
   }
   const PlaceMm place{.x = map.frame.xMm(50), .y = 50};

@@ -19,7 +19,7 @@ namespace relievo {
 namespace {
 
 using Heights = std::function<double(double x, double y)>;
-using Origins = std::function<Origin(double x, double y)>;
+using Origins = std::function<CellStatus(double x, double y)>;
 constexpr std::uint8_t kAllEdges = 15;
 constexpr double kSideMm = 80, kCellMm = kSideMm / kWindowSamples, kToleranceMm = 0.3;
 
@@ -30,9 +30,9 @@ RegionWindow windowOf(const Heights& height, const Origins& origin = {}, double 
   for (std::size_t i = 0; i < kWindowCount; ++i) {
     const double x = x_mm + (static_cast<double>(i % kWindowSamples) + 0.5) * window.spacingMm();
     const double y = y_mm + (static_cast<double>(i / kWindowSamples) + 0.5) * window.spacingMm();
-    window.origins.push_back(origin ? origin(x, y) : Origin::measured);
+    window.origins.push_back(origin ? origin(x, y) : CellStatus::measured);
     window.heights_mm.push_back(
-        window.origins.back() == Origin::outside ? 0 : static_cast<float>(height(x, y)));
+        window.origins.back() == CellStatus::outside ? 0 : static_cast<float>(height(x, y)));
   }
   return window;
 }
@@ -119,8 +119,8 @@ TEST(Outline, TheDomeOfReliefFIsLedAroundNearItsFoot) {
   const auto window = windowOf(
       samples::reliefFHeightMm,
       [](double x, double y) {
-        if (samples::isOutside(x, y)) return Origin::outside;
-        return samples::isHole(x, y) ? Origin::base_plane : Origin::measured;
+        if (samples::isOutside(x, y)) return CellStatus::outside;
+        return samples::isHole(x, y) ? CellStatus::base_plane : CellStatus::measured;
       },
       300, 0, -50);
   const samples::Disc dome = samples::kReliefFCap;
@@ -149,7 +149,7 @@ TEST(Outline, TheBorderOfReliefFGoesRoundItsMissingCorner) {
   const auto window = windowOf(
       samples::reliefFHeightMm,
       [](double x, double y) {
-        return samples::isOutside(x, y) ? Origin::outside : Origin::measured;
+        return samples::isOutside(x, y) ? CellStatus::outside : CellStatus::measured;
       },
       300, 0, -50);
   const auto outlines = objectOutlines(window, kAllEdges, 1.1);
@@ -167,15 +167,17 @@ TEST(Outline, TheBorderOfReliefFGoesRoundItsMissingCorner) {
 
 TEST(Outline, AnEdgeThatWasNotSeenAllRoundIsNone) {
   const auto height = [](double x, double y) { return rise(16 - std::hypot(x - 40, y - 40)); };
-  const auto gap = [](Origin as) {
-    return
-        [as](double x, double y) { return std::hypot(x - 56, y - 40) < 2 ? as : Origin::measured; };
+  const auto gap = [](CellStatus as) {
+    return [as](double x, double y) {
+      return std::hypot(x - 56, y - 40) < 2 ? as : CellStatus::measured;
+    };
   };
   EXPECT_EQ(raisedOutlines(windowOf(height), kToleranceMm).size(), 1U);
-  for (const Origin origin : {Origin::interpolated, Origin::base_plane, Origin::outside}) {
+  for (const CellStatus origin :
+       {CellStatus::interpolated, CellStatus::base_plane, CellStatus::outside}) {
     EXPECT_TRUE(raisedOutlines(windowOf(height, gap(origin)), kToleranceMm).empty());
   }
-  EXPECT_EQ(raisedOutlines(windowOf(height, gap(Origin::steep)), kToleranceMm).size(), 1U);
+  EXPECT_EQ(raisedOutlines(windowOf(height, gap(CellStatus::steep)), kToleranceMm).size(), 1U);
   const auto at_border = [](double x, double y) { return rise(16 - std::hypot(x - 10, y - 40)); };
   EXPECT_TRUE(raisedOutlines(windowOf(at_border), kToleranceMm).empty());
 }
@@ -189,8 +191,8 @@ TEST(Outline, PlanesNoiseAndSmallAreasHaveNone) {
                   .empty());
   const auto small = [](double x, double y) { return rise(3 - std::hypot(x - 40, y - 40)); };
   EXPECT_TRUE(raisedOutlines(windowOf(small), kToleranceMm).empty()) << "0.4 % of the window";
-  const auto nothing =
-      windowOf([](double, double) { return 0; }, [](double, double) { return Origin::outside; });
+  const auto nothing = windowOf([](double, double) { return 0; },
+                                [](double, double) { return CellStatus::outside; });
   EXPECT_TRUE(outlinesOf(nothing, kAllEdges, kToleranceMm).empty());
 }
 

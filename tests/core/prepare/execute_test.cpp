@@ -131,7 +131,7 @@ TEST(Duplicates, LeaveTheFirstOfEveryPlace) {
 }
 
 TEST(Outliers, PlantedHighAboveAreFound) {
-  std::vector<Point3f> points = test::reliefWithFlyers(5000, 0, 1);
+  std::vector<Point3f> points = test::reliefWithOutliers(5000, 0, 1);
   points[1234] = {50, 50, 60};
   const Numbers kept = keptBy(test::scanOf(points), Outliers{});
   EXPECT_FALSE(std::binary_search(kept.begin(), kept.end(), 1234U));
@@ -214,7 +214,7 @@ TEST(Sparse, ASurfaceThatIsRoughAllOverKeepsNearlyAllItsPoints) {
 }
 
 TEST(Thin, KeepsThePointNearestTheMiddleOfEveryCube) {
-  const std::vector<Point3f> points = test::reliefWithFlyers(30000, 0.01, 7);
+  const std::vector<Point3f> points = test::reliefWithOutliers(30000, 0.01, 7);
   const double side = 1.5;
   const Numbers kept = thinned(points, {}, side, {});
   std::map<std::array<int, 3>, std::pair<double, std::uint32_t>> best;
@@ -293,7 +293,7 @@ TEST(Base, ThatIsLaidFlatHasTheObjectAboveIt) {
 }
 
 TEST(Base, IsTheSameForTheSameSeed) {
-  const std::vector<Point3f> points = test::reliefWithFlyers(20000, 0.05, 9);
+  const std::vector<Point3f> points = test::reliefWithOutliers(20000, 0.05, 9);
   for (const std::uint32_t seed : {1U, 2U, 99U}) {
     const Base step{.lay = true, .distance_mm = 0.1, .seed = seed};
     EXPECT_EQ(run({test::scanOf(points)}, {step}).poses, run({test::scanOf(points)}, {step}).poses);
@@ -345,7 +345,7 @@ std::vector<Point3f> quarterTurned(const std::vector<Point3f>& points) {
 }
 
 TEST(Steps, CommuteWithARigidMotion) {
-  std::vector<Point3f> points = test::reliefWithFlyers(20000, 0.02, 11);
+  std::vector<Point3f> points = test::reliefWithOutliers(20000, 0.02, 11);
   points = test::withDuplicates(points, 0.05, 12);
   const std::vector<Point3f> turned = quarterTurned(points);
   PrepareScan moved = test::scanOf(turned);

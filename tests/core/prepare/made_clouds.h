@@ -13,8 +13,8 @@
 
 namespace relievo::test {
 
-/// A wavy relief of 100 x 100 units, unevenly sampled, with flyers above it.
-inline std::vector<Point3f> reliefWithFlyers(std::size_t points, double flyers, unsigned seed) {
+/// A wavy relief of 100 x 100 units, unevenly sampled, with outliers above it.
+inline std::vector<Point3f> reliefWithOutliers(std::size_t points, double outliers, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> share(0, 1);
   std::vector<Point3f> cloud;
@@ -22,7 +22,7 @@ inline std::vector<Point3f> reliefWithFlyers(std::size_t points, double flyers, 
     const float x = 100 * share(random) * std::sqrt(share(random));
     const float y = 100 * share(random);
     const float z = 3 * std::sin(0.2F * x) * std::cos(0.15F * y) + 0.02F * share(random);
-    cloud.push_back({x, y, share(random) < static_cast<float>(flyers) ? 40 * share(random) : z});
+    cloud.push_back({x, y, share(random) < static_cast<float>(outliers) ? 40 * share(random) : z});
   }
   return cloud;
 }

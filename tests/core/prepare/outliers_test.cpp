@@ -53,24 +53,24 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  std::vector<Case> all{{"relief", test::reliefWithFlyers(20000, 0.01, 1)},
-                        {"flyers alone", test::reliefWithFlyers(3000, 1, 2)}};
+  std::vector<Case> all{{"relief", test::reliefWithOutliers(20000, 0.01, 1)},
+                        {"flyers alone", test::reliefWithOutliers(3000, 1, 2)}};
   for (const double part : {0.01, 0.1, 0.5, 1.0}) {
     all.push_back({"duplicates " + std::to_string(part),
-                   test::withDuplicates(test::reliefWithFlyers(8000, 0.01, 3), part, 4)});
+                   test::withDuplicates(test::reliefWithOutliers(8000, 0.01, 3), part, 4)});
   }
   Case line{"a line", {}};
   for (int i = 0; i < 3000; ++i) line.points.push_back({0.1F * static_cast<float>(i), 0, 0});
   line.points.push_back({400, 0, 0});
   all.push_back(line);
-  Case utm{"coordinates of a map", test::reliefWithFlyers(8000, 0.01, 5)};
+  Case utm{"coordinates of a map", test::reliefWithOutliers(8000, 0.01, 5)};
   for (Point3f& p : utm.points) p = {p[0] + 500000, p[1] + 5400000, p[2]};
   all.push_back(utm);
   Case one_place{"one place", std::vector<Point3f>(500, Point3f{1, 2, 3})};
   one_place.points.push_back({9, 9, 9});
   all.push_back(one_place);
   for (const std::size_t few : {std::size_t{2}, std::size_t{5}, std::size_t{9}}) {
-    all.push_back({std::to_string(few) + " points", test::reliefWithFlyers(few, 0.2, 6)});
+    all.push_back({std::to_string(few) + " points", test::reliefWithOutliers(few, 0.2, 6)});
   }
   return all;
 }

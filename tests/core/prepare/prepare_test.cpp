@@ -30,7 +30,7 @@ namespace {
 
 Scan reliefScan(std::size_t points, const std::string& file, unsigned seed = 1) {
   Scan scan;
-  scan.points = test::reliefWithFlyers(points, 0.01, seed);
+  scan.points = test::reliefWithOutliers(points, 0.01, seed);
   test::finishScan(scan);
   scan.info.file = file;
   return scan;
@@ -280,7 +280,7 @@ bool isTaken(const PrepareAnswer& answer, const PrepareJob& job) {
 }
 
 TEST(PrepareAnswer, ThatIsNotConsistentIsNoAnswer) {
-  const std::vector<Point3f> points = test::reliefWithFlyers(1000, 0.05, 1);
+  const std::vector<Point3f> points = test::reliefWithOutliers(1000, 0.05, 1);
   const PrepareJob job{.steps = {Align{}, Outliers{}, Normals{}}, .scans = {test::scanOf(points)}};
   const PrepareAnswer good = execute(job, {}, {});
   ASSERT_TRUE(isTaken(good, job));
@@ -327,7 +327,7 @@ TEST(PrepareAnswer, ThatIsNotConsistentIsNoAnswer) {
 }
 
 TEST(PrepareAnswer, OfChangedBytesIsNoneOrStillSound) {
-  const std::vector<Point3f> points = test::reliefWithFlyers(300, 0.05, 1);
+  const std::vector<Point3f> points = test::reliefWithOutliers(300, 0.05, 1);
   const PrepareJob job{.steps = {Align{}, Outliers{}, Normals{}}, .scans = {test::scanOf(points)}};
   AnswerFile file;
   sendPrepareAnswer(file.fd(), execute(job, {}, {}));
@@ -352,7 +352,7 @@ TEST(PrepareAnswer, OfChangedBytesIsNoneOrStillSound) {
 }
 
 TEST(PrepareJob, ArrivesAsItWasSentAndNotOtherwise) {
-  const std::vector<Point3f> points = test::reliefWithFlyers(101, 0.05, 1);
+  const std::vector<Point3f> points = test::reliefWithOutliers(101, 0.05, 1);
   const std::vector<std::uint8_t> classes(101, 3);
   PrepareScan scan = test::scanOf(points);
   scan.classes = classes;

@@ -331,7 +331,7 @@ TEST_F(OnDisk, WhatARecordingNeedsIsPackedBesideItOnce) {
   const fs::path raster = folder_.write("firm.tif", "where it is firm");
   const std::string sha256 = sha256OfFile(raster);
   PackageContents contents;
-  contents.companions = [&](const fs::path& recording, const Task&) {
+  contents.dependencies = [&](const fs::path& recording, const Task&) {
     EXPECT_EQ(recording.filename(), "log.csv");
     const InputFile one{.file = raster.string(), .sha256 = sha256};
     const InputFile scan{.file = project_.file, .sha256 = project_.sha256};

@@ -175,7 +175,7 @@ TEST(Embedded, StateComesBackFromTiffAndCsvAndIsMissedElsewhere) {
   map.frame = {
       .size = {.cols = 3, .rows = 2}, .spacing_mm = 1, .first_x_mm = 0.5, .first_y_mm = 0.5};
   map.heights_mm.assign(6, 1.5F);
-  map.origins.assign(6, Origin::measured);
+  map.origins.assign(6, CellStatus::measured);
   writeMap(folder.path() / "map.tif", map, {.view_from_file = {}, .state = json});
   EXPECT_EQ(embeddedState(folder.path() / "map.tif"), json);
   EXPECT_EQ(embeddedState(folder.path() / "map.origin.tif"), json);

@@ -18,7 +18,7 @@ DepthMap mapOf(int cols, int rows) {
                .first_x_mm = 0.25,
                .first_y_mm = 0.25};
   map.heights_mm.assign(map.frame.size.count(), 1);
-  map.origins.assign(map.frame.size.count(), Origin::measured);
+  map.origins.assign(map.frame.size.count(), CellStatus::measured);
   return map;
 }
 

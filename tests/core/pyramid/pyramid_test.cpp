@@ -22,7 +22,7 @@ DepthMap mapOf(int cols, int rows, double spacing) {
                .first_x_mm = 0.5 * spacing,
                .first_y_mm = 0.5 * spacing};
   map.heights_mm.assign(map.frame.size.count(), 0);
-  map.origins.assign(map.frame.size.count(), Origin::measured);
+  map.origins.assign(map.frame.size.count(), CellStatus::measured);
   return map;
 }
 
@@ -130,7 +130,7 @@ TEST(Pyramid, TheShareOfMeasuredCellsIsCarriedThroughTheSameKernel) {
   DepthMap map = mapOf(400, 400, 1);
   for (int row = 0; row < 400; ++row) {
     for (int col = 200; col < 400; ++col) {
-      map.origins[map.frame.size.index({.col = col, .row = row})] = Origin::base_plane;
+      map.origins[map.frame.size.index({.col = col, .row = row})] = CellStatus::base_plane;
     }
   }
   const PyramidLevel level = buildPyramid(map).levels[1];
@@ -336,12 +336,12 @@ TEST(BuildPyramid, CellsOnTheBasePlaneAndOutsideTakePartAsNought) {
   DepthMap map;
   map.frame = {.size = {.cols = 300, .rows = 250}, .spacing_mm = 1};
   map.heights_mm.assign(map.frame.size.count(), 7.0F);
-  map.origins.assign(map.heights_mm.size(), Origin::measured);
+  map.origins.assign(map.heights_mm.size(), CellStatus::measured);
   DepthMap clean = map;
   for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
-    if (i % 300 < 100) map.origins[i] = clean.origins[i] = Origin::base_plane;
-    if (i % 300 > 200) map.origins[i] = clean.origins[i] = Origin::outside;
-    if (map.origins[i] == Origin::measured) continue;
+    if (i % 300 < 100) map.origins[i] = clean.origins[i] = CellStatus::base_plane;
+    if (i % 300 > 200) map.origins[i] = clean.origins[i] = CellStatus::outside;
+    if (map.origins[i] == CellStatus::measured) continue;
     map.heights_mm[i] = 1000;
     clean.heights_mm[i] = 0;
   }

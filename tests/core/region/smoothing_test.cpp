@@ -19,7 +19,7 @@ DepthMap ridge(int cols, int col, double spacing_mm) {
                .first_x_mm = 0.5 * spacing_mm,
                .first_y_mm = 0.5 * spacing_mm};
   map.heights_mm.assign(map.frame.size.count(), 0);
-  map.origins.assign(map.frame.size.count(), Origin::measured);
+  map.origins.assign(map.frame.size.count(), CellStatus::measured);
   for (int row = 0; row < map.frame.size.rows; ++row) {
     map.heights_mm[map.frame.size.index({.col = col, .row = row})] = 1;
   }

@@ -15,7 +15,7 @@ class WindowColours : public ::testing::Test {
     map_.frame = {
         .size = {.cols = 400, .rows = 400}, .spacing_mm = 1, .first_x_mm = 0.5, .first_y_mm = 0.5};
     map_.heights_mm.assign(map_.frame.size.count(), 1);
-    map_.origins.assign(map_.frame.size.count(), Origin::measured);
+    map_.origins.assign(map_.frame.size.count(), CellStatus::measured);
     for (int row = 0; row < 400; ++row) {
       for (int col = 0; col < 400; ++col) {
         const auto value = static_cast<std::uint8_t>(col / 2);
@@ -25,7 +25,7 @@ class WindowColours : public ::testing::Test {
     for (int row = 100; row < 140; ++row) {
       for (int col = 100; col < 140; ++col) {
         const std::size_t i = map_.frame.size.index({.col = col, .row = row});
-        map_.origins[i] = Origin::base_plane;
+        map_.origins[i] = CellStatus::base_plane;
         colours_.colours[i] = {};
       }
     }

@@ -24,7 +24,7 @@ DepthMap planeMap() {
     for (int col = 0; col < 400; ++col) {
       map.heights_mm.push_back(
           static_cast<float>(1 + 0.1 * map.frame.xMm(col) + 0.05 * map.frame.yMm(row)));
-      map.origins.push_back(Origin::measured);
+      map.origins.push_back(CellStatus::measured);
     }
   }
   return map;
@@ -42,7 +42,7 @@ TEST(SampleWindow, IsExactOnAPlaneAtItsSamplePositions) {
       const auto i =
           GridSize{.cols = kWindowSamples, .rows = kWindowSamples}.index({.col = col, .row = row});
       ASSERT_NEAR(window.heights_mm[i], 1 + 0.1 * x + 0.05 * y, 1e-5);
-      ASSERT_EQ(window.origins[i], Origin::measured);
+      ASSERT_EQ(window.origins[i], CellStatus::measured);
     }
   }
 }
@@ -51,10 +51,10 @@ TEST(SampleWindow, BeyondTheMapIsOutsideWithHeightZero) {
   const DepthMap map = planeMap();
   const RegionWindow window = sampleWindow(
       map, buildPyramid(map), {.x_mm = -100, .y_mm = -100, .side_mm = 400, .level = {1}});
-  EXPECT_EQ(window.origins[0], Origin::outside);
+  EXPECT_EQ(window.origins[0], CellStatus::outside);
   EXPECT_EQ(window.heights_mm[0], 0);
   const std::size_t middle = 100U * kWindowSamples + 100U;  // (101, 101) mm.
-  EXPECT_EQ(window.origins[middle], Origin::measured);
+  EXPECT_EQ(window.origins[middle], CellStatus::measured);
   EXPECT_NEAR(window.heights_mm[middle], 1 + 10.1 + 5.05, 1e-4);
 }
 
@@ -68,7 +68,7 @@ DepthMap roughMap() {
   for (std::size_t i = 0; i < map.frame.size.count(); ++i) {
     map.heights_mm.push_back(static_cast<float>(random()) * 1e-9F);
   }
-  map.origins.assign(map.heights_mm.size(), Origin::measured);
+  map.origins.assign(map.heights_mm.size(), CellStatus::measured);
   return map;
 }
 
@@ -179,7 +179,7 @@ TEST(SampleWindow, OriginsAreThoseOfTheCellsUnderTheSamples) {
   for (std::size_t i = 0; i < map.origins.size(); ++i) {
     const std::size_t col = i % 400;
     const std::size_t row = i / 400;
-    map.origins[i] = (col + row) % 2 == 0 ? Origin::measured : Origin::interpolated;
+    map.origins[i] = (col + row) % 2 == 0 ? CellStatus::measured : CellStatus::interpolated;
   }
   const Pyramid pyramid = buildPyramid(map);
   for (const double side_mm : {20.0, 57.3, 99.9}) {
@@ -216,7 +216,8 @@ TEST(SampleWindow, EndsWithTheMapOnAllFourSides) {
           static_cast<std::size_t>(row) * kWindowSamples + static_cast<std::size_t>(col);
       const bool on_map = x >= 0 && x <= 200 && y >= 0 && y <= 150;
       inside += on_map;
-      ASSERT_EQ(window.origins[i], on_map ? Origin::measured : Origin::outside) << x << ' ' << y;
+      ASSERT_EQ(window.origins[i], on_map ? CellStatus::measured : CellStatus::outside)
+          << x << ' ' << y;
       if (on_map) {
         ASSERT_GE(window.heights_mm[i], 1) << x << ' ' << y;
       } else {

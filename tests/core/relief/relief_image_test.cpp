@@ -32,7 +32,7 @@ DepthMap mapOf(const std::function<double(double, double)>& z) {
           static_cast<float>(z((col - kMiddle.col) * kSpacing, (row - kMiddle.row) * kSpacing)));
     }
   }
-  map.origins.assign(map.frame.size.count(), Origin::measured);
+  map.origins.assign(map.frame.size.count(), CellStatus::measured);
   return map;
 }
 
@@ -180,7 +180,7 @@ TEST(ReliefImage, OutsideHasNoValueAndDoesNotDisturbItsNeighbours) {
   for (int row = 0; row < kSide; ++row) {
     for (int col = 60; col < kSide; ++col) {
       const std::size_t i = map.frame.size.index({.col = col, .row = row});
-      map.origins[i] = Origin::outside;
+      map.origins[i] = CellStatus::outside;
       map.heights_mm[i] = -1000;
     }
   }

@@ -90,12 +90,12 @@ TEST(TouchRecording, DrawsAForceOnlyWhereOneWasFelt) {
   row.contact = true;
   EXPECT_FALSE(probeOf(row, 1).forces_on);
   row.force = {0, 0, 0.5};
-  row.origin = Origin::base_plane;
+  row.origin = CellStatus::base_plane;
   const Probe probe = probeOf(row, 42);
   EXPECT_TRUE(probe.forces_on);
   EXPECT_TRUE(probe.touching);
   EXPECT_EQ(probe.window_id, 42U);
-  EXPECT_EQ(probe.origin, Origin::base_plane);
+  EXPECT_EQ(probe.origin, CellStatus::base_plane);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 test::ReliefNAccuracy told(const Surface& surface) {
   const test::ReliefNAccuracy found = test::accuracyOnReliefN(surface);
   std::cout << surface.rule << ": rms " << found.rms_mm << " mm, holes kept " << found.holes_kept
-            << ", gaps closed " << found.gaps_closed << ", flyers " << surface.losses->flyers
+            << ", gaps closed " << found.gaps_closed << ", flyers " << surface.losses->outliers
             << '\n';
   return found;
 }
@@ -31,16 +31,16 @@ TEST(Accuracy, AMillionPointsGiveTheReliefItsHolesAndNoGaps) {
   EXPECT_NEAR(surface.holes[0].area_mm2, 36 * M_PI, 0.06 * 36 * M_PI);
 }
 
-TEST(Accuracy, FlyersDoNotChangeIt) {
-  const Scan scan = test::reliefNScan({.points = 1'000'000, .flyer_share = 0.0005});
+TEST(Accuracy, OutliersDoNotChangeIt) {
+  const Scan scan = test::reliefNScan({.points = 1'000'000, .outlier_share = 0.0005});
   const test::ReliefNAccuracy found = told(makeSurface(scan, test::topView(800), rasterize));
   EXPECT_LE(found.rms_mm, 0.012);
   EXPECT_GE(found.holes_kept, 0.94);
   EXPECT_GE(found.gaps_closed, 0.999);
 }
 
-TEST(Accuracy, DenseCloudsWithFlyersKeepItToo) {
-  const Scan scan = test::reliefNScan({.points = 4'000'000, .flyer_share = 0.0005});
+TEST(Accuracy, DenseCloudsWithOutliersKeepItToo) {
+  const Scan scan = test::reliefNScan({.points = 4'000'000, .outlier_share = 0.0005});
   const test::ReliefNAccuracy found = told(makeSurface(scan, test::topView(500), rasterize));
   EXPECT_LE(found.rms_mm, 0.012);
   EXPECT_GE(found.holes_kept, 0.94);
@@ -57,18 +57,18 @@ TEST(Accuracy, TheBilinearSplatIsTheQuickWay) {
   EXPECT_GE(found.gaps_closed, 0.999);
 }
 
-TEST(Accuracy, TheBasePlaneIsWhereItIsWithoutFlyers) {
+TEST(Accuracy, TheBasePlaneIsWhereItIsWithoutOutliers) {
   const Surface clean =
       makeSurface(test::reliefNScan({.points = 300'000}), test::topView(400), rasterize);
-  const Surface flown = makeSurface(test::reliefNScan({.points = 300'000, .flyer_share = 0.003}),
+  const Surface flown = makeSurface(test::reliefNScan({.points = 300'000, .outlier_share = 0.003}),
                                     test::topView(400), rasterize);
   const double clean_mm = clean.view_from_file({0, 0, 0}).z;
   EXPECT_NEAR(flown.view_from_file({0, 0, 0}).z, clean_mm, 0.02);
-  EXPECT_GT(flown.losses->flyers, 700U);
+  EXPECT_GT(flown.losses->outliers, 700U);
 }
 
 TEST(Accuracy, TheBytesAreTheSameForAnyNumberOfThreads) {
-  const Scan scan = test::reliefNScan({.points = 400'000, .flyer_share = 0.001});
+  const Scan scan = test::reliefNScan({.points = 400'000, .outlier_share = 0.001});
   const auto made = [&](int threads) {
     SurfaceOptions options = test::topView(500);
     options.pyramid.threads = threads;

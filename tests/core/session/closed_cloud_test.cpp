@@ -61,8 +61,8 @@ Found heldAgainst(const Surface& surface, const std::string& view) {
   for (int row = 0; row < frame.size.rows; ++row) {
     for (int col = 0; col < frame.size.cols; ++col) {
       const std::size_t i = frame.size.index({.col = col, .row = row});
-      const Origin origin = surface.map.origins[i];
-      const bool is_there = origin != Origin::outside && origin != Origin::base_plane;
+      const CellStatus origin = surface.map.origins[i];
+      const bool is_there = origin != CellStatus::outside && origin != CellStatus::base_plane;
       double low = 1e300;
       double high = -1e300;
       bool inside = true;
@@ -127,7 +127,7 @@ TEST(ClosedCloud, BearsNoiseUnevenDensityAndStrays) {
   const Surface strayed =
       makeSurface(sampledFigure(spheres, {.strays = 0.01}, 4), seenFrom("front"), rasterize);
   expectWhole(strayed, "front", "With strays");
-  EXPECT_GT(strayed.losses->flyers, 0U);
+  EXPECT_GT(strayed.losses->outliers, 0U);
 }
 
 /// A capsule of 100 mm, 15 mm thick each way, that lies level and across the axes.
@@ -172,8 +172,8 @@ TEST(ClosedCloud, NoiseMakesNoCellSteep) {
       const double off = std::hypot(across, std::max(std::abs(along) - kHalfAxisMm, 0.0));
       if (off > kCapsuleMm * std::sin(std::atan(5.0))) continue;  // Steeper than 79 degrees.
       ++gentle;
-      const Origin origin = surface.map.origins[frame.size.index({.col = col, .row = row})];
-      steep += origin == Origin::steep ? 1 : 0;
+      const CellStatus origin = surface.map.origins[frame.size.index({.col = col, .row = row})];
+      steep += origin == CellStatus::steep ? 1 : 0;
     }
   }
   ASSERT_GT(gentle, 3000);
@@ -187,7 +187,7 @@ TEST(ClosedCloud, TheGridIsThatOfThePointsThatAreSeen) {
   std::size_t cells = 0;
   for (std::size_t i = 0; i < surface.map.origins.size(); ++i) {
     points += surface.quality.counts[i];
-    cells += surface.map.origins[i] == Origin::outside ? 0 : 1;
+    cells += surface.map.origins[i] == CellStatus::outside ? 0 : 1;
   }
   // 1.5 points a cell are wanted; the back, too, would make 3 and more of it.
   EXPECT_NEAR(static_cast<double>(points) / static_cast<double>(cells), 1.5, 0.3);
@@ -323,7 +323,7 @@ TEST(ClosedCloud, AMapByTilesMakesTheSameDecisionToTheBit) {
   const Surface whole = makeSurface(scan, options, rasterize);
   EXPECT_EQ(large.frames[0], whole.map.frame);
   EXPECT_EQ(large.losses->hidden_share, whole.losses->hidden_share);
-  EXPECT_EQ(large.losses->flyers, whole.losses->flyers);
+  EXPECT_EQ(large.losses->outliers, whole.losses->outliers);
   const TiledMap tiled(folder / "map.tif");
   EXPECT_TRUE(std::ranges::equal(tiled.levelMap({0}).heights_mm, whole.map.heights_mm));
   EXPECT_EQ(tiled.levelMap({0}).origins, whole.map.origins);

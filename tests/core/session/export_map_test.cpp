@@ -10,7 +10,7 @@
 #include "core/depth/rules/rasterize.h"
 #include "core/io/import.h"
 #include "core/io/raster/raster.h"
-#include "core/session/large/level_cut.h"
+#include "core/session/large/crop_level.h"
 #include "core/session/large/tiled_surface.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/core/scan_fixtures.h"
@@ -50,10 +50,10 @@ TEST_F(ExportMap, WritesTheWholeMapALevelOrAWindow) {
   EXPECT_EQ(level.size, surface.pyramid.levels[1].frame.size);
   EXPECT_EQ(level.spacing, surface.pyramid.levels[1].frame.spacing_mm);
   const RasterMap back = importRaster(folder_.path() / "b.asc");
-  const DepthMap cut = levelCut(surface, {1});
+  const DepthMap cut = cropLevel(surface, {1});
   ASSERT_EQ(back.values.size(), cut.heights_mm.size());
   for (std::size_t i = 0; i < back.values.size(); ++i) {
-    ASSERT_EQ(back.valid[i], cut.origins[i] != Origin::outside) << i;
+    ASSERT_EQ(back.valid[i], cut.origins[i] != CellStatus::outside) << i;
     if (back.valid[i]) {
       ASSERT_EQ(back.values[i], cut.heights_mm[i]) << i;
     }

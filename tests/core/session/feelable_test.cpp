@@ -28,7 +28,7 @@ DepthMap mapOf(const std::function<double(double, double)>& z) {
           static_cast<float>(5 + z((col + 0.5) * kSpacing, (row + 0.5) * kSpacing)));
     }
   }
-  map.origins.assign(map.frame.size.count(), Origin::measured);
+  map.origins.assign(map.frame.size.count(), CellStatus::measured);
   return map;
 }
 
@@ -99,7 +99,7 @@ TEST(FeelableWindows, OfWhatWasNotMeasuredThereAreNone) {
   for (int row = 0; row < kSide; ++row) {
     for (int col = 0; col < kSide; ++col) {
       if (row < 210 && col < 210)
-        map.origins[map.frame.size.index({col, row})] = Origin::interpolated;
+        map.origins[map.frame.size.index({col, row})] = CellStatus::interpolated;
     }
   }
   EXPECT_TRUE(windowsOf(map).empty());

@@ -14,7 +14,7 @@ Surface surfaceOf(float (*finer)(double x, double y)) {
   GridFrame frame{{800, 800}, 0.5, 0.25, 0.25};
   surface.map.frame = frame;
   surface.map.heights_mm.resize(frame.size.count());
-  surface.map.origins.assign(frame.size.count(), Origin::measured);
+  surface.map.origins.assign(frame.size.count(), CellStatus::measured);
   for (int row = 0; row < 800; ++row) {
     for (int col = 0; col < 800; ++col) {
       surface.map.heights_mm[frame.size.index({col, row})] = finer(frame.xMm(col), frame.yMm(row));

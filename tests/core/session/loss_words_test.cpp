@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/session/loss_words.h"
+#include "core/session/loss_report.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ TEST(LossWords, AHiddenPartThatNobodyWondersAtIsNotSaid) {
   DepthLosses losses;
   losses.hidden_share = 7.47e-5;
   const std::array<double, kOriginCount> shares{};
-  for (const std::string& words : lossWords(losses, 0, shares)) {
+  for (const std::string& words : lossReport(losses, 0, shares)) {
     EXPECT_EQ(words.find("hidden"), std::string::npos) << words;
   }
 }

@@ -44,7 +44,7 @@ struct Errors {
 
 using Truth = std::function<double(double, double)>;  // File coordinates; NaN off the object.
 
-Errors errorsOf(const Surface& surface, const Truth& truth, Origin origin, int every) {
+Errors errorsOf(const Surface& surface, const Truth& truth, CellStatus origin, int every) {
   const double mm = mmPer(surface.unit);
   const auto file_from_view = surface.view_from_file.inverseOfSimilarity();
   const GridFrame& frame = surface.map.frame;
@@ -71,8 +71,8 @@ TEST(Samples, TheCoinsMapIsItsTrueSurfaceWithinNoise) {
   const Surface surface = makeSurface(scanOf(samples::makeCoin()), {}, rasterize);
   EXPECT_EQ(surface.view_name, "top");
   EXPECT_EQ(surface.unit_source, UnitSource::file);
-  Errors measured = errorsOf(surface, samples::coinHeightMm, Origin::measured, 1);
-  Errors filled = errorsOf(surface, samples::coinHeightMm, Origin::interpolated, 1);
+  Errors measured = errorsOf(surface, samples::coinHeightMm, CellStatus::measured, 1);
+  Errors filled = errorsOf(surface, samples::coinHeightMm, CellStatus::interpolated, 1);
   tell("coin, measured", measured);
   tell("coin, interpolated", filled);
   EXPECT_LT(measured.quantile(0.5), 1.5 * samples::kCoinNoiseMm);
@@ -82,7 +82,7 @@ TEST(Samples, TheCoinsMapIsItsTrueSurfaceWithinNoise) {
 TEST(Samples, ThePanelsMapIsItsFrontMostSurface) {
   const Surface surface = makeSurface(scanOf(samples::makePanel()), {}, rasterize);
   EXPECT_EQ(surface.view_name, "top");
-  Errors measured = errorsOf(surface, samples::panelHeightMm, Origin::measured, 3);
+  Errors measured = errorsOf(surface, samples::panelHeightMm, CellStatus::measured, 3);
   tell("panel, measured", measured);
   // Half a cell of 0.5 mm aside on the rounded figures, and the noise.
   EXPECT_LT(measured.quantile(0.5), 0.06);
@@ -91,7 +91,7 @@ TEST(Samples, ThePanelsMapIsItsFrontMostSurface) {
 TEST(Samples, TheRuinsCourtKeepsItsCentimetresInUtmCoordinates) {
   const Surface surface = makeSurface(scanOf(samples::makeRuin()), {}, rasterize);
   EXPECT_EQ(surface.unit, LengthUnit::m);
-  Errors measured = errorsOf(surface, samples::ruinHeightM, Origin::measured, 3);
+  Errors measured = errorsOf(surface, samples::ruinHeightM, CellStatus::measured, 3);
   tell("ruin, measured", measured);
   EXPECT_LT(measured.quantile(0.5), 25);  // Aerial noise 20 mm, slopes over cells of 0.6 m.
 }
@@ -115,7 +115,7 @@ TEST(Samples, OnACoarserGridTheProposedRuleIsNearerToTheTruthThanTheFrontMostPoi
       options.cells = cells;
       options.rule = rule;
       const Surface surface = makeSurface(scan, options, rasterize);
-      Errors errors = errorsOf(surface, sample.truth, Origin::measured, 1);
+      Errors errors = errorsOf(surface, sample.truth, CellStatus::measured, 1);
       tell((std::string(sample.name) + ", " + surface.rule).c_str(), errors);
       return errors.quantile(0.5);
     };

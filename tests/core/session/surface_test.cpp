@@ -58,11 +58,11 @@ TEST_F(ReliefF, EveryMeasuredHeightIsTheClosedForm) {
       const Cell cell{.col = col, .row = row};
       const double x = frame.xMm(col);
       const double y = frame.yMm(row);
-      const Origin expected = samples::isOutside(x, y) ? Origin::outside
-                              : samples::isHole(x, y)  ? Origin::base_plane
-                                                       : Origin::measured;
+      const CellStatus expected = samples::isOutside(x, y) ? CellStatus::outside
+                                  : samples::isHole(x, y)  ? CellStatus::base_plane
+                                                           : CellStatus::measured;
       ASSERT_EQ(surface->map.origin(cell), expected) << x << ' ' << y;
-      const double truth = expected == Origin::measured ? samples::reliefFHeightMm(x, y) : 0;
+      const double truth = expected == CellStatus::measured ? samples::reliefFHeightMm(x, y) : 0;
       worst = std::max(worst, std::abs(static_cast<double>(surface->map.heightMm(cell)) - truth));
     }
   }
@@ -75,7 +75,7 @@ TEST_F(ReliefF, ItsThreeHolesHaveTheirAreasAndTheCornerIsNone) {
   EXPECT_NEAR(surface->holes[1].area_mm2, samples::reliefFHoleAreaMm2(2), 0.02 * 36);
   EXPECT_NEAR(surface->holes[2].area_mm2, samples::reliefFHoleAreaMm2(3), 0.3);
   const auto shares = originShares(surface->map);
-  EXPECT_NEAR(shares[static_cast<std::size_t>(Origin::outside)], 400.0 / 60000, 1e-9);
+  EXPECT_NEAR(shares[static_cast<std::size_t>(CellStatus::outside)], 400.0 / 60000, 1e-9);
   EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1, 1e-12);
 }
 
@@ -162,7 +162,7 @@ TEST(MakeSurface, AForeignRastersLowestCellLiesOnTheBasePlane) {
   options.unit = LengthUnit::m;
   const Surface surface = makeSurface(raster, options);
   EXPECT_EQ(surface.map.heights_mm, (std::vector<float>{4000, 0, 1000, 2000, 0, 3000}));
-  EXPECT_EQ(surface.map.origins[4], Origin::outside) << "nodata at the border is outside";
+  EXPECT_EQ(surface.map.origins[4], CellStatus::outside) << "nodata at the border is outside";
   EXPECT_DOUBLE_EQ(surface.map.frame.spacing_mm, 500);
   const ViewMm sample = surface.view_from_file({1000.5, 2000.5, 104});
   EXPECT_NEAR(sample.x, 750, 1e-6);
@@ -177,7 +177,8 @@ TEST(MakeSurface, AnOwnMapIsTakenAsItIs) {
   raster.pixel = 0.25;
   raster.first = {0.125, 0.125, 0};
   raster.is_own_map = true;
-  raster.origins = {Origin::measured, Origin::base_plane, Origin::interpolated, Origin::outside};
+  raster.origins = {CellStatus::measured, CellStatus::base_plane, CellStatus::interpolated,
+                    CellStatus::outside};
   raster.view_from_file = ViewFromFile{};
   const Surface surface = makeSurface(raster, {});
   EXPECT_EQ(surface.map.heights_mm, (std::vector<float>{-1, 2, 3, 0}));

@@ -27,10 +27,10 @@ inline DepthMap reliefMap(GridSize size) {
       const bool filled = std::hypot(col - 0.7 * size.cols, row - 0.6 * size.rows) < 25;
       const float z = 3 + std::sin(static_cast<float>(col) / 40) + uniform(random);
       map.heights_mm.push_back(outside || hole ? 0.0F : z);
-      map.origins.push_back(outside  ? Origin::outside
-                            : hole   ? Origin::base_plane
-                            : filled ? Origin::interpolated
-                                     : Origin::measured);
+      map.origins.push_back(outside  ? CellStatus::outside
+                            : hole   ? CellStatus::base_plane
+                            : filled ? CellStatus::interpolated
+                                     : CellStatus::measured);
     }
   }
   return map;

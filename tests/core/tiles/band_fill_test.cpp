@@ -48,7 +48,7 @@ void expectSameAsWholeMap(const Case& c, const FrontDepths& depths) {
   std::size_t other_heights = 0;
   std::size_t other_origins = 0;
   bands.write(
-      [&](int row, const float* heights, const Origin* origins) {
+      [&](int row, const float* heights, const CellStatus* origins) {
         ASSERT_EQ(row, rows++);
         for (int col = 0; col < c.size.cols; ++col) {
           const std::size_t i = c.size.index({.col = col, .row = row});
@@ -126,9 +126,9 @@ TEST(BandFill, AWallAlongABandsBorderIsSteepOnBothSidesOfIt) {
       {.front = rowsOf(depths, size), .between = {}}, frame, {.has_sampling_gaps = false}, {},
       {.memory_bytes = std::size_t{64} << 20U, .spill_folder = folder.path(), .threads = 1}, {});
   bands.write(
-      [&](int row, const float*, const Origin* origins) {
+      [&](int row, const float*, const CellStatus* origins) {
         const bool is_wall = (row > 253 && row < 259) || (row > 509 && row < 515);
-        EXPECT_EQ(origins[20], is_wall ? Origin::steep : Origin::measured) << row;
+        EXPECT_EQ(origins[20], is_wall ? CellStatus::steep : CellStatus::measured) << row;
       },
       {});
 }

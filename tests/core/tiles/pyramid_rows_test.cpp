@@ -17,10 +17,10 @@ DepthMap someMap(GridSize size) {
   for (std::size_t i = 0; i < size.count(); ++i) {
     const float draw = uniform(random);
     map.heights_mm.push_back(draw < 1 ? 0.0F : draw);
-    map.origins.push_back(draw < 0.5F ? Origin::outside
-                          : draw < 1  ? Origin::base_plane
-                          : draw < 2  ? Origin::interpolated
-                                      : Origin::measured);
+    map.origins.push_back(draw < 0.5F ? CellStatus::outside
+                          : draw < 1  ? CellStatus::base_plane
+                          : draw < 2  ? CellStatus::interpolated
+                                      : CellStatus::measured);
   }
   return map;
 }
@@ -40,7 +40,8 @@ void expectSameAsWholeMap(GridSize size, double factor) {
     for (int col = 0; col < level.frame.size.cols; ++col) {
       const std::size_t i = level.frame.size.index({.col = col, .row = row.row});
       other += row.heights_mm[col] != level.heights_mm[i];
-      const float of_origin = map.origins[i % map.origins.size()] == Origin::measured ? 1.0F : 0.0F;
+      const float of_origin =
+          map.origins[i % map.origins.size()] == CellStatus::measured ? 1.0F : 0.0F;
       other += row.measured[col] != (l == 0 ? of_origin : level.measured[i]);
       const auto nearest = [&](int node, int count) {
         const double scale = level.frame.spacing_mm / map.frame.spacing_mm;

@@ -49,7 +49,7 @@ inline PointSource sourceOf(const std::vector<FilePoint>& points) {
 }
 
 /// Depths of a relief hit here and there: gaps, a hole, a corner that belongs to nothing, a back
-/// seen through the gaps, and flyers.
+/// seen through the gaps, and outliers.
 inline FrontDepths gappyDepths(GridSize size, double hit_share, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(0, 1);

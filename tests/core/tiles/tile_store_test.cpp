@@ -45,7 +45,7 @@ struct Gridded {
   std::vector<float> points;
   std::vector<std::uint8_t> steep;
   HiddenSurface hidden;
-  std::size_t flyers = 0;
+  std::size_t outliers = 0;
   std::uint64_t spilled_bytes = 0;
 };
 
@@ -68,7 +68,7 @@ Gridded grid(const std::vector<FilePoint>& points, const How& how) {
         result.points.insert(result.points.end(), rows.points.begin(), rows.points.end());
         result.steep.insert(result.steep.end(), rows.steep.begin(), rows.steep.end());
         result.hidden = result.hidden + rows.hidden.value_or(HiddenSurface{});
-        result.flyers += rows.flyers;
+        result.outliers += rows.outliers;
       },
       {}, how.room);
   result.spilled_bytes = store.spilledBytes();
@@ -102,7 +102,7 @@ TEST(TileStore, GivesTheSameBytesForEveryOrderBudgetAndNumberOfThreads) {
 }
 
 TEST(TileStore, GivesTheSameBytesHoweverTilesAreCut) {
-  // Layers, walls and flyers, and rules that share sums between rows.
+  // Layers, walls and outliers, and rules that share sums between rows.
   std::vector<FilePoint> points = randomPoints(350'000);
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].z = 5 + 3 * std::sin(points[i].x / 3);  // Sums are rounded.
@@ -113,7 +113,7 @@ TEST(TileStore, GivesTheSameBytesHoweverTilesAreCut) {
                                PointRule::splat, PointRule::quadratic}) {
     SCOPED_TRACE(describe(rule));
     const Gridded whole = grid(points, {.rule = rule, .threads = 1});
-    EXPECT_GT(whole.flyers, 0U);
+    EXPECT_GT(whole.outliers, 0U);
     EXPECT_TRUE(rule == PointRule::lowest || whole.hidden.hidden > 0);
     // A single row at once takes its time: for one rule that may be cut anywhere, and one that not.
     const bool finest = rule == PointRule::median || rule == PointRule::splat;
@@ -127,7 +127,7 @@ TEST(TileStore, GivesTheSameBytesHoweverTilesAreCut) {
       EXPECT_EQ(std::memcmp(whole.between.data(), cut.between.data(), between), 0) << at_once;
       EXPECT_EQ(cut.points, whole.points);
       EXPECT_EQ(cut.steep, whole.steep);
-      EXPECT_EQ(cut.flyers, whole.flyers);
+      EXPECT_EQ(cut.outliers, whole.outliers);
       EXPECT_EQ(cut.hidden.hidden, whole.hidden.hidden);
       EXPECT_EQ(cut.hidden.all, whole.hidden.all);
       EXPECT_EQ(cut.hidden.cells_in_layers, whole.hidden.cells_in_layers);

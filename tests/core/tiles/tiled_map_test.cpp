@@ -35,9 +35,9 @@ DepthMap someMap(GridSize size) {
       const bool hole = std::hypot(col - size.cols / 2, row - size.rows / 2) < 40;
       const float z = 3 + std::sin(static_cast<float>(col) / 40) + uniform(random);
       map.heights_mm.push_back(outside || hole ? 0.0F : z);
-      map.origins.push_back(outside ? Origin::outside
-                            : hole  ? Origin::base_plane
-                                    : Origin::measured);
+      map.origins.push_back(outside ? CellStatus::outside
+                            : hole  ? CellStatus::base_plane
+                                    : CellStatus::measured);
     }
   }
   return map;
@@ -182,9 +182,9 @@ TEST(LevelFiles, StandInTheirPlacesForEveryProgram) {
         misplaced += std::abs(x - level.frame.xMm(col)) > 1e-9;
         misplaced += std::abs(y - level.frame.yMm(row)) > 1e-9;
         const int node = 1 << l;
-        const bool outside =
-            map.origin({.col = std::min(col * node, map.frame.size.cols - 1),
-                        .row = std::min(row * node, map.frame.size.rows - 1)}) == Origin::outside;
+        const bool outside = map.origin({.col = std::min(col * node, map.frame.size.cols - 1),
+                                         .row = std::min(row * node, map.frame.size.rows - 1)}) ==
+                             CellStatus::outside;
         const auto i = static_cast<std::size_t>(col);
         masked_wrong += outside != (mask[i] == 0);
         if (l == 0 && outside) continue;
@@ -207,7 +207,7 @@ TEST(LevelFiles, ReopenAsTheMapTheyAre) {
   EXPECT_EQ(read.origins, map.origins);
   std::size_t other = 0;
   for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
-    if (map.origins[i] != Origin::outside) other += read.values[i] != map.heights_mm[i];
+    if (map.origins[i] != CellStatus::outside) other += read.values[i] != map.heights_mm[i];
   }
   EXPECT_EQ(other, 0U);
 }
@@ -310,8 +310,8 @@ TEST_F(DamagedTiledMap, RefusesALevelOfAnotherMap) {
 TEST_F(DamagedTiledMap, RefusesALevelOfTheSameHeightsAndOtherOrigins) {
   const test::TileFolder other;
   DepthMap map = someMap({.cols = 900, .rows = 700});
-  for (Origin& origin : map.origins) {
-    if (origin == Origin::base_plane) origin = Origin::measured;
+  for (CellStatus& origin : map.origins) {
+    if (origin == CellStatus::base_plane) origin = CellStatus::measured;
   }
   writeLevels(other / "map.tif", map);
   std::filesystem::copy_file(other / "map.L1.origin.tif", folder_ / "map.L1.origin.tif",

@@ -41,7 +41,7 @@ std::unique_ptr<HapticSpace> relief(std::uint64_t id, std::mt19937& random) {
       [=](double x, double y) {
         return high * std::sin(x / wave) * std::cos(y / wave) + (x > wall ? 2.0 : 0.0);
       },
-      id, {}, SurfaceKind::gated);
+      id, {}, SurfaceKind::crease_aware);
 }
 
 /// What window and hand do, a step of a fifth of a second.

@@ -21,7 +21,7 @@ double landing(const TransientOptions& options, double speed_mm_s) {
   TransientState state;
   double largest = 0;
   for (int i = 0; i < 60; ++i) {
-    const Knock now = knock(options, touching(speed_mm_s), state);
+    const ContactTransient now = knock(options, touching(speed_mm_s), state);
     state = now.state;
     largest = std::max(largest, now.force.z);
   }
@@ -46,7 +46,7 @@ TEST(Transient, AContactWhileMovingAwayIsNoLandingAndDelaysNone) {
   for (int i = 0; i < 40; ++i) {
     TransientInput input = touching(i < 5 ? -100 : 100);
     input.contact = i < 5 || i >= 10;
-    const Knock now = knock(options, input, state);
+    const ContactTransient now = knock(options, input, state);
     state = now.state;
     if (i < 10) {
       EXPECT_EQ(now.force, DeviceN{}) << i;
@@ -60,7 +60,8 @@ TEST(Transient, DecaysAndIsOverWithin24Ticks) {
   TransientState state;
   double early = 0, late = 0;
   for (int i = 0; i < 60; ++i) {
-    const Knock now = knock({.contact_n = 0.3, .contact_n_s_per_mm = 0.01}, touching(100), state);
+    const ContactTransient now =
+        knock({.contact_n = 0.3, .contact_n_s_per_mm = 0.01}, touching(100), state);
     state = now.state;
     (i < 6 ? early : late) = std::max(i < 6 ? early : late, std::abs(now.force.z));
     if (i >= kKnockTicks) {
@@ -76,7 +77,8 @@ TEST(Transient, NeverPullsTheHand) {
   TransientInput input = touching(200);
   input.spring_n = 0.02;
   for (int i = 0; i < 60; ++i) {
-    const Knock now = knock({.contact_n = 0.5, .contact_n_s_per_mm = 0.01}, input, state);
+    const ContactTransient now =
+        knock({.contact_n = 0.5, .contact_n_s_per_mm = 0.01}, input, state);
     state = now.state;
     EXPECT_GE(now.force.z + input.spring_n, 0);
   }
@@ -91,7 +93,7 @@ TEST(Transient, EndsBeforeItHasDoneMoreWorkThanAllowed) {
   for (int i = 0; i < 60; ++i) {
     work_mj += felt_n * input.moved.z;
     most_work_mj = std::max(most_work_mj, work_mj);
-    const Knock now = knock(options, input, state);
+    const ContactTransient now = knock(options, input, state);
     state = now.state;
     felt_n = now.force.z;
     one_step_mj = std::max(one_step_mj, felt_n * input.moved.z);
@@ -107,7 +109,7 @@ TEST(Transient, ATickAtEachCrossingButNotWhereTheGroundFlickers) {
   for (int i = 0; i < 400; ++i) {
     TransientInput input = touching(0);
     input.measured = i < 100 || (i >= 100 && i < 110 && i % 2 == 0) || i >= 250;
-    const Knock now = knock(options, input, state);
+    const ContactTransient now = knock(options, input, state);
     state = now.state;
     if (state.age == 0) ++knocks;
     EXPECT_LE(std::abs(now.force.z), 0.1);

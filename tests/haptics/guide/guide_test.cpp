@@ -138,7 +138,7 @@ TEST(Guide, ButtonsFastHandsFaultsAndForcesOffEndIt) {
               if (after(t, 3)) h.options().guide.path = 0;
             }),
             GuideEnd::asked);
-  EXPECT_EQ(endWith([&](LedHand& h, double t) { h.options().gate.on = after(t, 3); }),
+  EXPECT_EQ(endWith([&](LedHand& h, double t) { h.options().detent.on = after(t, 3); }),
             GuideEnd::asked);
   // A button that was held as it began is no wish against it.
   LedHand held({.hand = kHandPresets[1]}, guidePath(test::square(50), true), kArmS);

@@ -198,12 +198,12 @@ TEST_F(Core, SendsZeroInEveryTickWhoseInputsDemandIt) {
 }
 
 TEST_F(Core, CountsTicksAndNamesTheWindow) {
-  space_->origins.fill(static_cast<std::uint8_t>(Origin::interpolated));
+  space_->origins.fill(static_cast<std::uint8_t>(CellStatus::interpolated));
   EXPECT_EQ(tick({0, 0, 3}).tick, 0U);
   const HapticSample sample = tick({0, 0, -3});
   EXPECT_EQ(sample.tick, 1U);
   EXPECT_EQ(sample.window_id, 7U);
-  EXPECT_EQ(sample.origin, Origin::interpolated);
+  EXPECT_EQ(sample.origin, CellStatus::interpolated);
   EXPECT_EQ(sample.hip_view, (ViewMm{40, 40, -3}));
 }
 

@@ -51,7 +51,7 @@ std::vector<Ground> grounds() {
   std::vector<Ground> all;
   const auto add = [&all](RegionWindow window, SurfaceKind kind, Truth truth) {
     for (std::size_t i = 20'000; i < 30'000; ++i) {
-      if (i % 97 < 40) window.origins[i] = Origin::interpolated;
+      if (i % 97 < 40) window.origins[i] = CellStatus::interpolated;
     }
     const int detail = static_cast<int>(all.size()) % 4 + 1;
     all.push_back({test::truthScene({}, std::move(window), kind, truth, {detail, 4})});
@@ -59,10 +59,10 @@ std::vector<Ground> grounds() {
     all.back().space->scene_id = all.size();
   };
   add(test::roughWindow(80, 1), SurfaceKind::bilinear, Truth::facets);
-  add(test::wavyWindow(80, 2), SurfaceKind::gated, Truth::spline);
-  add(test::straightWindow(3), SurfaceKind::gated, Truth::facets);
+  add(test::wavyWindow(80, 2), SurfaceKind::crease_aware, Truth::spline);
+  add(test::straightWindow(3), SurfaceKind::crease_aware, Truth::facets);
   add(test::roughWindow(40, 4), SurfaceKind::bilinear, Truth::facets);
-  add(test::wavyWindow(40, 5), SurfaceKind::gated, Truth::spline);
+  add(test::wavyWindow(40, 5), SurfaceKind::crease_aware, Truth::spline);
   add(test::roughWindow(80, 6), SurfaceKind::spline, Truth::spline);
   return all;
 }
@@ -345,7 +345,7 @@ TEST_P(RandomTicks, KeepLimitSlewProxyAndEnergy) {
       options.force.limit_n = 6;
       options.force.strength = std::max(0.2, options.force.strength);
       // Nothing is felt in the air, so that a touch begins and ends with no energy stored.
-      options.gate.on = options.frame = options.cushion = false;
+      options.detent.on = options.frame = options.cushion = false;
       options.fields.magnet_n = 0;
       options.force.stiffness_n_per_mm = std::min(options.force.stiffness_n_per_mm, 1.0);
       for (double& k : options.detail_stiffness) k = std::min(k, 0.8);
@@ -358,9 +358,9 @@ TEST_P(RandomTicks, KeepLimitSlewProxyAndEnergy) {
         ++found.settings;
       }
       if (draws.once(400)) {
-        options.gate.on = !options.gate.on;
-        options.gate.centre = hand.position();
-        options.gate.blocked = static_cast<std::uint8_t>(draws.below(16));
+        options.detent.on = !options.detent.on;
+        options.detent.centre = hand.position();
+        options.detent.blocked = static_cast<std::uint8_t>(draws.below(16));
       }
       if (draws.once(120)) aim = centre + draws.place(draws.once(5) ? 30 : 8);
       if (draws.once(fault == DeviceFault::none ? 500 : 20)) {

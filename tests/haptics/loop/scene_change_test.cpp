@@ -80,7 +80,8 @@ Change changeUnderAStillHand(const HapticSpace& was, const HapticSpace& now, Dev
 }
 
 TEST(SceneChange, MovesTheForceByLessThanAHandFeelsInATick) {
-  for (const SurfaceKind kind : {SurfaceKind::gated, SurfaceKind::spline, SurfaceKind::bilinear}) {
+  for (const SurfaceKind kind :
+       {SurfaceKind::crease_aware, SurfaceKind::spline, SurfaceKind::bilinear}) {
     const auto was = test::spaceOf(80, hills, 1, {}, kind);
     const auto now = test::spaceOf(80, otherHills, 2, {}, kind);
     for (const DeviceMm hip : {DeviceMm{0, 0, -4}, DeviceMm{13, -7, -3}, DeviceMm{-21, 9, -5}}) {
@@ -109,8 +110,8 @@ TEST(SceneChange, ChangesTheForceByAtMostSixteenTenthsOfTheMeanStep) {
 }
 
 TEST(SceneChange, EndsExactlyOnTheNewSurface) {
-  const auto was = test::spaceOf(80, hills, 1, {}, SurfaceKind::gated);
-  const auto now = test::spaceOf(40, otherHills, 2, {}, SurfaceKind::gated);
+  const auto was = test::spaceOf(80, hills, 1, {}, SurfaceKind::crease_aware);
+  const auto now = test::spaceOf(40, otherHills, 2, {}, SurfaceKind::crease_aware);
   Hand hand;
   hand.to(*was, *was, {5, 5, 20});
   for (int i = 0; i < 20; ++i) hand.to(*was, *was, {5, 5, -4});
@@ -212,7 +213,7 @@ TEST(SceneChange, AnotherFirmnessOfTheSameWindowComesGradually) {
   const auto filled = [&window](float firm, std::uint64_t scene_id) {
     auto space = std::make_unique<HapticSpace>();
     const std::vector<float> firmness(kWindowCount, firm);
-    fill(*space, window, {}, SurfaceKind::gated, {}, firmness);
+    fill(*space, window, {}, SurfaceKind::crease_aware, {}, firmness);
     space->scene_id = scene_id;
     return space;
   };
@@ -228,8 +229,8 @@ TEST(SceneChange, AnotherFirmnessOfTheSameWindowComesGradually) {
 }
 
 TEST(SceneChange, StiffnessOfAnotherDetailComesGradually) {
-  const auto was = test::spaceOf(80, hills, 1, {1, 4}, SurfaceKind::gated);
-  const auto now = test::spaceOf(80, hills, 2, {4, 4}, SurfaceKind::gated);
+  const auto was = test::spaceOf(80, hills, 1, {1, 4}, SurfaceKind::crease_aware);
+  const auto now = test::spaceOf(80, hills, 2, {4, 4}, SurfaceKind::crease_aware);
   HapticOptions options = bare();
   options.stiffness_by_detail = true;
   const Change change = changeUnderAStillHand(*was, *now, {2, 3, -3.5}, options);
@@ -243,7 +244,7 @@ TEST(SceneChange, FromFirmToSoftAndBackTheForceTurnsAsGently) {
   options.stiffness_by_detail = true;
   options.detail_stiffness = {3, 1, 0.3, 0.1};
   const auto slope = [](double x) { return [x](double at, double) { return x * (at - 40); }; };
-  for (const SurfaceKind kind : {SurfaceKind::gated, SurfaceKind::bilinear}) {
+  for (const SurfaceKind kind : {SurfaceKind::crease_aware, SurfaceKind::bilinear}) {
     const auto firm = test::spaceOf(80, slope(0.8), 1, {1, 4}, kind);
     const auto soft = test::spaceOf(80, slope(-0.8), 2, {4, 4}, kind);
     for (const DeviceMm hip : {DeviceMm{0, 0, -1}, DeviceMm{0, 3, -2.5}, DeviceMm{1, 0, -1.5}}) {
@@ -268,7 +269,7 @@ TEST(SceneChange, RandomWalksWithSwitchesStayOutsideAndFinite) {
                  (x > 25 ? wall : 0);
         },
         static_cast<std::uint64_t>(i) + 1, {},
-        i == 3 ? SurfaceKind::bilinear : SurfaceKind::gated));
+        i == 3 ? SurfaceKind::bilinear : SurfaceKind::crease_aware));
   }
   Hand hand;
   std::size_t was = 0, now = 0;
@@ -300,8 +301,8 @@ TEST(SceneChange, RandomWalksWithSwitchesStayOutsideAndFinite) {
 }
 
 TEST(BlendedSurface, IsLinearInItsWeightWithItsDerivatives) {
-  const auto was = test::spaceOf(80, hills, 1, {}, SurfaceKind::gated);
-  const auto now = test::spaceOf(33, otherHills, 2, {}, SurfaceKind::gated);
+  const auto was = test::spaceOf(80, hills, 1, {}, SurfaceKind::crease_aware);
+  const auto now = test::spaceOf(33, otherHills, 2, {}, SurfaceKind::crease_aware);
   std::mt19937 random(4);
   std::uniform_real_distribution<double> place(-30, 230);
   for (int i = 0; i < 3000; ++i) {
@@ -326,7 +327,7 @@ TEST(BlendedSurface, IsLinearInItsWeightWithItsDerivatives) {
 
 TEST(BlendedSurface, RaysMeetItFirstWhereSamplingSaysSo) {
   const auto was = test::spaceOf(80, hills, 1, {}, SurfaceKind::bilinear);
-  const auto now = test::spaceOf(33, otherHills, 2, {}, SurfaceKind::gated);
+  const auto now = test::spaceOf(33, otherHills, 2, {}, SurfaceKind::crease_aware);
   const BlendedSurface surface(*was, *now, 0.6);
   const auto height = [&](GridPoint p) { return surface.patch(p.x, p.y, 1, 1).height(p.x, p.y); };
   std::mt19937 random(14);

@@ -29,7 +29,7 @@ class Frame : public ::testing::Test {
   // 80 mm of hand wide: the outermost samples lie at 39.8 mm.
   std::unique_ptr<HapticSpace> space_ = test::spaceOf(
       80, [](double x, double y) { return 2 * std::sin(0.2 * x) + std::cos(0.15 * y); }, 1, {},
-      SurfaceKind::gated);
+      SurfaceKind::crease_aware);
   HapticOptions options_;
   HapticCore core_{ForceChain::bare};
   std::int64_t now_ns_ = 0;

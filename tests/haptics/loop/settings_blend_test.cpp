@@ -31,8 +31,8 @@ class Pressed : public ::testing::Test {
   Pressed() {
     RegionWindow window = test::windowOf(
         80, [](double x, double y) { return 1.5 * std::sin(0.35 * x) * std::cos(0.3 * y); });
-    window.origins.assign(kWindowCount, Origin::interpolated);
-    fill(*space_, window, {1, 3}, SurfaceKind::gated);
+    window.origins.assign(kWindowCount, CellStatus::interpolated);
+    fill(*space_, window, {1, 3}, SurfaceKind::crease_aware);
     std::vector<float> finer(4 * kWindowCount);
     for (std::size_t i = 0; i < finer.size(); ++i) {
       finer[i] = static_cast<float>(0.01 * std::sin(0.7 * static_cast<double>(i)));

@@ -28,11 +28,11 @@ double grain(double x, double y) {
 }
 
 /// Hills of which the right half was not measured, with a texture.
-std::unique_ptr<HapticSpace> scene(SurfaceKind kind = SurfaceKind::gated) {
+std::unique_ptr<HapticSpace> scene(SurfaceKind kind = SurfaceKind::crease_aware) {
   RegionWindow window = test::windowOf(kSideMm, hills);
   for (int row = 0; row < kWindowSamples; ++row) {
     for (int col = kWindowSamples / 2; col < kWindowSamples; ++col) {
-      window.origins[HapticSpace::index(col, row)] = Origin::interpolated;
+      window.origins[HapticSpace::index(col, row)] = CellStatus::interpolated;
     }
   }
   auto space = std::make_unique<HapticSpace>();
@@ -102,7 +102,7 @@ TEST(SurfaceFields, TheForceIsTheSlopeOfTheirEnergyOverTheHand) {
 }
 
 TEST(SurfaceFields, AClosedWayOfAHandWithoutFrictionGivesNoWork) {
-  for (const SurfaceKind kind : {SurfaceKind::gated, SurfaceKind::bilinear}) {
+  for (const SurfaceKind kind : {SurfaceKind::crease_aware, SurfaceKind::bilinear}) {
     const auto space = scene(kind);
     HapticOptions options = bare();
     options.fields = everything();
@@ -137,7 +137,7 @@ TEST(SurfaceFields, AClosedWayOfAHandWithoutFrictionGivesNoWork) {
 }
 
 TEST(SurfaceFields, ADeepClosedWayOverHollowsOfDifferingFirmnessGivesNoWork) {
-  for (const SurfaceKind kind : {SurfaceKind::gated, SurfaceKind::bilinear}) {
+  for (const SurfaceKind kind : {SurfaceKind::crease_aware, SurfaceKind::bilinear}) {
     for (const double depth_mm : {5.0, 7.0}) {
       const test::Work work = test::workOverHollows(kind, depth_mm);
       EXPECT_GT(work.gross_mj, 200);
@@ -189,7 +189,7 @@ TEST(SurfaceFields, UnmeasuredGroundIsSofterAndTheWayThereIsSmooth) {
 }
 
 TEST(SurfaceFields, SwitchedOffTheyChangeNotOneBit) {
-  const auto plain = test::spaceOf(kSideMm, hills, 1, {}, SurfaceKind::gated);
+  const auto plain = test::spaceOf(kSideMm, hills, 1, {}, SurfaceKind::crease_aware);
   const auto rich = scene();
   HapticCore a(ForceChain::bare), b(ForceChain::bare);
   for (int i = 0; i < 3000; ++i) {

@@ -21,7 +21,7 @@ double rough(double x, double y) {
          (x > 40 && x < 47 ? 5 : 0);
 }
 
-constexpr std::array<SurfaceKind, 3> kKinds{SurfaceKind::gated, SurfaceKind::spline,
+constexpr std::array<SurfaceKind, 3> kKinds{SurfaceKind::crease_aware, SurfaceKind::spline,
                                             SurfaceKind::bilinear};
 
 TEST(FirstHit, MeetsAPlaneWhereThePlaneIs) {

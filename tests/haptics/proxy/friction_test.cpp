@@ -12,7 +12,7 @@
 namespace relievo {
 namespace {
 
-constexpr std::array<SurfaceKind, 3> kKinds{SurfaceKind::gated, SurfaceKind::spline,
+constexpr std::array<SurfaceKind, 3> kKinds{SurfaceKind::crease_aware, SurfaceKind::spline,
                                             SurfaceKind::bilinear};
 
 ProxyOptions rubbing(double fixed, double sliding) {
@@ -126,7 +126,7 @@ TEST(Friction, KeepsTheForceWithinTheConeAndTheProxyOutside) {
       [&](double x, double y) {
         return std::sin(0.6 * x) + std::cos(0.5 * y) + 0.1 * unit(random) + (x > 40 ? 4 : 0);
       },
-      1, {}, SurfaceKind::gated);
+      1, {}, SurfaceKind::crease_aware);
   const ProxyOptions options = rubbing(0.4, 0.25);
   GridPoint hip{100, 100, 30};
   ProxyState state = proxyPlace(*space, hip);
@@ -156,7 +156,7 @@ double ripple(const SurfaceFeel& feel, const Stroke& stroke) {
   const double c = std::cos(stroke.turn), s = std::sin(stroke.turn);
   const auto space = test::spaceOf(
       80, [&](double x, double y) { return stroke.slope * (c * (x - 40) + s * (y - 40)); }, 1, {},
-      SurfaceKind::gated);
+      SurfaceKind::crease_aware);
   HapticOptions options;
   setFeel(options, feel);
   const double k = feel.stiffness_by_detail ? 0.8 : feel.stiffness_n_per_mm;
@@ -231,7 +231,7 @@ TEST(Friction, ASteadyHandFeelsNoRippleFromTheCountsOfItsEncoders) {
 /// 2 atan(exp(-s / l)) from the new way after s. It turns no sooner than on its own length r, and
 /// no later than on the line that it trails on.
 void followsACorner(double deep_mm, double mu) {
-  const auto space = flat(SurfaceKind::gated);
+  const auto space = flat(SurfaceKind::crease_aware);
   const double mm_per_cell = space->deviceMmPerCell(), deep = deep_mm / mm_per_cell;
   const ProxyOptions options = rubbing(4 * mu / 3, mu);
   ProxyState state = proxyPlace(*space, {60, 60, 1});
@@ -294,7 +294,7 @@ TEST(Friction, NorDoesOneThatGoesUpOrDownASlope) {
 
 /// What a real material shows is left: it holds harder at rest, and lets go at once.
 TEST(Friction, AHandThatHasRestedIsHeldHarderBeforeItSlides) {
-  const auto space = flat(SurfaceKind::gated);
+  const auto space = flat(SurfaceKind::crease_aware);
   const ProxyOptions options = rubbing(0.5, 0.3);
   ProxyState state = proxyPlace(*space, {100.3, 100.4, 1});
   const auto slide = [&](double from, double to) {

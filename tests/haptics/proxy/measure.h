@@ -124,14 +124,14 @@ inline Accuracy slideOver(const HapticSpace& space, const Relief& relief, const 
 }
 
 /// Largest change of force in one tick, of truth's.
-struct GateSteps {
+struct CreaseSteps {
   double ours = 0, truth = 0;
   double ratio() const { return ours / truth; }
 };
 
 /// Slides over waves up to half a cell from the foot of a block that stands on them, along its side
 /// and past its ends: from cells that are spline to cells that break and back, on 60 000 ticks.
-inline GateSteps stepsAcrossTheGate(double amplitude_mm, double length_mm, SurfaceKind kind) {
+inline CreaseSteps stepsAcrossCreases(double amplitude_mm, double length_mm, SurfaceKind kind) {
   const Relief relief = waves(amplitude_mm, length_mm);
   const auto space = spaceOf(
       100,
@@ -140,7 +140,7 @@ inline GateSteps stepsAcrossTheGate(double amplitude_mm, double length_mm, Surfa
       },
       1, {}, kind);
   constexpr double kNearestX = 49.5, kDepthMm = 0.4;  // Its foot is the sample at 49.75.
-  GateSteps steps;
+  CreaseSteps steps;
   ProxyState state;
   ViewMm last_force, last_normal;
   for (int n = 0; n < 60000; ++n) {

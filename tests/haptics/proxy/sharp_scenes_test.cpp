@@ -14,7 +14,7 @@ namespace {
 using test::passesFin;
 
 TEST(SharpScenes, AgreeWithTheIndependentSolver) {
-  for (const SurfaceKind kind : {SurfaceKind::bilinear, SurfaceKind::gated}) {
+  for (const SurfaceKind kind : {SurfaceKind::bilinear, SurfaceKind::crease_aware}) {
     for (const test::Profile& scene : test::sharpProfiles()) {
       const test::Agreement found = test::compareWithTruth(scene, kind, 12000);
       EXPECT_GT(found.ticks, 3000) << scene.name;
@@ -26,7 +26,7 @@ TEST(SharpScenes, AgreeWithTheIndependentSolver) {
 }
 
 TEST(SharpScenes, TheSplineAloneDoesNotAgree) {
-  // What the gate is for; also shows that the test above can fail.
+  // What breaking at creases is for; also shows that the test above can fail.
   const test::Agreement found =
       test::compareWithTruth(test::sharpProfiles()[3], SurfaceKind::spline, 6000);
   EXPECT_GT(found.bad, 0.1 * found.ticks) << "pit";
@@ -37,7 +37,7 @@ TEST(SharpScenes, RandomTownsAndRampsHaveNoEvents) {
   int bad = 0, ticks = 0;
   for (int seed = 0; seed < 12; ++seed) {
     const test::Profile scene = test::randomProfile(seed);
-    const test::Agreement found = test::compareWithTruth(scene, SurfaceKind::gated, 3000);
+    const test::Agreement found = test::compareWithTruth(scene, SurfaceKind::crease_aware, 3000);
     EXPECT_EQ(found.events, 0) << "seed " << seed;
     bad += found.bad;
     ticks += found.ticks;
@@ -50,7 +50,7 @@ TEST(SharpScenes, FaintEdgesBetweenOthersAreEdges) {
   // Bends of 0.28, 0.19 and 0.02 with one straight cell to the next crease.
   for (const int seed : {61, 80, 100, 102, 136}) {
     const test::Agreement found =
-        test::compareWithTruth(test::randomProfile(seed), SurfaceKind::gated, 5000);
+        test::compareWithTruth(test::randomProfile(seed), SurfaceKind::crease_aware, 5000);
     EXPECT_EQ(found.events, 0) << "seed " << seed;
     EXPECT_EQ(found.bad, 0) << "seed " << seed;
   }
@@ -60,7 +60,7 @@ TEST(SharpScenes, AThinFinIsNeverPassedAtAnySpeed) {
   for (const double base_mm : {0.03, 0.0625, 0.125, 0.25, 1.0}) {
     for (const double speed_mm_per_s : {20.0, 100.0, 500.0, 2000.0, 10000.0}) {
       for (const SurfaceKind surface :
-           {SurfaceKind::bilinear, SurfaceKind::gated, SurfaceKind::spline}) {
+           {SurfaceKind::bilinear, SurfaceKind::crease_aware, SurfaceKind::spline}) {
         EXPECT_FALSE(passesFin(base_mm, speed_mm_per_s, ProxyKind::converged, surface))
             << base_mm << " mm at " << speed_mm_per_s << " mm/s";
       }
@@ -81,7 +81,7 @@ double town(double x, double y) {
 }
 
 TEST(SharpScenes, AJumpingHandEndsWhereOneEndsThatGoesThere) {
-  const auto space = test::spaceOf(80, town, 1, {}, SurfaceKind::gated);
+  const auto space = test::spaceOf(80, town, 1, {}, SurfaceKind::crease_aware);
   std::mt19937 random(8);
   std::uniform_real_distribution<double> turn(-3.14, 3.14), deep(-14, 3);
   GridPoint hand{100, 100, 30};

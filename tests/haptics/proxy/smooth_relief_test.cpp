@@ -23,10 +23,10 @@ constexpr std::array<Bar, 4> kBars{{{2, 40, 0.001, 0.05, 1.001},
                                     {0.25, 4, 0.4, 8, 1.07},
                                     {0.05, 2, 0.8, 15, 1.4}}};
 
-TEST(SmoothRelief, ForceAndProxyAreTheClosedFormsOnTheSplineWithAndWithoutGate) {
+TEST(SmoothRelief, ForceAndProxyAreTheClosedFormsOnTheSplineWithAndWithoutCreases) {
   for (const Bar& bar : kBars) {
     const Relief relief = test::waves(bar.amplitude_mm, bar.length_mm);
-    for (const SurfaceKind kind : {SurfaceKind::gated, SurfaceKind::spline}) {
+    for (const SurfaceKind kind : {SurfaceKind::crease_aware, SurfaceKind::spline}) {
       const auto space = test::spaceOf(relief, 100, kind);
       const Accuracy a = test::slideOver(*space, relief, {}, {});
       EXPECT_LE(a.angle_max, bar.angle_deg) << relief.name;
@@ -49,9 +49,9 @@ TEST(SmoothRelief, BilinearFacetsAreFarFromTheClosedForm) {
 TEST(SmoothRelief, AcrossTheGateForceStepsNoMoreThanTruth) {
   for (const double length_mm : {10.0, 20.0}) {
     const auto ratio = [&](SurfaceKind kind) {
-      return test::stepsAcrossTheGate(1, length_mm, kind).ratio();
+      return test::stepsAcrossCreases(1, length_mm, kind).ratio();
     };
-    EXPECT_LE(ratio(SurfaceKind::gated), 1.02) << length_mm;
+    EXPECT_LE(ratio(SurfaceKind::crease_aware), 1.02) << length_mm;
     EXPECT_GT(ratio(SurfaceKind::bilinear), 5);
     EXPECT_GT(ratio(SurfaceKind::spline), 5) << "it rings beside the block";
   }
@@ -59,13 +59,13 @@ TEST(SmoothRelief, AcrossTheGateForceStepsNoMoreThanTruth) {
 
 TEST(SmoothRelief, SpeedAndDepthChangeNothing) {
   const Relief relief = test::waves(2, 40), tilt = test::plane(0.577, 0);
-  const auto space = test::spaceOf(relief, 100, SurfaceKind::gated);
+  const auto space = test::spaceOf(relief, 100, SurfaceKind::crease_aware);
   for (const double speed : {70.0, 500.0, 2000.0}) {
     const Accuracy a =
         test::slideOver(*space, relief, {.speed_mm_per_s = speed, .ticks = 3000}, {});
     EXPECT_LE(a.angle_max, 0.001) << speed;
   }
-  const auto tilted = test::spaceOf(tilt, 100, SurfaceKind::gated);
+  const auto tilted = test::spaceOf(tilt, 100, SurfaceKind::crease_aware);
   for (const double depth : {1.0, 5.0, 25.0}) {
     const Accuracy a = test::slideOver(
         *tilted, tilt, {.depth_mm = depth, .speed_mm_per_s = 73, .ticks = 3000}, {});
@@ -80,7 +80,7 @@ TEST(SmoothRelief, TheForceIsNormalToTheSurfaceAtTheProxy) {
         return 1.5 * std::sin(0.5 * x) + 1.2 * std::cos(0.43 * y + 0.2 * x) +
                0.3 * std::sin(1.7 * x + y);
       },
-      1, {}, SurfaceKind::gated);
+      1, {}, SurfaceKind::crease_aware);
   ProxyState state;
   std::vector<double> angles;
   double deepest = -1;
@@ -103,7 +103,8 @@ TEST(SmoothRelief, TheForceIsNormalToTheSurfaceAtTheProxy) {
 
 TEST(SmoothRelief, AClosedPathWithoutFrictionGivesNoWork) {
   const Relief relief = test::waves(1, 10);
-  for (const SurfaceKind kind : {SurfaceKind::gated, SurfaceKind::spline, SurfaceKind::bilinear}) {
+  for (const SurfaceKind kind :
+       {SurfaceKind::crease_aware, SurfaceKind::spline, SurfaceKind::bilinear}) {
     const auto space = test::spaceOf(relief, 100, kind);
     const test::Work work = test::workPerCycle(*space, relief, {});
     EXPECT_GT(work.gross_mj, 1) << "the hand did press";
@@ -120,7 +121,7 @@ TEST(SmoothRelief, RandomReliefWithNoiseAndWallsIsTouchedFromOutsideOnly) {
         const double block = static_cast<int>(x / 8) % 3 == 0 ? 3 : 0;
         return std::sin(0.6 * x) + std::cos(0.5 * y) + 0.2 * unit(random) + block;
       },
-      1, {}, SurfaceKind::gated);
+      1, {}, SurfaceKind::crease_aware);
   GridPoint hip{100, 100, 30};
   ProxyState state = proxyPlace(*space, hip);
   int contacts = 0;

@@ -30,7 +30,7 @@ inline RegionWindow roughWindow(double side_mm, std::uint64_t id) {
       id);
 }
 
-/// Waves of 14 samples and more: the gated spline has no reason to break.
+/// Waves of 14 samples and more: the crease-aware spline has no reason to break.
 inline RegionWindow wavyWindow(double side_mm, std::uint64_t id) {
   return windowOf(
       side_mm,
@@ -40,8 +40,8 @@ inline RegionWindow wavyWindow(double side_mm, std::uint64_t id) {
       id);
 }
 
-/// Roofs and steps along the samples, straight between: the gated spline is the facets. For a side
-/// of 80 mm, whose samples lie at (i + 1/2) times 0.4 mm.
+/// Roofs and steps along the samples, straight between: the crease-aware spline is the facets. For
+/// a side of 80 mm, whose samples lie at (i + 1/2) times 0.4 mm.
 inline RegionWindow straightWindow(std::uint64_t id) {
   return windowOf(
       80,
@@ -83,9 +83,10 @@ inline std::vector<TruthScene> truthScenes() {
                            Truth::facets));
   all.push_back(
       truthScene("spline, rough relief", roughWindow(80, 2), SurfaceKind::spline, Truth::spline));
+  all.push_back(truthScene("gated, roofs and steps", straightWindow(3), SurfaceKind::crease_aware,
+                           Truth::facets));
   all.push_back(
-      truthScene("gated, roofs and steps", straightWindow(3), SurfaceKind::gated, Truth::facets));
-  all.push_back(truthScene("gated, waves", wavyWindow(80, 4), SurfaceKind::gated, Truth::spline));
+      truthScene("gated, waves", wavyWindow(80, 4), SurfaceKind::crease_aware, Truth::spline));
   return all;
 }
 

@@ -74,7 +74,7 @@ HapticSample sample() {
   s.stiffness_n_per_mm = 0.5125;
   s.detail = 3;
   s.window_id = 4294967297;
-  s.origin = Origin::base_plane;
+  s.origin = CellStatus::base_plane;
   s.buttons = 2147483649;
   s.rate_hz = 999.5;
   s.hip = {23.5, 24.5, 25.5};
@@ -161,7 +161,7 @@ TEST_F(Columns, BothFormatsComeBackAsTheSameRowsAndEvents) {
   EXPECT_EQ(row.force, (DeviceN{0.1, -0.2, 1e-300}));
   EXPECT_TRUE(row.clamped);
   EXPECT_FALSE(row.contact);
-  EXPECT_EQ(row.origin, Origin::base_plane);
+  EXPECT_EQ(row.origin, CellStatus::base_plane);
   EXPECT_EQ(row.window_id, 4294967297U);
   EXPECT_EQ(row.hand_hip, (DeviceMm{23.5, 24.5, 25.5}));
   EXPECT_EQ(row.hand_proxy, (DeviceMm{26.5, 27.5, 28.5}));

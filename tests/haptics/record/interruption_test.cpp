@@ -125,7 +125,7 @@ class Interruption : public ::testing::Test {
 
   std::unique_ptr<HapticSpace> space_ = test::spaceOf(
       80, [](double x, double y) { return std::sin(0.3 * x) * std::cos(0.2 * y); }, 4, {},
-      SurfaceKind::gated);
+      SurfaceKind::crease_aware);
   HapticOptions options_;  ///< As the loop keeps them.
   std::filesystem::path file_;
   DeviceFault fault_ = DeviceFault::none;

@@ -33,7 +33,7 @@ class Recorded {
       const double height = 0.5 + static_cast<double>(i);
       scenes_[i] = test::spaceOf(
           80, [=](double x, double y) { return height * std::sin(0.2 * x) * std::cos(0.25 * y); },
-          10 + i, {static_cast<int>(i) + 1, 3}, SurfaceKind::gated);
+          10 + i, {static_cast<int>(i) + 1, 3}, SurfaceKind::crease_aware);
       scenes_[i]->scene_id = i + 1;
       lines_ += sceneLine({.id = i + 1,
                            .window_id = 10 + i,
@@ -62,7 +62,7 @@ class Recorded {
         lines_ += optionsLine(options);
       }
       if (tick == 4700 || tick == 4900) {  // Move mode for a while.
-        options.gate = {.on = tick == 4700, .centre = {3, 0, 0}};
+        options.detent = {.on = tick == 4700, .centre = {3, 0, 0}};
         ++options.id;
         lines_ += optionsLine(options);
       }

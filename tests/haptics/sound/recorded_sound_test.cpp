@@ -222,9 +222,9 @@ TEST(RecordedSound, RustlingIsAsLoudAndAsBrightAsItsLaw) {
 TEST(RecordedSound, EdgesFilledGroundDetailsNotesAndFaultsAreHeardOnce) {
   TouchRecording recording = recordingOf(4, [](TouchRow& row) {
     row.contact = row.t_s >= 0.2;
-    if (row.t_s >= 1 && row.t_s < 1.5) row.origin = Origin::interpolated;
-    if (row.t_s >= 1.2 && row.t_s < 1.5) row.origin = Origin::base_plane;  // Filled, too.
-    if (row.t_s >= 2 && row.t_s < 2.2) row.origin = Origin::outside;
+    if (row.t_s >= 1 && row.t_s < 1.5) row.origin = CellStatus::interpolated;
+    if (row.t_s >= 1.2 && row.t_s < 1.5) row.origin = CellStatus::base_plane;  // Filled, too.
+    if (row.t_s >= 2 && row.t_s < 2.2) row.origin = CellStatus::outside;
     if (row.t_s >= 2.6 && row.t_s < 2.8) row.proxy.x = 79.95;  // The window's end.
     if (row.t_s >= 3) row.detail = 2;
     if (row.t_s >= 3.4) row.detail = 1;
@@ -248,7 +248,7 @@ TEST(RecordedSound, NoSampleIsAboveTheCeiling) {
       // Everything at once, again and again.
       const bool odd = static_cast<int>(row.t_s * 200) % 2 == 1;
       row.contact = odd;
-      row.origin = odd ? Origin::base_plane : Origin::measured;
+      row.origin = odd ? CellStatus::base_plane : CellStatus::measured;
       row.detail = odd ? 2 : 1;
       row.hand_hip = {40, 40, odd ? 0.0 : 5.0};
       row.proxy.x = odd ? 20 : 79.9;

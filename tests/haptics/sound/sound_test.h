@@ -26,7 +26,7 @@ inline TouchRecording recordingOf(double seconds, const std::function<void(Touch
     row.tick = static_cast<std::uint64_t>(i);
     row.window_id = 1;
     row.normal = {0, 0, 1};
-    row.origin = Origin::measured;
+    row.origin = CellStatus::measured;
     row.proxy = {40, 40, 0};
     TouchRow filled = row;
     filled.t_s = 0.001 * i;  // Of its own time the function sees the start at 0.

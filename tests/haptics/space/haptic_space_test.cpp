@@ -61,15 +61,15 @@ TEST(HapticSpace, KeepsTheTouchedPointUnderTheHandThroughAZoom) {
   };
   const RegionWindow whole = windowOf(100, hill);
   HapticSpace before;
-  fill(before, whole, {}, SurfaceKind::gated);
+  fill(before, whole, {}, SurfaceKind::crease_aware);
   const ViewMm touched{62, 49, hill(62, 49)};
   const Anchor anchor{touched, before.deviceFromView(touched)};
   RegionWindow part = windowOf(50, [&](double x, double y) { return hill(x + 31, y + 24.5); });
   part.region.x_mm = 31;
   part.region.y_mm = 24.5;
   HapticSpace after, unanchored;
-  fill(after, part, {}, SurfaceKind::gated, anchor);
-  fill(unanchored, part, {}, SurfaceKind::gated);
+  fill(after, part, {}, SurfaceKind::crease_aware, anchor);
+  fill(unanchored, part, {}, SurfaceKind::crease_aware);
   EXPECT_LE(norm(after.deviceFromView(touched) - anchor.at), 2);
   EXPECT_GT(norm(unanchored.deviceFromView(touched) - anchor.at), 2) << "what the anchor is for";
   const double top = after.deviceFromView({0, 0, double{part.max_mm}}).z;
@@ -77,19 +77,19 @@ TEST(HapticSpace, KeepsTheTouchedPointUnderTheHandThroughAZoom) {
   EXPECT_LE(std::max(std::abs(top), std::abs(low)), kHandReach.z + 1e-9);
   // An anchor that cannot be: the window stays within reach.
   HapticSpace far;
-  fill(far, part, {}, SurfaceKind::gated, Anchor{touched, {500, -500, 500}});
+  fill(far, part, {}, SurfaceKind::crease_aware, Anchor{touched, {500, -500, 500}});
   EXPECT_LE(std::abs(far.deviceFromView({56, 49.5, double{part.max_mm}}).z), kHandReach.z + 1e-9);
 }
 
 TEST(HapticSpace, NamesTheOriginOfTheNearestSample) {
   RegionWindow window = windowOf(20, wavy);
-  window.origins[5 * kWindowSamples + 7] = Origin::base_plane;
-  window.origins[0] = Origin::outside;
+  window.origins[5 * kWindowSamples + 7] = CellStatus::base_plane;
+  window.origins[0] = CellStatus::outside;
   HapticSpace space;
   fill(space, window, {});
-  EXPECT_EQ(space.originAt({7.4, 4.6, 0}), Origin::base_plane);
-  EXPECT_EQ(space.originAt({7.6, 4.6, 0}), Origin::measured);
-  EXPECT_EQ(space.originAt({-1000, -1000, 0}), Origin::outside) << "nearest is the corner";
+  EXPECT_EQ(space.originAt({7.4, 4.6, 0}), CellStatus::base_plane);
+  EXPECT_EQ(space.originAt({7.6, 4.6, 0}), CellStatus::measured);
+  EXPECT_EQ(space.originAt({-1000, -1000, 0}), CellStatus::outside) << "nearest is the corner";
 }
 
 TEST(HapticSpace, RefusesWindowsItCannotHold) {

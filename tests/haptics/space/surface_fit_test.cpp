@@ -14,7 +14,7 @@ namespace {
 
 using test::spaceOf;
 
-constexpr std::array<SurfaceKind, 3> kKinds{SurfaceKind::gated, SurfaceKind::spline,
+constexpr std::array<SurfaceKind, 3> kKinds{SurfaceKind::crease_aware, SurfaceKind::spline,
                                             SurfaceKind::bilinear};
 
 double waves(double x, double y) {
@@ -58,7 +58,7 @@ TEST(Surface, HasNoGapBetweenCells) {
 }
 
 TEST(Surface, HasDerivativesThatAreItsDifferences) {
-  const auto space = spaceOf(80, town, 1, {}, SurfaceKind::gated);
+  const auto space = spaceOf(80, town, 1, {}, SurfaceKind::crease_aware);
   std::mt19937 random(6);
   std::uniform_real_distribution<double> place(1, 198);
   constexpr double kStep = 1e-4;
@@ -90,16 +90,16 @@ std::pair<double, double> jumps(const HapticSpace& space) {
   return {slope, curvature};
 }
 
-TEST(Surface, IsTwiceContinuousOnSmoothReliefWithAndWithoutTheGate) {
+TEST(Surface, IsTwiceContinuousOnSmoothReliefWithAndWithoutCreases) {
   const auto spline = spaceOf(80, waves, 1, {}, SurfaceKind::spline);
-  const auto gated = spaceOf(80, waves, 1, {}, SurfaceKind::gated);
-  const auto [slope, curvature] = jumps(*gated);
+  const auto aware = spaceOf(80, waves, 1, {}, SurfaceKind::crease_aware);
+  const auto [slope, curvature] = jumps(*aware);
   EXPECT_LT(slope, 1e-6) << "slopes are kept as floats";
   EXPECT_LT(curvature, 1e-5);
   for (std::size_t i = 0; i < kWindowCount; ++i) {
-    ASSERT_EQ(gated->marks[i], spline->marks[i]) << "nothing is broken";
-    ASSERT_EQ(gated->samples[i].slope_x, spline->samples[i].slope_x);
-    ASSERT_EQ(gated->samples[i].twist, spline->samples[i].twist);
+    ASSERT_EQ(aware->marks[i], spline->marks[i]) << "nothing is broken";
+    ASSERT_EQ(aware->samples[i].slope_x, spline->samples[i].slope_x);
+    ASSERT_EQ(aware->samples[i].twist, spline->samples[i].twist);
   }
   const auto bilinear = spaceOf(80, waves, 1, {}, SurfaceKind::bilinear);
   EXPECT_GT(jumps(*bilinear).first, 0.05);
@@ -123,7 +123,7 @@ TEST(Surface, ReproducesCubicsToTheBorder) {
 TEST(Surface, IsBilinearAtAWallAndNeverRingsBesideIt) {
   for (const bool across : {false, true}) {
     const auto wall = [=](double x, double y) { return (across ? y : x) > 40 ? 5.0 : 0.0; };
-    const auto gated = spaceOf(80, wall, 1, {}, SurfaceKind::gated);
+    const auto aware = spaceOf(80, wall, 1, {}, SurfaceKind::crease_aware);
     const auto bilinear = spaceOf(80, wall, 1, {}, SurfaceKind::bilinear);
     const auto spline = spaceOf(80, wall, 1, {}, SurfaceKind::spline);
     double ringing = 0;
@@ -131,10 +131,10 @@ TEST(Surface, IsBilinearAtAWallAndNeverRingsBesideIt) {
       const double a = 90 + 0.005 * i, b = 50.37;
       const double x = across ? b : a, y = across ? a : b;
       const double truth = surfaceHeight(*bilinear, x, y);
-      ASSERT_NEAR(surfaceHeight(*gated, x, y), truth, 1e-12);
+      ASSERT_NEAR(surfaceHeight(*aware, x, y), truth, 1e-12);
       ringing = std::max(ringing, std::abs(surfaceHeight(*spline, x, y) - truth));
     }
-    EXPECT_GT(ringing, 0.5) << "what the gate is for";
+    EXPECT_GT(ringing, 0.5) << "what breaking at creases is for";
   }
 }
 
@@ -144,16 +144,16 @@ TEST(Surface, StaysSmoothBesideAWall) {
     return 0.6 * std::sin(0.785398 * x) * std::cos(0.785398 * y);
   };
   const auto walled = [&](double x, double y) { return relief(x, y) + (x > 40 ? 5 : 0); };
-  const auto gated = spaceOf(80, walled, 1, {}, SurfaceKind::gated);
+  const auto aware = spaceOf(80, walled, 1, {}, SurfaceKind::crease_aware);
   const auto bilinear = spaceOf(80, walled, 1, {}, SurfaceKind::bilinear);
   double worst = 0, worst_bilinear = 0;
   for (int i = 0; i < 3000; ++i) {
     const double x = 36 + 3.3 * i / 3000.0, y = 20 + 0.013 * i;
-    const GridPoint g = gated->gridFromView({x, y, 0});
+    const GridPoint g = aware->gridFromView({x, y, 0});
     const double k = 0.785398;
     const double fx = 0.6 * k * std::cos(k * x) * std::cos(k * y);
     const double fy = -0.6 * k * std::sin(k * x) * std::sin(k * y);
-    const Jet jet = surfaceJet(*gated, g.x, g.y), flat = surfaceJet(*bilinear, g.x, g.y);
+    const Jet jet = surfaceJet(*aware, g.x, g.y), flat = surfaceJet(*bilinear, g.x, g.y);
     worst = std::max(worst, std::hypot(jet.fx - fx, jet.fy - fy));
     worst_bilinear = std::max(worst_bilinear, std::hypot(flat.fx - fx, flat.fy - fy));
   }

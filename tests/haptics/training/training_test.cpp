@@ -143,7 +143,7 @@ TEST(Training, AHandThatSweepsFindsEveryShapeInItsTime) {
     for (const Shape shape : kAll) {
       ASSERT_EQ(training.shape(), shape);
       auto space = std::make_unique<HapticSpace>();
-      fill(*space, trainingWindow(shape, 1), {}, SurfaceKind::gated);
+      fill(*space, trainingWindow(shape, 1), {}, SurfaceKind::crease_aware);
       HapticOptions options;
       options.force.strength = 1;
       test::ClosedLoop loop(*space, {.hand = grip}, options);

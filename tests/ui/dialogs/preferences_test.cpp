@@ -253,7 +253,7 @@ TEST_F(PreferencesTest, TheFolderOfRecordingsIsAskedForAfterTheFirstAndKept) {
   EXPECT_TRUE(window().message().contains("Recordings are kept in " + usual))
       << window().message().toStdString();
   auto* strip = child<MessageStrip>("message_strip");
-  ASSERT_TRUE(strip->takeOffer());
+  ASSERT_TRUE(strip->triggerDefaultAction());
   auto* dialog = child<QFileDialog>("recording_folder_dialog");
   ASSERT_NE(dialog, nullptr);
   QDir().mkpath(path("survey"));

@@ -29,7 +29,7 @@ SyntheticRelief plate(double x0, double y0, double x1, double y1) {
     for (int col = 0; col < f.size.cols; ++col) {
       const double x = f.xMm(col), y = f.yMm(row);
       if (x < x0 || x > x1 || y < y0 || y > y1) {
-        relief.origins[f.size.index({col, row})] = Origin::outside;
+        relief.origins[f.size.index({col, row})] = CellStatus::outside;
       }
     }
   }
@@ -223,9 +223,9 @@ TEST(ReliefScene, FilledCellsAreMarkedAndTheBasePlaneMoreSo) {
   const GridFrame& f = relief.frame;
   for (int row = 0; row < 200; ++row) {
     for (int col = 0; col < 200; ++col) {
-      Origin& origin = relief.origins[f.size.index({col, row})];
-      if (col < 60) origin = Origin::interpolated;
-      if (col > 140) origin = Origin::base_plane;
+      CellStatus& origin = relief.origins[f.size.index({col, row})];
+      if (col < 60) origin = CellStatus::interpolated;
+      if (col > 140) origin = CellStatus::base_plane;
     }
   }
   ReliefScene scene;
@@ -252,7 +252,7 @@ TEST(ReliefScene, TheHatchIsSeenOnEveryGround) {
     for (int row = 0; row < 200; ++row) {
       for (int col = 0; col < 200; ++col) {
         relief.origins[f.size.index({col, row})] =
-            col < 100 ? Origin::interpolated : Origin::base_plane;
+            col < 100 ? CellStatus::interpolated : CellStatus::base_plane;
       }
     }
     const std::vector<std::uint8_t> colours(3 * f.size.count(),

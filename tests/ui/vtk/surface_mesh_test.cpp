@@ -46,11 +46,11 @@ TEST(SurfaceMesh, CellsWithNoCornerInsideAreLeftOut) {
   mesh.update(relief.grid());
   EXPECT_EQ(mesh.poly()->GetNumberOfPolys(), 36);
   for (std::size_t i = 0; i < 25; ++i) {
-    if (i != 12) relief.origins[i] = Origin::outside;
+    if (i != 12) relief.origins[i] = CellStatus::outside;
   }
   mesh.update(relief.grid());
   EXPECT_EQ(mesh.poly()->GetNumberOfPolys(), 4);  // Around the one sample that is left.
-  relief.origins.assign(25, Origin::measured);
+  relief.origins.assign(25, CellStatus::measured);
   relief.heights_mm[0] = std::numeric_limits<float>::quiet_NaN();  // Not a height: outside.
   relief.heights_mm[1] = relief.heights_mm[5] = relief.heights_mm[6] = relief.heights_mm[0];
   mesh.update(relief.grid());
@@ -61,7 +61,7 @@ TEST(SurfaceMesh, TheRimIsLitLikeTheEdgeBesideIt) {
   SyntheticRelief relief = makeRelief(20, 20, [](double x, double) { return 2 * x; });
   for (int row = 0; row < 20; ++row) {
     for (int col = 12; col < 20; ++col) {
-      relief.origins[relief.frame.size.index({col, row})] = Origin::outside;
+      relief.origins[relief.frame.size.index({col, row})] = CellStatus::outside;
     }
   }
   SurfaceMesh mesh;
@@ -85,7 +85,8 @@ TEST(SurfaceMesh, KeepsItsCellsWhileOnlyHeightsAndPlaceChange) {
   mesh.update(relief.grid());
   EXPECT_EQ(mesh.poly()->GetPolys(), cells);
   EXPECT_EQ(cells->GetMTime(), cells_time);
-  relief.origins[0] = relief.origins[1] = relief.origins[20] = relief.origins[21] = Origin::outside;
+  relief.origins[0] = relief.origins[1] = relief.origins[20] = relief.origins[21] =
+      CellStatus::outside;
   mesh.update(relief.grid());
   EXPECT_NE(mesh.poly()->GetPolys(), cells);
 }

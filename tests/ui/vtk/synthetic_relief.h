@@ -13,7 +13,7 @@ namespace relievo {
 struct SyntheticRelief {
   GridFrame frame;
   std::vector<float> heights_mm;
-  std::vector<Origin> origins;
+  std::vector<CellStatus> origins;
 
   SurfaceGrid grid() const { return {frame, &heights_mm, &origins}; }
 };
@@ -29,7 +29,7 @@ inline SyntheticRelief makeRelief(int samples, double side_mm,
           static_cast<float>(height(relief.frame.xMm(col), relief.frame.yMm(row))));
     }
   }
-  relief.origins.assign(relief.frame.size.count(), Origin::measured);
+  relief.origins.assign(relief.frame.size.count(), CellStatus::measured);
   return relief;
 }
 

@@ -22,7 +22,7 @@
 #include "ui/dialogs/figure/figure_error.h"
 #include "ui/dialogs/figure/figure_form.h"
 #include "ui/dialogs/figure/figure_preview.h"
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/style/dialog_size.h"
 #include "ui/style/text.h"
 

@@ -11,7 +11,7 @@
 
 #include "ui/dialogs/figure/figure_dialog.h"
 #include "ui/dialogs/figure/figure_error.h"
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/work/file_names.h"
 
 namespace relievo {

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "ui/dialogs/figure/figure_dialog.h"
-#include "ui/language/spoken_error.h"
+#include "ui/language/error_text.h"
 
 namespace relievo {
 

@@ -9,7 +9,7 @@
 #include "ui/dialogs/figure/figure_form.h"
 #include "ui/dialogs/figure/figure_form_parts.h"
 #include "ui/dialogs/figure/figure_form_rows.h"
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 
 namespace relievo {
 namespace {

@@ -29,17 +29,17 @@ CellLegend::CellLegend(QWidget* parent) : QWidget(parent) {
   hide();
 }
 
-void CellLegend::show(const std::vector<Origin>& origins, StereoPrint print) {
-  const auto count = [&](Origin origin) {
+void CellLegend::show(const std::vector<CellStatus>& origins, StereoPrint print) {
+  const auto count = [&](CellStatus origin) {
     return std::count(origins.begin(), origins.end(), origin);
   };
-  const auto all = static_cast<std::ptrdiff_t>(origins.size()) - count(Origin::outside);
+  const auto all = static_cast<std::ptrdiff_t>(origins.size()) - count(CellStatus::outside);
   print_ = print;
   rows_.clear();
-  if (const auto cells = count(Origin::interpolated); cells > 0) {
+  if (const auto cells = count(CellStatus::interpolated); cells > 0) {
     rows_.push_back({false, tr("interpolated: %1").arg(percentText(cells, all))});
   }
-  if (const auto cells = count(Origin::base_plane); cells > 0) {
+  if (const auto cells = count(CellStatus::base_plane); cells > 0) {
     rows_.push_back({true, tr("hole, on base plane: %1").arg(percentText(cells, all))});
   }
   QStringList texts;

@@ -17,7 +17,7 @@ class CellLegend : public QWidget {
   explicit CellLegend(QWidget* parent);
   /// @param origins  of the cells in view @param print  how two eyes' pictures are mixed, which
   ///                 changes colours
-  void show(const std::vector<Origin>& origins, StereoPrint print);
+  void show(const std::vector<CellStatus>& origins, StereoPrint print);
   void place();  ///< After the parent changed its size.
 
  protected:

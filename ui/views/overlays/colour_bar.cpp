@@ -5,7 +5,7 @@
 #include <cmath>
 #include <QPainter>
 
-#include "ui/language/core_words.h"
+#include "ui/language/core_text.h"
 #include "ui/style/text.h"
 
 namespace relievo {

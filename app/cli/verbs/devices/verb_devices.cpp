@@ -55,7 +55,7 @@ void listHid(Json& json, std::vector<std::string>& lines) {
   json["hid"] = Json::array();
   try {
     hid::HidDevices devices;
-    hid::HidNews ignored;
+    hid::HidEvents ignored;
     devices.rescan(ignored);
     for (const std::string& name : devices.names()) {
       json["hid"].push_back({{"name", name}, {"access", true}});
@@ -93,7 +93,7 @@ void listPads(Json& json, std::vector<std::string>& lines) {
 }
 
 /// A file that the user named and that is bad is always told; that there is none, if a Falcon is.
-void listFirmware(Json& json, Outcome& outcome) {
+void listFirmware(Json& json, CommandResult& outcome) {
   const falcon::FirmwarePlaces places = firmwarePlacesNow();
   try {
     json["falcon_firmware"] = jsonOfFirmware(falcon::findFirmware(places));
@@ -118,7 +118,7 @@ void listFirmware(Json& json, Outcome& outcome) {
 }
 
 /// Each by its serial number and port, however many there are and whoever uses them.
-void listFalcons(Json& json, Outcome& outcome) {
+void listFalcons(Json& json, CommandResult& outcome) {
   json["falcons"] = Json::array();
   const std::vector<falcon::SeenFalcon> all = falcon::seenFalcons();
   if (const std::string problem = falcon::libusbProblem(); !problem.empty()) {
@@ -161,11 +161,11 @@ void tellTried(const std::string& kind, const std::string& tried, Json& json,
   lines.push_back(kind + ": tried on hardware: " + tried);
 }
 
-Outcome list(const Task& task) {
+CommandResult list(const Task& task) {
   Json json;
   json["devices"] = Json::array();
   json["tried_on_hardware"] = Json::object();
-  Outcome outcome;
+  CommandResult outcome;
   for (const DeviceDriver& driver : deviceCatalog()) {
     tellTried(driver.kind, driver.tried_on_hardware, json, outcome.lines);
     for (const std::string& id : driver.scan()) {
@@ -215,7 +215,7 @@ std::string firmwareInstead(const std::filesystem::path& installed) {
   return named;
 }
 
-Outcome installFirmware(const DevicesArguments& a) {
+CommandResult installFirmware(const DevicesArguments& a) {
   const falcon::Firmware firmware = falcon::readFirmware(a.file);
   const falcon::FirmwarePlaces places = falcon::firmwarePlaces();
   if (!falcon::isAccepted(firmware, places) && !a.accept) {
@@ -292,14 +292,14 @@ Verb devicesVerb() {
               },
           .run =
               [a](const Task& task) {
-                Outcome hand;
+                CommandResult hand;
                 if (!a->hand.empty()) hand = setLeftHanded(a->hand == "yes");
                 if (a->firmware) return installFirmware(*a);
                 if (a->selftest) return falconSelfTest(a->test, task);
                 if (a->calibrate) return calibrateFalcon(a->weight_g, a->test, task);
                 if (a->rule) {
-                  return Outcome{.json = Json{{"rule", falcon::udevRule()}}.dump(2),
-                                 .lines = linesOf(falcon::udevRule())};
+                  return CommandResult{.json = Json{{"rule", falcon::udevRule()}}.dump(2),
+                                       .lines = linesOf(falcon::udevRule())};
                 }
                 if (!a->plugin.trust.empty()) return trustPluginFile(a->plugin.trust);
                 if (!a->plugin.conformance.empty()) return checkPluginFile(a->plugin, task);

@@ -97,7 +97,7 @@ std::string promptOf(const falcon::Calibration& calibration) {
 
 }  // namespace
 
-Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
+CommandResult falconSelfTest(const SelfTestArguments& a, const Task& task) {
   const falcon::FalconChoice choice = choiceOf(a.device);
   const auto device =
       openFalcon(choice, falcon::readSettings(falcon::settingsFile(), choice.serial));
@@ -116,7 +116,7 @@ Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
     tickUntil(deadline, task);
   }
   Json json;
-  Outcome outcome;
+  CommandResult outcome;
   json["device"] = device->info().id;
   json["device_name"] = device->info().name;
   json["passed"] = test.passed();
@@ -133,7 +133,7 @@ Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
   return outcome;
 }
 
-Outcome calibrateFalcon(double weight_g, const SelfTestArguments& which, const Task& task) {
+CommandResult calibrateFalcon(double weight_g, const SelfTestArguments& which, const Task& task) {
   const falcon::FalconChoice choice = choiceOf(which.device);
   falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile(), choice.serial);
   const double before = settings.counts_per_n_mm;
@@ -180,7 +180,7 @@ Outcome calibrateFalcon(double weight_g, const SelfTestArguments& which, const T
           .lines = {line.data(), "kept in " + falcon::settingsFile().string()}};
 }
 
-Outcome setLeftHanded(bool left_handed) {
+CommandResult setLeftHanded(bool left_handed) {
   falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile());
   settings.left_handed = left_handed;
   falcon::writeSettings(settings, falcon::settingsFile());

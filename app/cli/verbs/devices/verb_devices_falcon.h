@@ -15,13 +15,13 @@ struct SelfTestArguments {
   std::string device = "falcon";
 };
 /// @throw DeviceError  it did not become ready
-Outcome falconSelfTest(const SelfTestArguments& arguments, const Task& task);
+CommandResult falconSelfTest(const SelfTestArguments& arguments, const Task& task);
 
 /// Force gain by a known weight, as in the window's set-up; Enter says that the weight hangs. The
 /// result is kept in the settings. @throw DeviceError, ArgumentError, WriteError
-Outcome calibrateFalcon(double weight_g, const SelfTestArguments& which, const Task& task);
+CommandResult calibrateFalcon(double weight_g, const SelfTestArguments& which, const Task& task);
 
 /// Kept in the settings. @throw WriteError
-Outcome setLeftHanded(bool left_handed);
+CommandResult setLeftHanded(bool left_handed);
 
 }  // namespace relievo::batch

@@ -17,7 +17,7 @@ void tellMessage(const Message& message) {
   tell((code.empty() ? "" : code + ": ") + englishText(message));
 }
 
-void listOne(const haply::ServiceDevice& device, Json& json, Outcome& outcome) {
+void listOne(const haply::ServiceDevice& device, Json& json, CommandResult& outcome) {
   haply::LinkStatus status;
   status.state = haply::stateOf(device);
   const Message message = haply::describe(status);
@@ -38,7 +38,7 @@ void listOne(const haply::ServiceDevice& device, Json& json, Outcome& outcome) {
 }
 }  // namespace
 
-void listHaplys(Json& json, Outcome& outcome) {
+void listHaplys(Json& json, CommandResult& outcome) {
   json["haplys"] = Json::array();
   json["haply_service"] = nullptr;
   const haply::ServiceAddress address = haply::serviceAddress();

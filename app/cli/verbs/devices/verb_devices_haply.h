@@ -9,6 +9,6 @@ namespace relievo::batch {
 /// Haply's Inverse Service, if one listens, and every device that it sees, with what keeps it from
 /// being felt. Adds "haply_service" and "haplys" to the report.
 /// @throw ArgumentError  RELIEVO_HAPLY_SERVICE is no address
-void listHaplys(Json& json, Outcome& outcome);
+void listHaplys(Json& json, CommandResult& outcome);
 
 }  // namespace relievo::batch

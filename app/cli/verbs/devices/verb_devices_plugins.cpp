@@ -51,7 +51,7 @@ ScannedPlugin scanned(const PluginFile& file, const Task& task) {
   return none;
 }
 
-void tellTrusted(const PluginFile& file, Json& one, Outcome& outcome, const Task& task) {
+void tellTrusted(const PluginFile& file, Json& one, CommandResult& outcome, const Task& task) {
   const ScannedPlugin plugin = scanned(file, task);
   if (plugin.trouble) {
     one["trouble"] = englishText(*plugin.trouble);
@@ -125,7 +125,7 @@ void declarePlugins(CLI::App& verb, PluginArguments& arguments) {
       .needs(test);
 }
 
-void listPlugins(Json& json, Outcome& outcome, const Task& task) {
+void listPlugins(Json& json, CommandResult& outcome, const Task& task) {
   json["plugins"] = Json::array();
   for (const PluginFile& file : foreign::pluginFiles()) {
     Json one{{"name", file.name}, {"file", file.file.string()}, {"trusted", file.trusted}};
@@ -147,14 +147,14 @@ void listPlugins(Json& json, Outcome& outcome, const Task& task) {
   }
 }
 
-Outcome trustPluginFile(const std::string& file) {
+CommandResult trustPluginFile(const std::string& file) {
   const std::string sum = foreign::trustPlugin(file);
   const std::filesystem::path folder = foreign::pluginPlaces().own;
   return {.json = reportText(Json{{"file", file}, {"sha256", sum}, {"folder", folder.string()}}),
           .lines = {"sha256 " + sum, "It may run from " + folder.string() + " until it changes."}};
 }
 
-Outcome checkPluginFile(const PluginArguments& arguments, const Task& task) {
+CommandResult checkPluginFile(const PluginArguments& arguments, const Task& task) {
   const std::filesystem::path file = std::filesystem::absolute(arguments.conformance);
   const std::vector<CheckResult> results =
       foreign::checkPlugin(file,
@@ -163,7 +163,7 @@ Outcome checkPluginFile(const PluginArguments& arguments, const Task& task) {
                             .seconds = arguments.seconds,
                             .is_held = [&] { return isHeld(arguments.newton, task); }},
                            task);
-  Outcome outcome;
+  CommandResult outcome;
   Json json{{"file", file.string()}, {"device", arguments.device}};
   json["checks"] = Json::array();
   for (const CheckResult& result : results) {

@@ -23,11 +23,11 @@ void declarePlugins(CLI::App& verb, PluginArguments& arguments);
 
 /// Every plug-in for devices that was found, and the devices of those that may run; each is asked
 /// in a process of its own. Adds "plugins" to the report. @throw Cancelled
-void listPlugins(Json& json, Outcome& outcome, const Task& task);
+void listPlugins(Json& json, CommandResult& outcome, const Task& task);
 
 /// @throw FileError, WriteError
-Outcome trustPluginFile(const std::string& file);
+CommandResult trustPluginFile(const std::string& file);
 /// Runs all tests; exit status 1 if one failed. @throw FileError, DeviceError  no host
-Outcome checkPluginFile(const PluginArguments& arguments, const Task& task);
+CommandResult checkPluginFile(const PluginArguments& arguments, const Task& task);
 
 }  // namespace relievo::batch

@@ -19,7 +19,7 @@ Link::Link(Bus& bus, LinkMailbox& mailbox, FirmwareSource firmware, LinkLimits l
       mailbox_(mailbox),
       firmware_(std::move(firmware)),
       limits_(limits),
-      force_gate_(limits) {
+      force_ramp_(limits) {
   status_.attempts = limits.attempts;
 }
 
@@ -81,9 +81,9 @@ bool Link::pause(const std::stop_token& stop, std::int64_t most_ns) {
   while (!stop.stop_requested()) {
     const std::int64_t now = bus_.now();
     if (now - began_ns >= (changed ? std::min(kLeastPauseNs, most_ns) : most_ns)) return true;
-    mailbox_.wishes.update();
-    if (mailbox_.wishes.front().retries != seen_.retries) {
-      seen_.retries = mailbox_.wishes.front().retries;
+    mailbox_.commands.update();
+    if (mailbox_.commands.front().retries != seen_.retries) {
+      seen_.retries = mailbox_.commands.front().retries;
       status_.failed_openings = 0;
       changed = true;
     }
@@ -109,7 +109,7 @@ void Link::waitAfterFailure(const std::stop_token& stop) {
 void Link::close(std::unique_ptr<Port>& port, bool for_good) {
   if (port && lost_ != PortResult::gone) {
     if (!runs_) port->request(kRunBaud);
-    sayGoodbye(for_good ? encode({.homing = false}) : encode({.lights = red}));
+    sendNeutralFrame(for_good ? encode({.homing = false}) : encode({.lights = red}));
   }
   port_ = nullptr;
   port.reset();
@@ -205,9 +205,9 @@ bool Link::waitForRetry(const std::stop_token& stop, std::int64_t most_ns) {
       std::size_t got = 0;
       if (!read(bytes, until, got)) return false;
     }
-    mailbox_.wishes.update();
-    if (mailbox_.wishes.front().retries != seen_.retries) {
-      seen_.retries = mailbox_.wishes.front().retries;
+    mailbox_.commands.update();
+    if (mailbox_.commands.front().retries != seen_.retries) {
+      seen_.retries = mailbox_.commands.front().retries;
       return true;
     }
   }
@@ -217,7 +217,7 @@ bool Link::waitForRetry(const std::stop_token& stop, std::int64_t most_ns) {
 void Link::interrupt(DeviceFault fault, std::int64_t now_ns) {
   reading_.interrupt(fault, now_ns);
   buttons_.interrupt();
-  force_gate_.shut(now_ns);
+  force_ramp_.shut(now_ns);
   zero_next_ = true;
   mailbox_.readings.write(reading_);
 }

@@ -18,13 +18,13 @@
 #include "haptics/device/falcon/link/pose_gate.h"
 #include "haptics/device/falcon/link/silence.h"
 #include "haptics/device/falcon/port.h"
-#include "haptics/device/link/force_gate.h"
+#include "haptics/device/link/force_ramp.h"
 #include "haptics/device/link/mailbox.h"
 
 namespace relievo::falcon {
 
 /// What the owner tells the link. [owner writes, link thread reads]
-struct LinkWish {
+struct LinkCommand {
   std::uint32_t retries = 0;       ///< Raise it to try again after a failure.
   std::uint32_t measurements = 0;  ///< Raise it to measure times anew.
   double counts_per_n_mm = kNominalCountsPerNmm / 2;
@@ -32,7 +32,7 @@ struct LinkWish {
   std::uint8_t lights = lights_off;
 };
 
-using LinkMailbox = relievo::LinkMailbox<LinkWish, LinkStatus>;
+using LinkMailbox = relievo::LinkMailbox<LinkCommand, LinkStatus>;
 
 /// The firmware's bytes. @throw FileError  says where was looked, or what is wrong with the file
 using FirmwareSource = std::function<std::vector<std::uint8_t>()>;
@@ -96,7 +96,7 @@ class Link {
   bool isWanted(std::int64_t now_ns);
   void wake();
   bool rest(std::int64_t now_ns);
-  void sayGoodbye(const Frame& frame);
+  void sendNeutralFrame(const Frame& frame);
 
   void interrupt(DeviceFault fault, std::int64_t now_ns);
   void setState(LinkState state, const std::optional<Message>& detail = {});
@@ -107,7 +107,7 @@ class Link {
   LinkMailbox& mailbox_;
   FirmwareSource firmware_;
   LinkLimits limits_;
-  ForceGate force_gate_;
+  ForceRamp force_ramp_;
   Port* port_ = nullptr;
   PortResult lost_ = PortResult::ok;  // How this opening was lost.
   bool known_present_ = false;        // Open, or was until it was lost.
@@ -120,7 +120,7 @@ class Link {
   Silence silence_;
   Homing homing_;
   ButtonDebounce buttons_;
-  LinkWish seen_;  // Of wishes, what was done.
+  LinkCommand seen_;  // Of wishes, what was done.
   std::int64_t slept_ = 0;
 
   // Of operate().

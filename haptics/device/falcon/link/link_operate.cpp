@@ -23,7 +23,7 @@ constexpr int kPurgeEvery = 25, kGiveUp = 100;   // Measures of 20 ms: 500 ms, 2
 Link::Leave Link::operate(const std::stop_token& stop) {
   std::int64_t now = bus_.now();
   operates_since_ns_ = now;
-  force_gate_.shut(now);
+  force_ramp_.shut(now);
   std::uint64_t malformed_seen = reader_.malformed();
   times_.restart(now, status_);
   silence_ = {};
@@ -64,7 +64,7 @@ Link::Leave Link::operate(const std::stop_token& stop) {
     if (reader_.malformed() != malformed_seen) {
       malformed_seen = reader_.malformed();
       zero_next_ = true;
-      force_gate_.shut(now);
+      force_ramp_.shut(now);
     }
     const bool wanted = isWanted(now);
     measureAnewIfAsked();
@@ -105,7 +105,7 @@ bool Link::takePause(std::int64_t now_ns) {
 bool Link::takeFailure(std::int64_t now_ns) {
   ++status_.counts.failed_reads;
   zero_next_ = true;
-  force_gate_.shut(now_ns);
+  force_ramp_.shut(now_ns);
   const int failed = silence_.failRead();
   if (failed > kMostFailedReads) lost_ = PortResult::failed;
   if (failed > 1) return lost_ == PortResult::ok;
@@ -119,7 +119,7 @@ bool Link::takeFailure(std::int64_t now_ns) {
 void Link::takeDamage(std::int64_t now_ns) {
   reader_.reset();
   zero_next_ = true;
-  force_gate_.shut(now_ns);
+  force_ramp_.shut(now_ns);
 }
 
 void Link::takeReport(const Report& report, std::int64_t now_ns) {
@@ -186,7 +186,7 @@ void Link::forgetButtons() {
 }
 
 void Link::measureAnewIfAsked() {
-  const std::uint32_t asked = mailbox_.wishes.front().measurements;
+  const std::uint32_t asked = mailbox_.commands.front().measurements;
   if (std::exchange(seen_.measurements, asked) == asked) return;
   times_.measureAnew(status_);
 }
@@ -199,7 +199,7 @@ std::int64_t Link::silentAt() const {
 std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
   const int step = silence_.nextMeasure(now_ns);
   zero_next_ = true;
-  force_gate_.shut(now_ns);
+  force_ramp_.shut(now_ns);
   if (step < Silence::kStall) {
     ++status_.counts.hiccups;
   } else {
@@ -232,7 +232,7 @@ bool Link::ask(std::int64_t now_ns, bool neutral) {
     zero_next_ = true;
   }
   if (neutral || zero_next_) {
-    force_gate_.shut(now_ns);
+    force_ramp_.shut(now_ns);
   } else {
     command.motors = motorCounts(now_ns);
   }
@@ -248,19 +248,19 @@ std::array<std::int16_t, kArms> Link::motorCounts(std::int64_t now_ns) {
   std::optional<DeviceN> force;
   if (status_.state == LinkState::ready && jacobian_) {
     force =
-        force_gate_.shown(mailbox_.orders.front(), mailbox_.cuts.load(), reading_.epoch, now_ns);
+        force_ramp_.shown(mailbox_.orders.front(), mailbox_.cuts.load(), reading_.epoch, now_ns);
   }
-  if (!force) force_gate_.shut(now_ns);
+  if (!force) force_ramp_.shut(now_ns);
   if (!force || norm(*force) == 0) return {};
   const std::optional<Torques> torques = torquesForForce(*jacobian_, *force);
   if (!torques) return {};
-  mailbox_.wishes.update();
+  mailbox_.commands.update();
   force_ns_ = now_ns;
-  return countsForTorques(*torques, mailbox_.wishes.front().counts_per_n_mm);
+  return countsForTorques(*torques, mailbox_.commands.front().counts_per_n_mm);
 }
 
 std::uint8_t Link::lights(std::int64_t now_ns) const {
-  const LinkWish& wish = mailbox_.wishes.front();
+  const LinkCommand& wish = mailbox_.commands.front();
   if (wish.show_lights) return wish.lights;
   if (status_.state == LinkState::pull_out) return blue;
   if (status_.state != LinkState::ready || reading_.fault != DeviceFault::none) return red;
@@ -270,9 +270,9 @@ std::uint8_t Link::lights(std::int64_t now_ns) const {
 
 bool Link::isWanted(std::int64_t now_ns) {
   mailbox_.orders.update();
-  mailbox_.wishes.update();
+  mailbox_.commands.update();
   return now_ns - mailbox_.orders.front().time_ns < kRestAfterNs ||
-         mailbox_.wishes.front().show_lights || status_.state != LinkState::ready;
+         mailbox_.commands.front().show_lights || status_.state != LinkState::ready;
 }
 
 void Link::wake() {
@@ -290,7 +290,7 @@ bool Link::rest(std::int64_t now_ns) {
   return asked;
 }
 
-void Link::sayGoodbye(const Frame& frame) {
+void Link::sendNeutralFrame(const Frame& frame) {
   // More than one: nobody repeats a frame that is lost now. Reading may fail; it paces them.
   constexpr int kFrames = 3;
   for (int i = 0; i < kFrames; ++i) {

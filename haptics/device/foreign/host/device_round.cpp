@@ -36,9 +36,9 @@ void DeviceRound::go(std::int64_t now_ns, bool zero) RELIEVO_REALTIME {
   DeviceN force;
   if (may_push) {
     const std::uint32_t cuts = page_.cuts.load(std::memory_order_acquire);
-    force = gate_.shown(order_, cuts, reading_.epoch, now_ns).value_or(DeviceN{});
+    force = ramp_.shown(order_, cuts, reading_.epoch, now_ns).value_or(DeviceN{});
   } else {
-    gate_.shut(now_ns);
+    ramp_.shut(now_ns);
   }
   if (gone_) return;
   force = heat_.shown(force, now_ns);
@@ -71,12 +71,12 @@ void DeviceRound::take(relievo_status status, const relievo_sample& sample,
 }
 
 void DeviceRound::fail(DeviceFault fault, std::int64_t now_ns) RELIEVO_REALTIME {
-  gate_.shut(now_ns);
+  ramp_.shut(now_ns);
   if (reading_.fault != fault) reading_.interrupt(fault, now_ns);
 }
 
 void DeviceRound::wasCut(std::int64_t now_ns) RELIEVO_REALTIME {
-  gate_.shut(now_ns);
+  ramp_.shut(now_ns);
   // What the step said itself is worth more than that it took long.
   if (reading_.fault == DeviceFault::none) reading_.interrupt(DeviceFault::timeout, now_ns);
 }

@@ -6,7 +6,7 @@
 
 #include "haptics/device/foreign/device_page.h"
 #include "haptics/device/foreign/relievo_device.h"
-#include "haptics/device/link/force_gate.h"
+#include "haptics/device/link/force_ramp.h"
 #include "haptics/device/link/heat_budget.h"
 #include "haptics/device/link/mailbox.h"
 
@@ -23,7 +23,7 @@ class DeviceRound {
       : device_(device),
         page_(page),
         limits_(limits),
-        gate_(rulesOf(limits)),
+        ramp_(rulesOf(limits)),
         heat_(heatRulesOf(limits)),
         step_since_ns_(step_since_ns) {}
 
@@ -44,9 +44,9 @@ class DeviceRound {
   relievo_device& device_;
   DevicePage& page_;
   ForeignLimits limits_;
-  ForceGate gate_;
+  ForceRamp ramp_;
   HeatBudget heat_;
-  ForceOrder order_;
+  ForceCommand order_;
   LinkReading reading_;
   std::atomic<std::int64_t>& step_since_ns_;
   bool gone_ = false;

@@ -34,7 +34,7 @@ GridFrame frameOf(int cols, int rows, double spacing = 1) {
 DepthMap flatMap(const GridFrame& frame, float z_mm = 0) {
   DepthMap map{.frame = frame, .heights_mm = {}, .origins = {}};
   map.heights_mm.assign(frame.size.count(), z_mm);
-  map.origins.assign(frame.size.count(), Origin::measured);
+  map.origins.assign(frame.size.count(), CellStatus::measured);
   return map;
 }
 
@@ -116,7 +116,7 @@ TEST(Colours, TheMeanOfACellIsTakenInLinearLight) {
   EXPECT_EQ(made.colours[0], (Rgba{188, 188, 188, 255}));
 }
 
-TEST(Colours, ARedPointBehindABlueFrontAndAFlyerBeforeItLeaveNoTrace) {
+TEST(Colours, ARedPointBehindABlueFrontAndAnOutlierBeforeItLeaveNoTrace) {
   for (const ColourRule rule : {ColourRule::layer, ColourRule::winner}) {
     Scan scan;
     add(scan, 0, 0, -2, kRed);
@@ -174,16 +174,16 @@ TEST(Colours, HolesAndOutsideHaveNoneAndGapsAreBetweenTheirNeighbours) {
   const GridFrame frame = frameOf(16, 16);
   DepthMap map = flatMap(frame);
   Scan scan;
-  const auto origin = [&](int col, int row) -> Origin& {
+  const auto origin = [&](int col, int row) -> CellStatus& {
     return map.origins[frame.size.index({.col = col, .row = row})];
   };
-  for (int col = 5; col < 9; ++col) origin(col, 5) = Origin::base_plane;
-  origin(12, 3) = Origin::outside;
-  origin(3, 12) = Origin::interpolated;
+  for (int col = 5; col < 9; ++col) origin(col, 5) = CellStatus::base_plane;
+  origin(12, 3) = CellStatus::outside;
+  origin(3, 12) = CellStatus::interpolated;
   for (int row = 0; row < 16; ++row) {
     for (int col = 0; col < 16; ++col) {
       // Also in the holes: what lies there did not make a height.
-      if (origin(col, row) != Origin::interpolated) add(scan, col, row, 0, {10, 200, 30, 255});
+      if (origin(col, row) != CellStatus::interpolated) add(scan, col, row, 0, {10, 200, 30, 255});
     }
   }
   const GridColours made = coloursOf(scan, map);
@@ -204,20 +204,21 @@ TEST(Colours, AHoleThatIsFilledLaterGetsThoseAroundIt) {
     for (int col = 0; col < 16; ++col) add(scan, col, row, 0, {10, 200, 30, 255});
   }
   const std::size_t hole = frame.size.index({.col = 7, .row = 7});
-  map.origins[hole] = Origin::base_plane;
+  map.origins[hole] = CellStatus::base_plane;
   GridColours made = coloursOf(scan, map);
   ASSERT_EQ(made.colours[hole], kNothing);
   fillColours(made, map, {});
   EXPECT_EQ(made.colours[hole], kNothing) << "still a hole";
-  map.origins[hole] = Origin::interpolated;
+  map.origins[hole] = CellStatus::interpolated;
   fillColours(made, map, {});
   EXPECT_EQ(made.colours[hole], (Rgba{10, 200, 30, kBetweenAlpha}));
 }
 
 TEST(Colours, ARimIsCoveredOneSampleWide) {
   const GridSize size{.cols = 5, .rows = 1};
-  const std::vector<Origin> origins{Origin::measured, Origin::outside, Origin::outside,
-                                    Origin::base_plane, Origin::measured};
+  const std::vector<CellStatus> origins{CellStatus::measured, CellStatus::outside,
+                                        CellStatus::outside, CellStatus::base_plane,
+                                        CellStatus::measured};
   GridColours colours;
   colours.colours = {kRed, kNothing, kNothing, kNothing, kBlue};
   coverRim(colours, origins, size);

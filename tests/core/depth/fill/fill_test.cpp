@@ -40,7 +40,7 @@ FrontDepths discMissing(const GridFrame& frame, double cx, double cy, double rad
   return depths;
 }
 
-std::size_t countOf(const DepthMap& map, Origin origin) {
+std::size_t countOf(const DepthMap& map, CellStatus origin) {
   return static_cast<std::size_t>(std::count(map.origins.begin(), map.origins.end(), origin));
 }
 
@@ -53,17 +53,17 @@ TEST(FillDepths, AHoleRestsOnTheBasePlaneAndIsRememberedWithItsArea) {
   EXPECT_NEAR(filled.holes[0].centre_x_mm, 60, 0.25);
   EXPECT_NEAR(filled.holes[0].centre_y_mm, 50, 0.25);
   const Cell middle{.col = 120, .row = 100};
-  EXPECT_EQ(filled.map.origin(middle), Origin::base_plane);
+  EXPECT_EQ(filled.map.origin(middle), CellStatus::base_plane);
   EXPECT_EQ(filled.map.heightMm(middle), 0);
-  EXPECT_EQ(countOf(filled.map, Origin::outside), 0U);
+  EXPECT_EQ(countOf(filled.map, CellStatus::outside), 0U);
 }
 
 TEST(FillDepths, AMissingCornerIsOutsideNotAHole) {
   const GridFrame frame = squareFrame(200, 0.5);
   const FilledMap filled = fillDepths(discMissing(frame, 60, 50, 10, 20), frame, {}, {});
   EXPECT_EQ(filled.holes.size(), 1U);
-  EXPECT_EQ(filled.map.origin({.col = 5, .row = 5}), Origin::outside);
-  EXPECT_EQ(countOf(filled.map, Origin::outside), 40U * 40U);
+  EXPECT_EQ(filled.map.origin({.col = 5, .row = 5}), CellStatus::outside);
+  EXPECT_EQ(countOf(filled.map, CellStatus::outside), 40U * 40U);
 }
 
 TEST(FillDepths, SmallHolesAreInterpolatedOnRequestAndLargeOnesAreNot) {
@@ -75,7 +75,7 @@ TEST(FillDepths, SmallHolesAreInterpolatedOnRequestAndLargeOnesAreNot) {
   const FilledMap filled = fillDepths(depths, frame, {}, large);
   EXPECT_TRUE(filled.holes[0].filled);
   const Cell middle{.col = 120, .row = 100};
-  EXPECT_EQ(filled.map.origin(middle), Origin::interpolated);
+  EXPECT_EQ(filled.map.origin(middle), CellStatus::interpolated);
   // The rim is a plane from 15 to 17 mm; its middle lies at 16.
   EXPECT_NEAR(filled.map.heightMm(middle) + filled.base_z_mm, 16, 0.1);
 }
@@ -84,11 +84,11 @@ TEST(FillDepths, HolesLeftOpenAreOutside) {
   const GridFrame frame = squareFrame(100, 1);
   const HoleChoice none{.rule = HoleRule::none};
   const FilledMap filled = fillDepths(discMissing(frame, 50, 50, 8, 0), frame, {}, none);
-  EXPECT_EQ(filled.map.origin({.col = 50, .row = 50}), Origin::outside);
-  EXPECT_EQ(countOf(filled.map, Origin::base_plane), 0U);
+  EXPECT_EQ(filled.map.origin({.col = 50, .row = 50}), CellStatus::outside);
+  EXPECT_EQ(countOf(filled.map, CellStatus::base_plane), 0U);
 }
 
-TEST(FillDepths, BasePlaneIsTheThousandthQuantileAndFlyersBelowStayNegative) {
+TEST(FillDepths, BasePlaneIsTheThousandthQuantileAndOutliersBelowStayNegative) {
   const GridFrame frame = squareFrame(100, 1);
   FrontDepths depths(frame.size.count());
   for (std::size_t i = 0; i < depths.size(); ++i) depths[i] = static_cast<float>(i);
@@ -124,12 +124,12 @@ TEST(FillDepths, SamplingGapsOfAScatteredCloudAreFilledAndItsHoleIsKept) {
       const double x = frame.xMm(col);
       const double y = frame.yMm(row);
       const double distance = std::hypot(x - 50, y - 50);
-      const Origin origin = filled.map.origin({.col = col, .row = row});
+      const CellStatus origin = filled.map.origin({.col = col, .row = row});
       if (distance < 12) {
         ++hole_cells;
-        kept += origin == Origin::base_plane ? 1 : 0;
+        kept += origin == CellStatus::base_plane ? 1 : 0;
       } else if (distance > 12.5) {
-        open_gaps += origin == Origin::measured || origin == Origin::interpolated ? 0 : 1;
+        open_gaps += origin == CellStatus::measured || origin == CellStatus::interpolated ? 0 : 1;
         const auto z = static_cast<double>(filled.map.heightMm({.col = col, .row = row}));
         worst = std::max(worst, std::abs(z + filled.base_z_mm - height(x, y)));
       }
@@ -211,7 +211,7 @@ TEST(FillDepths, WhatTheRuleFoundWhereTheBackShowsIsNotTakenForAGapsHeight) {
   depths.between = depths.front;
   const FilledMap filled = fillDepths(std::move(depths), frame, {}, {});
   EXPECT_EQ(filled.seen_through, 1U);
-  EXPECT_EQ(filled.map.origins[back], Origin::interpolated);
+  EXPECT_EQ(filled.map.origins[back], CellStatus::interpolated);
   EXPECT_FLOAT_EQ(filled.map.heights_mm[back], 0);  // The base plane is the front.
 }
 
@@ -272,7 +272,7 @@ TEST(FillDepths, AMembraneGoesOnThroughAHoleAsTheSurfaceWas) {
     }
   }
   EXPECT_LT(worst, 1e-4);
-  EXPECT_GT(countOf(filled.map, Origin::interpolated), 400U);
+  EXPECT_GT(countOf(filled.map, CellStatus::interpolated), 400U);
   EXPECT_TRUE(holesLeft(filled.holes, membrane).empty());
 }
 
@@ -281,7 +281,7 @@ TEST(FillDepths, AHoleThatCannotBeFilledIsSaidAndRestsOnTheBasePlane) {
   const FrontDepths depths = discMissing(frame, 60, 50, 10, 0);
   const HoleChoice choice{.rule = HoleRule::membrane, .max_area_mm2 = 100};
   const FilledMap filled = fillDepths(depths, frame, {}, choice);
-  EXPECT_EQ(countOf(filled.map, Origin::interpolated), 0U);
+  EXPECT_EQ(countOf(filled.map, CellStatus::interpolated), 0U);
   EXPECT_THAT(holesLeft(filled.holes, choice), testing::StartsWith("0 of 1 holes filled. "));
   EXPECT_TRUE(holesLeft(filled.holes, {}).empty()) << "the base plane was asked for";
 }
@@ -296,7 +296,8 @@ TEST(FillDepths, CellsThatTheSurfaceRunsThroughAreSteepAndKeepTheirHeight) {
   const FilledMap filled = fillDepths(depths, frame, {}, {});
   for (int col = 0; col < 20; ++col) {
     const bool wall = col >= 9 && col <= 11;
-    EXPECT_EQ(filled.map.origin({.col = col, .row = 7}), wall ? Origin::steep : Origin::measured)
+    EXPECT_EQ(filled.map.origin({.col = col, .row = 7}),
+              wall ? CellStatus::steep : CellStatus::measured)
         << col;
   }
   EXPECT_FLOAT_EQ(filled.map.heightMm({.col = 10, .row = 7}), 8);
@@ -314,8 +315,8 @@ TEST(FillDepths, WhatTheRuleFoundBetweenThePointsFillsTheGaps) {
   depths.front[gap] = depths.front[gap + 7] = kNothing;
   depths.between[gap] = 1.25F;
   const FilledMap filled = fillDepths(std::move(depths), frame, {}, {});
-  EXPECT_EQ(filled.map.origins[gap], Origin::interpolated);
-  EXPECT_EQ(filled.map.origins[gap + 7], Origin::interpolated);
+  EXPECT_EQ(filled.map.origins[gap], CellStatus::interpolated);
+  EXPECT_EQ(filled.map.origins[gap + 7], CellStatus::interpolated);
   EXPECT_FLOAT_EQ(filled.map.heights_mm[gap], 0.25F);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/depth/layers/see_through.h"
+#include "core/depth/layers/hidden_points.h"
 
 #include <gtest/gtest.h>
 
@@ -76,14 +76,14 @@ Found foundBy(double points_per_cell) {
   for (int row = 0; row < kCells; ++row) {
     for (int col = 0; col < kCells; ++col) {
       const Cell cell{.col = col, .row = row};
-      const Origin origin = filled.map.origin(cell);
+      const CellStatus origin = filled.map.origin(cell);
       if (isHole(col, row)) {
         holes += 1;
-        found.holes_kept += origin == Origin::base_plane ? 1 : 0;
+        found.holes_kept += origin == CellStatus::base_plane ? 1 : 0;
         continue;
       }
       others += 1;
-      if (origin == Origin::base_plane || origin == Origin::outside) continue;
+      if (origin == CellStatus::base_plane || origin == CellStatus::outside) continue;
       found.gaps_closed += 1;
       // A notch in the rim of a hole is as likely to be the hole's.
       if (isHole(col, row, 4)) continue;

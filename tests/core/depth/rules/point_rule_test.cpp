@@ -22,8 +22,8 @@ double relief(double x, double y) {
   return 3 + 0.4 * std::sin(x / 5) * std::cos(y / 6);
 }
 
-/// Points scattered over the relief with noise; `flyers` of them anywhere within 20 mm about it.
-Scan noisyRelief(double points_per_cell, double flyers, unsigned seed) {
+/// Points scattered over the relief with noise; `outliers` of them anywhere within 20 mm about it.
+Scan noisyRelief(double points_per_cell, double outliers, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> across(-0.5 * kSpacing, (kCells - 0.5) * kSpacing);
   std::uniform_real_distribution<double> share(0, 1);
@@ -34,7 +34,7 @@ Scan noisyRelief(double points_per_cell, double flyers, unsigned seed) {
     const double x = across(random);
     const double y = across(random);
     double z = relief(x, y) + noise(random);
-    if (share(random) < flyers) z += 20 * (share(random) - 0.5);
+    if (share(random) < outliers) z += 20 * (share(random) - 0.5);
     scan.points.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
   }
   test::finishScan(scan);
@@ -96,7 +96,7 @@ TEST(PointRule, TheFrontMostPointIsLiftedByNoiseAndTheMiddleIsNot) {
   }
 }
 
-TEST(PointRule, FlyersDoNotSpoilTheMedian) {
+TEST(PointRule, OutliersDoNotSpoilTheMedian) {
   const double clean = fromTruth(noisyRelief(16, 0, 2), PointRule::median).rms;
   const Scan scan = noisyRelief(16, 0.005, 2);
   EXPECT_LT(fromTruth(scan, PointRule::median).rms, 1.1 * clean);
@@ -105,13 +105,13 @@ TEST(PointRule, FlyersDoNotSpoilTheMedian) {
   EXPECT_LT(fromTruth(scan, PointRule::top_mean).rms, fromTruth(scan, PointRule::front).rms / 4);
 }
 
-TEST(PointRule, FlyersAreCountedAndLeftOutByEveryRuleButWallsStay) {
+TEST(PointRule, OutliersAreCountedAndLeftOutByEveryRuleButWallsStay) {
   Scan scan = noisyRelief(3, 0, 7);
   scan.points.push_back({15, 15, 20});
   scan.points.push_back({20.1F, 9, -12});
   for (const PointRule rule : {PointRule::front, PointRule::top_mean, PointRule::quadratic}) {
     const CapturedDepths found = rasterize(requestOf(scan, rule));
-    EXPECT_EQ(found.flyers, 2U) << describe(rule);
+    EXPECT_EQ(found.outliers, 2U) << describe(rule);
     for (const float z : found.front) {
       if (std::isnan(z)) continue;
       ASSERT_NEAR(z, 3, 0.6) << describe(rule);
@@ -124,7 +124,7 @@ TEST(PointRule, FlyersAreCountedAndLeftOutByEveryRuleButWallsStay) {
   for (int i = 0; i < 14'400; ++i) {
     wall.points.push_back({15, 29 * uniform(random), 3 + 10 * uniform(random)});
   }
-  EXPECT_LE(rasterize(requestOf(wall, PointRule::front)).flyers, 3U);
+  EXPECT_LE(rasterize(requestOf(wall, PointRule::front)).outliers, 3U);
 }
 
 TEST(PointRule, SplatAndQuadraticComeNearerToTheTruthThanACellsOwnMean) {
@@ -225,7 +225,7 @@ TEST(PointRule, EveryRuleGivesTheSameBytesForAnyNumberOfThreads) {
       EXPECT_TRUE(same(one.between, more.between)) << name << threads;
       EXPECT_TRUE(same(one.quality.spreads_mm, more.quality.spreads_mm)) << name << threads;
       EXPECT_EQ(one.quality.counts, more.quality.counts) << name << threads;
-      EXPECT_EQ(one.flyers, more.flyers) << name << threads;
+      EXPECT_EQ(one.outliers, more.outliers) << name << threads;
     }
   }
 }
@@ -251,7 +251,7 @@ TEST(PointRule, EachRuleTakesItsPointsOfACell) {
   EXPECT_FLOAT_EQ(heightOf({1, 4, 9}, PointRule::median), 4);
   EXPECT_FLOAT_EQ(heightOf({1, 4, 2, 9}, PointRule::mean), 4);
   EXPECT_FLOAT_EQ(heightOf({4, 1, 2, 9}, PointRule::lowest), 1);
-  // Second 5: the layer within 1.5 cells of it; the flyer at 9 and the back at 1 are not in it.
+  // Second 5: the layer within 1.5 cells of it; the outlier at 9 and the back at 1 are not in it.
   EXPECT_FLOAT_EQ(heightOf({1, 5, 4.75F, 1.1F, 9, 4.875F}, PointRule::top_mean), 4.875F);
 }
 

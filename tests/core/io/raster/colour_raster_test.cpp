@@ -32,9 +32,9 @@ class ColourFiles : public ::testing::Test {
     std::mt19937 random(4);
     const auto byte = [&] { return static_cast<std::uint8_t>(random()); };
     for (std::size_t i = 0; i < size.count(); ++i) {
-      map_.origins.push_back(static_cast<Origin>(i % kOriginCount));
-      const bool hole =
-          map_.origins.back() == Origin::base_plane || map_.origins.back() == Origin::outside;
+      map_.origins.push_back(static_cast<CellStatus>(i % kOriginCount));
+      const bool hole = map_.origins.back() == CellStatus::base_plane ||
+                        map_.origins.back() == CellStatus::outside;
       map_.heights_mm.push_back(hole ? 0.F : static_cast<float>(i % 97) / 7);
       const std::uint8_t alpha = hole ? 0 : i % 3 == 0 ? kBetweenAlpha : kStoredAlpha;
       colours_.colours.push_back(hole ? Rgba{} : Rgba{byte(), byte(), byte(), alpha});

@@ -35,8 +35,8 @@ DepthMap roughMap(GridSize size) {
   std::mt19937 random(20);
   std::uniform_real_distribution<float> height(-1.F, 30.F);
   for (std::size_t i = 0; i < size.count(); ++i) {
-    map.origins.push_back(static_cast<Origin>(i % kOriginCount));
-    const bool flat = map.origins.back() == Origin::outside;
+    map.origins.push_back(static_cast<CellStatus>(i % kOriginCount));
+    const bool flat = map.origins.back() == CellStatus::outside;
     map.heights_mm.push_back(flat ? 0.F : height(random));
   }
   return map;
@@ -107,7 +107,7 @@ TEST(Raster, OwnMapComesBackBitForBit) {
   ASSERT_EQ(raster.origins.size(), map.origins.size());
   EXPECT_EQ(raster.origins, map.origins);
   for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
-    const bool outside = map.origins[i] == Origin::outside;
+    const bool outside = map.origins[i] == CellStatus::outside;
     ASSERT_EQ(raster.valid[i], !outside) << i;
     if (!outside) {
       ASSERT_EQ(std::bit_cast<std::uint32_t>(raster.values[i]),
@@ -144,7 +144,7 @@ TEST(Raster, MapFileIsNorthUpWithSamplesAtCellCentresAndNaNOutside) {
   for (int col = 0; col < 4; ++col) {
     const Cell cell{col, 2};
     const float stored = top[static_cast<std::size_t>(col)];
-    if (map.origin(cell) == Origin::outside) {
+    if (map.origin(cell) == CellStatus::outside) {
       EXPECT_TRUE(std::isnan(stored));
     } else {
       EXPECT_EQ(stored, map.heightMm(cell));
@@ -169,13 +169,13 @@ TEST(Raster, AnExportedMapHoldsItsMaskForProgramsThatKnowNoNodata) {
   GDALRasterBand& band = *dataset->GetRasterBand(1);
   EXPECT_EQ(band.GetMaskFlags(), GMF_PER_DATASET);
   std::vector<std::uint8_t> mask(map.origins.size());
-  ASSERT_EQ(band.GetMaskBand()->RasterIO(GF_Read, 0, 0, 9, 7, mask.data(), 9, 7, GDT_Byte, 0, 0,
-                                         nullptr),
-            CE_None);
+  ASSERT_EQ(
+      band.GetMaskBand()->RasterIO(GF_Read, 0, 0, 9, 7, mask.data(), 9, 7, GDT_Byte, 0, 0, nullptr),
+      CE_None);
   for (int row = 0; row < 7; ++row) {
     for (int col = 0; col < 9; ++col) {
       const std::size_t in_file = map.frame.size.index({col, 6 - row});
-      EXPECT_EQ(mask[in_file] != 0, map.origin({col, row}) != Origin::outside);
+      EXPECT_EQ(mask[in_file] != 0, map.origin({col, row}) != CellStatus::outside);
     }
   }
   GDALClose(dataset);
@@ -229,8 +229,8 @@ class OriginsOfAnotherMap : public testing::Test {
   /// The same heights; what was measured there is interpolated here.
   DepthMap other() const {
     DepthMap other = map_;
-    for (Origin& origin : other.origins) {
-      if (origin == Origin::measured) origin = Origin::interpolated;
+    for (CellStatus& origin : other.origins) {
+      if (origin == CellStatus::measured) origin = CellStatus::interpolated;
     }
     return other;
   }
@@ -451,7 +451,7 @@ TEST(Raster, RowsThatStayInAFileAreThoseInMemory) {
     EXPECT_EQ(rows.hasOrigins(), with_origins);
     ASSERT_EQ(whole.origins.size(), with_origins ? whole.values.size() : 0);
     std::vector<float> heights(201UL * 7);
-    std::vector<Origin> origins(heights.size());
+    std::vector<CellStatus> origins(heights.size());
     for (int row = 0; row + 7 <= 130; row += 11) {
       rows.read(row, 7, heights.data(), origins.data());
       for (std::size_t i = 0; i < heights.size(); ++i) {

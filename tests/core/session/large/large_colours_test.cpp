@@ -18,8 +18,8 @@
 #include "core/io/import.h"
 #include "core/io/raster/colour_raster.h"
 #include "core/session/colours/surface_colours.h"
+#include "core/session/large/crop_level.h"
 #include "core/session/large/large_map.h"
-#include "core/session/large/level_cut.h"
 #include "core/session/large/tiled_surface.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/tiled_map.h"
@@ -42,7 +42,8 @@ struct Made {
   std::uint16_t intensity = 0;
 };
 
-/// @param layers  whether there are points behind the surface; rules that merge keep them as flyers
+/// @param layers  whether there are points behind the surface; rules that merge keep them as
+/// outliers
 std::vector<Made> madePoints(int count, bool layers = true) {
   std::mt19937 random(77);
   std::uniform_int_distribution<int> place(0, (kSide - 1) * 128);

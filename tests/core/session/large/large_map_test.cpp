@@ -141,7 +141,7 @@ TEST(LargeMap, LosesWhatTheMapInMemoryLosesAndSaysSo) {
   test::Las las = bigLas(600'000);
   for (std::size_t i = 2; i < las.raw.size(); ++i) {
     if (i % 3 == 0) las.raw[i][2] -= 20'000;      // A back, 39 mm below.
-    if (i % 5'000 == 1) las.raw[i][2] += 30'000;  // A flyer.
+    if (i % 5'000 == 1) las.raw[i][2] += 30'000;  // A outlier.
   }
   writeLas(folder / "scan.las", las);
   SurfaceOptions options = test::topOptions(PointRule::front);
@@ -155,11 +155,11 @@ TEST(LargeMap, LosesWhatTheMapInMemoryLosesAndSaysSo) {
   EXPECT_EQ(large.rule, whole.rule);
   ASSERT_TRUE(large.losses && whole.losses);
   EXPECT_GT(whole.losses->hidden_share, 0.2);
-  EXPECT_GT(whole.losses->flyers, 50U);
+  EXPECT_GT(whole.losses->outliers, 50U);
   EXPECT_EQ(large.losses->hidden_share, whole.losses->hidden_share);
   EXPECT_EQ(large.losses->undercut_share, whole.losses->undercut_share);
   EXPECT_EQ(large.losses->steep_share, whole.losses->steep_share);
-  EXPECT_EQ(large.losses->flyers, whole.losses->flyers);
+  EXPECT_EQ(large.losses->outliers, whole.losses->outliers);
   EXPECT_EQ(large.not_done, whole.not_done);
   EXPECT_FALSE(whole.not_done.empty());
   for (const std::string& message : whole.messages) {
@@ -233,7 +233,7 @@ TEST(LargeMap, TakesRastersWithHoles) {
     for (int col = 0; col < map.frame.size.cols; ++col) {
       const bool hole = std::hypot(col - 600, row - 500) < 60;
       map.heights_mm.push_back(hole ? 0 : 3 + std::sin(static_cast<float>(col) / 30));
-      map.origins.push_back(hole ? Origin::base_plane : Origin::measured);
+      map.origins.push_back(hole ? CellStatus::base_plane : CellStatus::measured);
     }
   }
   writeMap(folder / "own.tif", map, {.view_from_file = {}});

@@ -10,7 +10,7 @@
 #include "core/project/caption.h"
 #include "core/provenance/provenance.h"
 #include "core/session/finer_heights.h"
-#include "core/session/large/level_cut.h"
+#include "core/session/large/crop_level.h"
 #include "core/session/map_facts.h"
 #include "core/tiles/tiled_map.h"
 #include "tests/core/session/tiled_fixture.h"
@@ -57,14 +57,14 @@ TEST(TiledSurface, HasTheCutsOfTheMapInMemoryAtEveryLevel) {
     for (Level level; level.value < both.tiled.ladder.levels(); ++level.value) {
       SCOPED_TRACE(level.value);
       ASSERT_EQ(levelFrame(both.tiled, level), levelFrame(both.whole, level));
-      EXPECT_TRUE(sameMap(levelCut(both.tiled, level), levelCut(both.whole, level)));
+      EXPECT_TRUE(sameMap(cropLevel(both.tiled, level), cropLevel(both.whole, level)));
       const GridSize size = levelFrame(both.tiled, level).size;
       const LevelSamples some{.left = size.cols / 4,
                               .right = 3 * size.cols / 4,
                               .bottom = size.rows / 3,
                               .top = 2 * size.rows / 3};
-      EXPECT_TRUE(
-          sameMap(levelCut(both.tiled, level, some, 1.7), levelCut(both.whole, level, some, 1.7)));
+      EXPECT_TRUE(sameMap(cropLevel(both.tiled, level, some, 1.7),
+                          cropLevel(both.whole, level, some, 1.7)));
     }
     EXPECT_THROW(levelFrame(both.tiled, {both.tiled.ladder.levels()}), ArgumentError);
     EXPECT_THROW(levelFrame(both.whole, {-1}), ArgumentError);

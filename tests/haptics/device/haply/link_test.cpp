@@ -356,7 +356,7 @@ TEST_F(HaplyLink, AServiceThatDoesNotObeyIsSaidAndGetsNoForce) {
   });
   at(2000, [this] {
     EXPECT_EQ(shownN(), 0) << "it does not heal by itself";
-    mailbox_.wishes.write({.retries = 1});
+    mailbox_.commands.write({.retries = 1});
   });
   at(2900, [this] { EXPECT_NEAR(shownN(), 3, 1e-3); });
   run(3000);

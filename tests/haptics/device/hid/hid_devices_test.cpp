@@ -42,13 +42,13 @@ std::vector<std::string> words(const std::vector<ButtonEdge>& edges) {
 
 class HidTest : public ::testing::Test {
  protected:
-  HidNews rescanned() {
-    HidNews news;
+  HidEvents rescanned() {
+    HidEvents news;
     devices_.rescan(news);
     return news;
   }
-  HidNews polled() {
-    HidNews news;
+  HidEvents polled() {
+    HidEvents news;
     devices_.poll(news);
     return news;
   }
@@ -71,7 +71,7 @@ TEST_F(HidTest, LookingIsAnothersWorkAndWhoPollsHearsOfIt) {
   devices_.look();
   EXPECT_THAT(devices_.names(), IsEmpty()) << "what was found waits for the next poll";
   devices_.look();  // While it looks: nothing.
-  HidNews news;
+  HidEvents news;
   while (news.arrived.empty()) {
     devices_.poll(news);
     std::this_thread::yield();
@@ -86,7 +86,7 @@ TEST_F(HidTest, TheSpaceMouseMovesAndPresses) {
   rescanned();
   mock_.send(0, {1, 0x5e, 0x01, 0, 0, 0, 0});
   mock_.send(0, {3, 2, 0});
-  HidNews news = polled();
+  HidEvents news = polled();
   EXPECT_DOUBLE_EQ(news.motion.right, 1);
   EXPECT_THAT(words(news.edges), ElementsAre("plus down"));
   EXPECT_DOUBLE_EQ(polled().motion.right, 1) << "as long as it is pushed";
@@ -114,7 +114,7 @@ TEST_F(HidTest, UnpluggingLetsGoOfTheButtonsAndPluggingInWorksAgain) {
   mock_.send(1, {0b001});
   polled();
   mock_.unplug(1);
-  HidNews news = rescanned();
+  HidEvents news = rescanned();
   EXPECT_THAT(news.left, ElementsAre("Foot switch"));
   EXPECT_THAT(words(news.edges), ElementsAre("plus up"));
   EXPECT_THAT(devices_.names(), IsEmpty());
@@ -131,7 +131,7 @@ TEST_F(HidTest, OneThatMayNotBeOpenedIsToldOnceAndTakenWhenItMay) {
   mock_.forbid(1, true);
   mock_.forbid(2, true);
   asOrdinaryAccount([this] {
-    HidNews news = rescanned();
+    HidEvents news = rescanned();
     EXPECT_THAT(news.arrived, ElementsAre("SpaceMouse Compact"));
     EXPECT_THAT(news.forbidden, IsEmpty()) << "access may come a moment after the plug";
     EXPECT_THAT(devices_.forbidden(), ElementsAre("Foot switch")) << "nobody opens a mouse";
