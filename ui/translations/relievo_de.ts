@@ -748,6 +748,21 @@
     </message>
 </context>
 <context>
+    <name>relievo::ButtonControl</name>
+    <message>
+        <source>Buttons</source>
+        <translation>Knöpfe am Gerät</translation>
+    </message>
+    <message>
+        <source>Gamepads rumble at contact and edge. It is a cue, no force.</source>
+        <translation>Gamepads vibrieren bei Berührung und am Rand. Das ist ein Hinweis und keine Kraft.</translation>
+    </message>
+    <message>
+        <source>Gamepads do not rumble.</source>
+        <translation>Gamepads vibrieren nicht.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ButtonsPanel</name>
     <message>
         <source>Sca&amp;nning with one button</source>
@@ -2090,10 +2105,6 @@
         <translation>Von hier verdeckt: %1; hinterschnitten: %2; zu steil: %3.</translation>
     </message>
     <message>
-        <source>Stray points left out: %1.</source>
-        <translation>Ausreißer weggelassen: %1.</translation>
-    </message>
-    <message>
         <source>%1 × %2 cells of %3, %4 levels; %5.</source>
         <translation>%1 × %2 Zellen zu %3, %4 Ebenen; %5.</translation>
     </message>
@@ -2176,6 +2187,10 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Stray points left out: %1.</source>
+        <translation>Ausreißer weggelassen: %1.</translation>
     </message>
 </context>
 <context>
@@ -2448,6 +2463,57 @@
     <message>
         <source>Forces are off.</source>
         <translation>Die Kräfte sind aus.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DeviceRows</name>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>What the hand holds. A virtual hand is moved by the mouse and pushed by the force, as a real one is.</source>
+        <translation>Was die Hand hält. Eine virtuelle Hand wird von der Maus bewegt und von der Kraft gedrückt, wie eine wirkliche.</translation>
+    </message>
+    <message>
+        <source>Whether somebody has tried such a device</source>
+        <translation>Ob jemand ein solches Gerät erprobt hat</translation>
+    </message>
+    <message>
+        <source>How warm the motors are</source>
+        <translation>Wie warm die Motoren sind</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weig&amp;ht</source>
+        <translation>Das Gewic&amp;ht des Griffs halten</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weight</source>
+        <translation>Das Gewicht des Griffs halten</translation>
+    </message>
+    <message>
+        <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
+        <translation>Solange die Kräfte an sind, hält das Gerät seinen Griff selbst, so schwer, wie die Kalibrierung ihn fand. Nichts geschieht, wo nicht kalibriert wurde oder das Gerät es von sich aus tut.</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>G&amp;erät</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: ask who made the plug-in.</source>
+        <translation>An einem echten Gerät erprobt: Fragen Sie, wer das Plug-in gemacht hat.</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: never.</source>
+        <translation>An einem echten Gerät erprobt: nie.</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: %1.</source>
+        <translation>An einem echten Gerät erprobt: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (not here now)</source>
+        <translation>%1 (gerade nicht da)</translation>
     </message>
 </context>
 <context>
@@ -2956,6 +3022,221 @@
     </message>
 </context>
 <context>
+    <name>relievo::FeelForm</name>
+    <message>
+        <source>S&amp;urface</source>
+        <translation>Oberflä&amp;che</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ape</source>
+        <translation>Fo&amp;rm</translation>
+    </message>
+    <message>
+        <source>Prox&amp;y</source>
+        <translation>Prox&amp;y</translation>
+    </message>
+    <message>
+        <source>Stiff&amp;ness</source>
+        <translation>S&amp;teifigkeit</translation>
+    </message>
+    <message>
+        <source>Fr&amp;iction</source>
+        <translation>Reib&amp;ung</translation>
+    </message>
+    <message>
+        <source>Dam&amp;ping</source>
+        <translation>Däm&amp;pfung</translation>
+    </message>
+    <message>
+        <source>Not measure&amp;d</source>
+        <translation>Nicht &amp;gemessen</translation>
+    </message>
+    <message>
+        <source>Edge &amp;cue</source>
+        <translation>&amp;Tastmarke am Rand</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture</source>
+        <translation>Te&amp;xtur</translation>
+    </message>
+    <message>
+        <source>Co&amp;ntact impulse</source>
+        <translation>Ko&amp;ntaktimpuls</translation>
+    </message>
+    <message>
+        <source>Ma&amp;gnet</source>
+        <translation>Ma&amp;gnet</translation>
+    </message>
+    <message>
+        <source>How the surface feels</source>
+        <translation>Wie sich die Oberfläche anfühlt</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glatt</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>Wie im Aufsatz</translation>
+    </message>
+    <message>
+        <source>Soft stone</source>
+        <translation>Weicher Stein</translation>
+    </message>
+    <message>
+        <source>Bronze</source>
+        <translation>Bronze</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>Eigene Werte</translation>
+    </message>
+    <message>
+        <source>Sets shape, proxy, stiffness, friction and damping together. Each can be changed afterwards.</source>
+        <translation>Setzt Form, Proxy, Steifigkeit, Reibung und Dämpfung zusammen. Jedes lässt sich danach ändern.</translation>
+    </message>
+    <message>
+        <source>Shape of the surface between the samples</source>
+        <translation>Form der Oberfläche zwischen den Stützstellen</translation>
+    </message>
+    <message>
+        <source>Smooth with walls</source>
+        <translation>Glatt, mit Wänden</translation>
+    </message>
+    <message>
+        <source>Smooth everywhere</source>
+        <translation>Überall glatt</translation>
+    </message>
+    <message>
+        <source>Flat facets (exact)</source>
+        <translation>Ebene Facetten (exakt)</translation>
+    </message>
+    <message>
+        <source>The height samples are exact in each; only what lies between them differs.</source>
+        <translation>Die Stützhöhen sind in jeder exakt; nur was dazwischen liegt, unterscheidet sich.</translation>
+    </message>
+    <message>
+        <source>How the proxy follows the hand</source>
+        <translation>Wie der Proxy der Hand folgt</translation>
+    </message>
+    <message>
+        <source>Converged (exact)</source>
+        <translation>Konvergiert (exakt)</translation>
+    </message>
+    <message>
+        <source>As in the paper (eq. 2)</source>
+        <translation>Wie im Aufsatz (Gl. 2)</translation>
+    </message>
+    <message>
+        <source>Successive approximation (paper)</source>
+        <translation>Schrittweise Näherung (Aufsatz)</translation>
+    </message>
+    <message>
+        <source>The proxy is the point that stays on the surface.</source>
+        <translation>Der Proxy ist der Punkt, der auf der Oberfläche bleibt.</translation>
+    </message>
+    <message>
+        <source>Friction at rest, 0 to 1</source>
+        <translation>Haftreibung, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Force along the surface that holds the hand, as a part of the force against it; three quarters of it while sliding. The paper&apos;s proxies know none.</source>
+        <translation>Kraft längs der Oberfläche, die die Hand hält, als Teil der Kraft dagegen; beim Gleiten drei Viertel davon. Die Proxys des Aufsatzes kennen keine.</translation>
+    </message>
+    <message>
+        <source>Damping in newton seconds per metre</source>
+        <translation>Dämpfung in Newtonsekunden je Meter</translation>
+    </message>
+    <message>
+        <source> N s/m</source>
+        <translation> N s/m</translation>
+    </message>
+    <message>
+        <source>Against the speed of pressing in.</source>
+        <translation>Gegen die Geschwindigkeit des Eindrückens.</translation>
+    </message>
+    <message>
+        <source>as the &amp;level suggests</source>
+        <translation>wie die Ebene empfieh&amp;lt</translation>
+    </message>
+    <message>
+        <source>Stiffness as the level suggests</source>
+        <translation>Steifigkeit, wie die Ebene empfiehlt</translation>
+    </message>
+    <message>
+        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level&apos;s own.</source>
+        <translation>0,8 N/mm bei Detail 1 und 2, 0,6 bei 3, 0,5 bei feineren. Was hier gesetzt wird, gilt dann für die gezeigte Ebene.</translation>
+    </message>
+    <message>
+        <source>Stiffness in newtons per millimetre</source>
+        <translation>Steifigkeit in Newton je Millimeter</translation>
+    </message>
+    <message>
+        <source> N/mm</source>
+        <translation> N/mm</translation>
+    </message>
+    <message>
+        <source>Force per millimetre that the hand is pressed in.</source>
+        <translation>Kraft je Millimeter, den die Hand eingedrückt ist.</translation>
+    </message>
+    <message>
+        <source>Stiffness of ground that was not measured, in percent</source>
+        <translation>Steifigkeit nicht gemessener Stellen, in Prozent</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How stiff filled gaps and the base plane are, as a part of the stiffness of measured ground. 100 %: no difference.</source>
+        <translation>Wie steif gefüllte Lücken und die Grundebene sind, als Teil der Steifigkeit gemessener Stellen. 100 %: kein Unterschied.</translation>
+    </message>
+    <message>
+        <source>Edge cue at the border of measured ground, in newtons</source>
+        <translation>Tastmarke am Rand des Gemessenen, in Newton</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>A faint tick on the way from measured ground to other ground, and back. 0: none.</source>
+        <translation>Ein schwacher Tick beim Übergang vom Gemessenen zu anderem und zurück. 0: keiner.</translation>
+    </message>
+    <message>
+        <source>Texture of the next finer level, in micrometres of hand</source>
+        <translation>Textur der nächstfeineren Ebene, in Mikrometern der Hand</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>How much of the next finer level is felt, at most, on top of the level that is touched. 0: none.</source>
+        <translation>Wieviel von der nächstfeineren Ebene höchstens zusätzlich zur getasteten zu fühlen ist. 0: nichts.</translation>
+    </message>
+    <message>
+        <source>Contact impulse, in newtons at most</source>
+        <translation>Kontaktimpuls, höchstens in Newton</translation>
+    </message>
+    <message>
+        <source>A short knock as hard as the hand comes. 0: none.</source>
+        <translation>Ein kurzer Schlag, so stark wie die Hand kommt. 0: keiner.</translation>
+    </message>
+    <message>
+        <source>Pull toward the surface, in newtons at most</source>
+        <translation>Zug zur Oberfläche, höchstens in Newton</translation>
+    </message>
+    <message>
+        <source>A gentle pull that begins 3 mm above the surface and ends on it. 0: none.</source>
+        <translation>Ein sanfter Zug, der 3 mm über der Oberfläche beginnt und auf ihr endet. 0: keiner.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::FigureDialog</name>
     <message>
         <source>There is not enough memory for this figure. Nothing was written.</source>
@@ -3055,6 +3336,544 @@
     </message>
 </context>
 <context>
+    <name>relievo::FigureForm</name>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Durchsuchen: %1</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>Einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>Shaded relief</source>
+        <translation>Beleuchtetes Relief</translation>
+    </message>
+    <message>
+        <source>Height in colour</source>
+        <translation>Höhe in Farbe</translation>
+    </message>
+    <message>
+        <source>Hillshade</source>
+        <translation>Schummerung</translation>
+    </message>
+    <message>
+        <source>Hillshade, four lights</source>
+        <translation>Schummerung, vier Lichter</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Local relief</source>
+        <translation>Lokales Relief</translation>
+    </message>
+    <message>
+        <source>Sky-view factor</source>
+        <translation>Himmelssichtfaktor</translation>
+    </message>
+    <message>
+        <source>Openness</source>
+        <translation>Offenheit</translation>
+    </message>
+    <message>
+        <source>Deviation, several scales</source>
+        <translation>Abweichung, mehrere Maßstäbe</translation>
+    </message>
+    <message>
+        <source>Curvature, several scales</source>
+        <translation>Krümmung, mehrere Maßstäbe</translation>
+    </message>
+    <message>
+        <source>Stone with ambient occlusion</source>
+        <translation>Stein mit Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>Natural colours</source>
+        <translation>Natürliche Farben</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Intensität</translation>
+    </message>
+    <message>
+        <source>Rel&amp;ief</source>
+        <translation>R&amp;elief</translation>
+    </message>
+    <message>
+        <source>How heights are painted</source>
+        <translation>Wie Höhen dargestellt werden</translation>
+    </message>
+    <message>
+        <source>This scan has none</source>
+        <translation>Dieser Scan hat keine</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Even steps of lightness, also for colour-blind readers</source>
+        <translation>Gleichmäßige Helligkeitsstufen, auch für Farbenblinde</translation>
+    </message>
+    <message>
+        <source>Light from</source>
+        <translation>Licht von</translation>
+    </message>
+    <message>
+        <source>0 is above, clockwise; 315 is the upper left</source>
+        <translation>0 ist oben, im Uhrzeigersinn; 315 ist links oben</translation>
+    </message>
+    <message>
+        <source>Light&apos;s height</source>
+        <translation>Lichthöhe</translation>
+    </message>
+    <message>
+        <source>Low light brings out worn detail</source>
+        <translation>Streiflicht zeigt abgenutzte Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Of the neighbourhood that this relief image looks at</source>
+        <translation>Der Nachbarschaft, die dieses Reliefbild betrachtet</translation>
+    </message>
+    <message>
+        <source>10 samples</source>
+        <translation>10 Stützstellen</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Schattierung</translation>
+    </message>
+    <message>
+        <source>How much relief shading natural colours and intensity get</source>
+        <translation>Wie stark natürliche Farben und Intensität schattiert werden</translation>
+    </message>
+    <message>
+        <source>O&amp;wn ends of the colours</source>
+        <translation>Fa&amp;rbgrenzen vorgeben</translation>
+    </message>
+    <message>
+        <source>The same colours for the same values in several figures; otherwise they follow from what is shown</source>
+        <translation>Gleiche Farben für gleiche Werte in mehreren Abbildungen; sonst ergeben sie sich aus dem Gezeigten</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>Farben von</translation>
+    </message>
+    <message>
+        <source>Value at the colours&apos; lower end</source>
+        <translation>Wert am unteren Ende der Farben</translation>
+    </message>
+    <message>
+        <source>Colours to</source>
+        <translation>Farben bis</translation>
+    </message>
+    <message>
+        <source>Value at the colours&apos; upper end</source>
+        <translation>Wert am oberen Ende der Farben</translation>
+    </message>
+    <message>
+        <source>Its colours are the scan&apos;s own</source>
+        <translation>Seine Farben sind die des Scans</translation>
+    </message>
+    <message>
+        <source>Stone and hillshades have no colours</source>
+        <translation>Stein und Schummerungen haben keine Farben</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Own ends of the colours&quot; first</source>
+        <translation>Zuerst „Farbgrenzen vorgeben“ einschalten</translation>
+    </message>
+    <message>
+        <source>No lamp shines on this relief</source>
+        <translation>Auf dieses Relief scheint kein Licht</translation>
+    </message>
+    <message>
+        <source>The four lights come from all sides</source>
+        <translation>Die vier Lichter kommen von allen Seiten</translation>
+    </message>
+    <message>
+        <source>This relief does not depend on one</source>
+        <translation>Dieses Relief hängt von keinem ab</translation>
+    </message>
+    <message>
+        <source>Only natural colours and intensity are mixed with it</source>
+        <translation>Nur natürliche Farben und Intensität werden damit gemischt</translation>
+    </message>
+    <message>
+        <source>Detail alone</source>
+        <translation>Detail allein</translation>
+    </message>
+    <message>
+        <source>Whole object and detail</source>
+        <translation>Ganzes Objekt und Detail</translation>
+    </message>
+    <message>
+        <source>As measured and filled</source>
+        <translation>Wie gemessen und gefüllt</translation>
+    </message>
+    <message>
+        <source>Several levels</source>
+        <translation>Mehrere Ebenen</translation>
+    </message>
+    <message>
+        <source>With force plots of a recording</source>
+        <translation>Mit Kraftkurven einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>Date&amp;i</translation>
+    </message>
+    <message>
+        <source>Ends in .png, .tif, .pdf or .svg</source>
+        <translation>Endet mit .png, .tif, .pdf oder .svg</translation>
+    </message>
+    <message>
+        <source>Save figure</source>
+        <translation>Abbildung speichern</translation>
+    </message>
+    <message>
+        <source>Figures (*.png *.tif *.pdf *.svg)</source>
+        <translation>Abbildungen (*.png *.tif *.pdf *.svg)</translation>
+    </message>
+    <message>
+        <source>&amp;Layout</source>
+        <translation>An&amp;ordnung</translation>
+    </message>
+    <message>
+        <source>What stands beside what</source>
+        <translation>Was neben was steht</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>Au&amp;fzeichnung</translation>
+    </message>
+    <message>
+        <source>File of a recording, CSV or HDF5, for the plots</source>
+        <translation>Datei einer Aufzeichnung, CSV oder HDF5, für die Kurven</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>Aufzeichnungen (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>Wi&amp;dth on paper</source>
+        <translation>Breite auf &amp;Papier</translation>
+    </message>
+    <message>
+        <source>Journals have columns of 85 and pages of 180 mm</source>
+        <translation>Zeitschriften haben Spalten von 85 und Seiten von 180 mm</translation>
+    </message>
+    <message>
+        <source>To &amp;scale</source>
+        <translation>Maßst&amp;äblich</translation>
+    </message>
+    <message>
+        <source>Choose the scale of the detail; the width follows from it</source>
+        <translation>Den Maßstab des Details wählen; die Breite folgt daraus</translation>
+    </message>
+    <message>
+        <source>Scale &amp;1 :</source>
+        <translation>&amp;Maßstab 1 :</translation>
+    </message>
+    <message>
+        <source>Millimetres of object on one millimetre of paper</source>
+        <translation>Millimeter des Objekts auf einem Millimeter Papier</translation>
+    </message>
+    <message>
+        <source>D&amp;ensity</source>
+        <translation>A&amp;uflösung</translation>
+    </message>
+    <message>
+        <source>Dots per inch of paper</source>
+        <translation>Punkte je Zoll Papier</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>&amp;Text size</source>
+        <translation>S&amp;chriftgröße</translation>
+    </message>
+    <message>
+        <source>Text and bars on paper, in points</source>
+        <translation>Schrift und Skalen auf Papier, in Punkt</translation>
+    </message>
+    <message>
+        <source> pt</source>
+        <translation> pt</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;To scale&quot; first</source>
+        <translation>Zuerst „Maßstäblich“ einschalten</translation>
+    </message>
+    <message>
+        <source>It follows from the scale</source>
+        <translation>Sie folgt aus dem Maßstab</translation>
+    </message>
+    <message>
+        <source>Only the layout with force plots shows one</source>
+        <translation>Nur die Anordnung mit Kraftkurven zeigt eine</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>Maßsta&amp;b</translation>
+    </message>
+    <message>
+        <source>&amp;Height bar</source>
+        <translation>Höhens&amp;kala</translation>
+    </message>
+    <message>
+        <source>&amp;Up mark</source>
+        <translation>&amp;Zeiger nach oben</translation>
+    </message>
+    <message>
+        <source>Window&apos;s &amp;outline</source>
+        <translation>Umriss &amp;des Ausschnitts</translation>
+    </message>
+    <message>
+        <source>Hat&amp;ch</source>
+        <translation>&amp;Schraffur</translation>
+    </message>
+    <message>
+        <source>Le&amp;gend</source>
+        <translation>Le&amp;gende</translation>
+    </message>
+    <message>
+        <source>Letters a, b</source>
+        <translation>Buchstaben a, b</translation>
+    </message>
+    <message>
+        <source>&amp;Measurements</source>
+        <translation>Messu&amp;ngen</translation>
+    </message>
+    <message>
+        <source>Drawn in points, whatever the density</source>
+        <translation>In Punkt gezeichnet, unabhängig von der Auflösung</translation>
+    </message>
+    <message>
+        <source>Tra&amp;nsparent paper</source>
+        <translation>Ohne &amp;weißen Grund</translation>
+    </message>
+    <message>
+        <source>No white behind the relief</source>
+        <translation>Kein Weiß hinter dem Relief</translation>
+    </message>
+    <message>
+        <source>It is drawn on the whole object, which this layout lacks</source>
+        <translation>Er wird auf das ganze Objekt gezeichnet, das dieser Anordnung fehlt</translation>
+    </message>
+    <message>
+        <source>An anaglyph needs its background</source>
+        <translation>Eine Anaglyphe braucht ihren Hintergrund</translation>
+    </message>
+    <message>
+        <source>Both eyes &amp;as files</source>
+        <translation>Beide &amp;Augen als Dateien</translation>
+    </message>
+    <message>
+        <source>Also write the detail as each eye sees it, as NAME.left.png and NAME.right.png beside the figure</source>
+        <translation>Auch das Detail schreiben, wie jedes Auge es sieht, als NAME.left.png und NAME.right.png neben der Abbildung</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve heights too</source>
+        <translation>H&amp;öhen auch speichern</translation>
+    </message>
+    <message>
+        <source>Also write the detail&apos;s heights as a picture of 16 bits; its description says millimetres per step</source>
+        <translation>Auch die Höhen des Details als Bild mit 16 Bit schreiben; seine Beschreibung nennt Millimeter je Stufe</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Ends in .tif</source>
+        <translation>Endet mit .tif</translation>
+    </message>
+    <message>
+        <source>Save heights</source>
+        <translation>Höhen speichern</translation>
+    </message>
+    <message>
+        <source>Heights of 16 bits (*.tif *.tiff)</source>
+        <translation>Höhen mit 16 Bit (*.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>Save caption as te&amp;xt</source>
+        <translation>Unterschrift als &amp;Text speichern</translation>
+    </message>
+    <message>
+        <source>Also write the caption as a text file</source>
+        <translation>Auch die Bildunterschrift als Textdatei schreiben</translation>
+    </message>
+    <message>
+        <source>Caption&apos;s file</source>
+        <translation>Textdatei</translation>
+    </message>
+    <message>
+        <source>Where the caption is written</source>
+        <translation>Wohin die Bildunterschrift geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Save caption</source>
+        <translation>Bildunterschrift speichern</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Save heights too&quot; first</source>
+        <translation>Zuerst „Höhen auch speichern“ einschalten</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Save caption as text&quot; first</source>
+        <translation>Zuerst „Unterschrift als Text speichern“ einschalten</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>Anaglyph, grey</source>
+        <translation>Anaglyphe, grau</translation>
+    </message>
+    <message>
+        <source>Anaglyph, half colour</source>
+        <translation>Anaglyphe, halbfarbig</translation>
+    </message>
+    <message>
+        <source>Anaglyph, Dubois</source>
+        <translation>Anaglyphe, Dubois</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>One over the other</source>
+        <translation>Übereinander</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>For red and cyan glasses, or two pictures</source>
+        <translation>Für rot-cyane Brillen, oder zwei Bilder</translation>
+    </message>
+    <message>
+        <source>Eyes apart</source>
+        <translation>Augenabstand</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes&apos; directions</source>
+        <translation>Winkel zwischen den Blickrichtungen beider Augen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep to 1° of parallax</source>
+        <translation>&amp;Höchstens 1° Parallaxe</translation>
+    </message>
+    <message>
+        <source>Less angle where many readers would see double</source>
+        <translation>Weniger Winkel, wo viele Leser doppelt sähen</translation>
+    </message>
+    <message>
+        <source>Own &amp;zero plane</source>
+        <translation>Nullebene &amp;vorgeben</translation>
+    </message>
+    <message>
+        <source>Choose the height that lies in the plane of the paper; otherwise it is mid height</source>
+        <translation>Die Höhe wählen, die in der Ebene des Papiers liegt; sonst ist es die mittlere Höhe</translation>
+    </message>
+    <message>
+        <source>Zero plane</source>
+        <translation>Nullebene</translation>
+    </message>
+    <message>
+        <source>Height of zero parallax: what is higher stands out of the paper, what is lower lies behind it</source>
+        <translation>Höhe ohne Parallaxe: was höher ist, steht aus dem Papier heraus, was tiefer ist, liegt dahinter</translation>
+    </message>
+    <message>
+        <source>Swap eyes</source>
+        <translation>Augen tauschen</translation>
+    </message>
+    <message>
+        <source>For glasses the other way round, or for crossed eyes</source>
+        <translation>Für umgekehrte Brillen oder gekreuzte Augen</translation>
+    </message>
+    <message>
+        <source>Choose a kind of stereo, or both eyes as files</source>
+        <translation>Eine Art von Stereo wählen, oder beide Augen als Dateien</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Own zero plane&quot; first</source>
+        <translation>Zuerst „Nullebene vorgeben“ einschalten</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::FirmnessRow</name>
+    <message>
+        <source>What says where the ground is firm</source>
+        <translation>Was sagt, wo der Grund fest ist</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose a raster that says where the ground is firm</source>
+        <translation>Ein Raster wählen, das sagt, wo der Grund fest ist</translation>
+    </message>
+    <message>
+        <source>A raster over the whole map: 1 where the ground is firm, 0 where it is as soft as set above. In place of where it was measured.</source>
+        <translation>Ein Raster über die ganze Karte: 1, wo der Grund fest ist, 0, wo er so weich ist wie oben eingestellt. Anstelle davon, wo gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>No&amp;ne</source>
+        <translation>Ke&amp;ines</translation>
+    </message>
+    <message>
+        <source>No raster: firm where it was measured</source>
+        <translation>Kein Raster: fest, wo gemessen wurde</translation>
+    </message>
+    <message>
+        <source>The ground is firm where it was measured.</source>
+        <translation>Der Grund ist fest, wo gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Stiffness &amp;map</source>
+        <translation>St&amp;eifigkeitskarte</translation>
+    </message>
+    <message>
+        <source>Stiffness map</source>
+        <translation>Steifigkeitskarte</translation>
+    </message>
+    <message>
+        <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
+        <translation>Raster (*.tif *.tiff *.asc *.png);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>where it was measured</source>
+        <translation>wo gemessen wurde</translation>
+    </message>
+    <message>
+        <source>%1 (not of this map)</source>
+        <translation>%1 (nicht von dieser Karte)</translation>
+    </message>
+</context>
+<context>
     <name>relievo::FirstViewCard</name>
     <message>
         <source>First view of the file that is being read</source>
@@ -3141,6 +3960,48 @@
     <message>
         <source>Put the glasses on and close your right eye: you should see only the L, bright on black. With the left eye closed only the R. If it is the other way round, turn on &quot;Swap eyes&quot;. What shines through faintly is a ghost; Dubois has the least.</source>
         <translation>Setzen Sie die Brille auf und schließen Sie das rechte Auge: Sie sollten nur das L sehen, hell auf schwarz. Mit geschlossenem linkem Auge nur das R. Ist es umgekehrt, schalten Sie „Augen tauschen“ ein. Was schwach durchscheint, ist ein Geisterbild; Dubois hat davon am wenigsten.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::GuideControl</name>
+    <message>
+        <source>Guide along a recording</source>
+        <translation>Wie in einer Aufnahme führen</translation>
+    </message>
+    <message>
+        <source>Recordings and strokes (*.csv *.h5 *.hdf5)</source>
+        <translation>Aufnahmen und Handwege (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>A recording is running. The introduction lays shapes under the hand that are not of this relief. End the recording first.</source>
+        <translation>Es läuft eine Aufnahme. Die Einführung legt Formen unter die Hand, die nicht zu diesem Relief gehören. Beenden Sie zuerst die Aufnahme.</translation>
+    </message>
+    <message>
+        <source>The introduction is not recorded. End it first.</source>
+        <translation>Die Einführung wird nicht aufgezeichnet. Beenden Sie sie zuerst.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HandDevice</name>
+    <message>
+        <source>The device %1 is being opened. The mouse is the hand meanwhile.</source>
+        <translation>Das Gerät %1 wird geöffnet. Solange ist die Maus die Hand.</translation>
+    </message>
+    <message>
+        <source>Device: %1.</source>
+        <translation>Gerät: %1.</translation>
+    </message>
+    <message>
+        <source>%1 The mouse is the hand now.</source>
+        <translation>%1 Jetzt ist die Maus die Hand.</translation>
+    </message>
+    <message>
+        <source>Motors: %1 % of what they can take for good; forces stay below %2 N.</source>
+        <translation>Motoren: %1 % dessen, was sie auf Dauer vertragen; Kräfte bleiben unter %2 N.</translation>
+    </message>
+    <message>
+        <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
+        <translation>Ein Falcon wurde eingesteckt. Wählen Sie ihn im Feld Fühlen, um ihn zu benutzen.</translation>
     </message>
 </context>
 <context>
@@ -3251,14 +4112,6 @@
     <message>
         <source>Touch: advanced</source>
         <translation>Fühlen: erweitert</translation>
-    </message>
-    <message>
-        <source>Gamepads rumble at contact and edge. It is a cue, no force.</source>
-        <translation>Gamepads vibrieren bei Berührung und am Rand. Das ist ein Hinweis und keine Kraft.</translation>
-    </message>
-    <message>
-        <source>Gamepads do not rumble.</source>
-        <translation>Gamepads vibrieren nicht.</translation>
     </message>
 </context>
 <context>
@@ -3560,6 +4413,41 @@
     </message>
 </context>
 <context>
+    <name>relievo::LoopAnnouncer</name>
+    <message>
+        <source>Forces off: %1.</source>
+        <translation>Kräfte aus: %1.</translation>
+    </message>
+    <message>
+        <source>Forces went off, because the window did not answer for %1 s. Press F5 to switch them on.</source>
+        <translation>Die Kräfte sind aus, weil das Fenster %1 s lang nicht geantwortet hat. F5 schaltet sie ein.</translation>
+    </message>
+    <message>
+        <source>The hand pushes over the edge of the window.</source>
+        <translation>Die Hand drückt über den Rand des Fensters.</translation>
+    </message>
+    <message>
+        <source>The hand is clear: forces come on.</source>
+        <translation>Die Hand ist frei: Die Kräfte kommen.</translation>
+    </message>
+    <message>
+        <source>Forces wait: the hand is inside. Let go or press Page Up.</source>
+        <translation>Kräfte warten: Die Hand ist im Inneren. Loslassen oder Bild auf.</translation>
+    </message>
+    <message>
+        <source>Forces wait: the hand is inside. Raise the grip.</source>
+        <translation>Kräfte warten: Die Hand ist im Inneren. Heben Sie den Griff.</translation>
+    </message>
+    <message>
+        <source>Softened to %1 N/mm: hand and surface had begun to swing.</source>
+        <translation>Auf %1 N/mm verringert: Hand und Oberfläche begannen zu schwingen.</translation>
+    </message>
+    <message>
+        <source>Surface made softer to stay steady.</source>
+        <translation>Oberfläche weicher gemacht, damit sie ruhig bleibt.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::LoopDetailsDialog</name>
     <message>
         <source>How the force loop runs</source>
@@ -3568,6 +4456,57 @@
     <message>
         <source>Counts of the force loop since it began</source>
         <translation>Zählungen der Kraftschleife seit ihrem Beginn</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::LoopRows</name>
+    <message>
+        <source>How far the hand is pressed in</source>
+        <translation>Wie weit die Hand eingedrückt ist</translation>
+    </message>
+    <message>
+        <source>How the force loop runs</source>
+        <translation>Wie die Kraftschleife läuft</translation>
+    </message>
+    <message>
+        <source>More a&amp;bout the loop…</source>
+        <translation>Mehr über d&amp;ie Schleife…</translation>
+    </message>
+    <message>
+        <source>More about the force loop</source>
+        <translation>Mehr über die Kraftschleife</translation>
+    </message>
+    <message>
+        <source>Plots &amp;with a cursor…</source>
+        <translation>Kurven mit &amp;Zeiger…</translation>
+    </message>
+    <message>
+        <source>Plots of height and force with a cursor</source>
+        <translation>Kurven von Höhe und Kraft mit Zeiger</translation>
+    </message>
+    <message>
+        <source>Pause, zoom, read values, and save as SVG or CSV.</source>
+        <translation>Anhalten, vergrößern, Werte ablesen und als SVG oder CSV speichern.</translation>
+    </message>
+    <message>
+        <source>Wake-ups and computing times as tables, and what the system granted.</source>
+        <translation>Weck- und Rechenzeiten als Tabellen, und was das System gewährte.</translation>
+    </message>
+    <message>
+        <source>Pressed in</source>
+        <translation>Eingedrückt</translation>
+    </message>
+    <message>
+        <source>Force loop</source>
+        <translation>Kraftschleife</translation>
+    </message>
+    <message>
+        <source>%1 mm of hand</source>
+        <translation>%1 mm der Hand</translation>
+    </message>
+    <message>
+        <source>not touching</source>
+        <translation>keine Berührung</translation>
     </message>
 </context>
 <context>
@@ -8870,6 +9809,33 @@
     </message>
 </context>
 <context>
+    <name>relievo::RecordingControl</name>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Aufzeichnung in %1</translation>
+    </message>
+    <message>
+        <source>The last %1 before the fault are kept: %2</source>
+        <translation>Die letzten %1 vor dem Fehler sind aufgehoben: %2</translation>
+    </message>
+    <message>
+        <source>The recording has ended early.</source>
+        <translation>Die Aufzeichnung endete vorzeitig.</translation>
+    </message>
+    <message>
+        <source>Recording saved: %1, %2 samples in %3</source>
+        <translation>Aufzeichnung gespeichert: %1, %2 Werte in %3</translation>
+    </message>
+    <message>
+        <source>Note at %1 s: %2</source>
+        <translation>Notiz bei %1 s: %2</translation>
+    </message>
+    <message>
+        <source>The recording had ended before the note &quot;%1&quot; was added. The note is in no file.</source>
+        <translation>Die Aufzeichnung war zu Ende, bevor die Notiz „%1“ hinzugefügt wurde. Die Notiz steht in keiner Datei.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::RecordingsEnd</name>
     <message>
         <source>Recording saved: %1</source>
@@ -10579,6 +11545,21 @@
     </message>
 </context>
 <context>
+    <name>relievo::TouchedSurface</name>
+    <message>
+        <source>The ground is firm where it was measured.</source>
+        <translation>Der Grund ist fest, wo gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1.</source>
+        <translation>Steifigkeitskarte: %1.</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
+        <translation>Steifigkeitskarte: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um sie zu fühlen.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::VideoControl</name>
     <message>
         <source>Video saved: %1 s, %2 frames in %3</source>
@@ -11071,987 +12052,6 @@
     <message>
         <source>hand scale 1 : %1</source>
         <translation>Maßstab der Hand 1 : %1</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::ButtonControl</name>
-    <message>
-        <source>Buttons</source>
-        <translation>Knöpfe am Gerät</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::DeviceRows</name>
-    <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>What the hand holds. A virtual hand is moved by the mouse and pushed by the force, as a real one is.</source>
-        <translation>Was die Hand hält. Eine virtuelle Hand wird von der Maus bewegt und von der Kraft gedrückt, wie eine wirkliche.</translation>
-    </message>
-    <message>
-        <source>Whether somebody has tried such a device</source>
-        <translation>Ob jemand ein solches Gerät erprobt hat</translation>
-    </message>
-    <message>
-        <source>How warm the motors are</source>
-        <translation>Wie warm die Motoren sind</translation>
-    </message>
-    <message>
-        <source>Hold the grip&apos;s weig&amp;ht</source>
-        <translation>Das Gewic&amp;ht des Griffs halten</translation>
-    </message>
-    <message>
-        <source>Hold the grip&apos;s weight</source>
-        <translation>Das Gewicht des Griffs halten</translation>
-    </message>
-    <message>
-        <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
-        <translation>Solange die Kräfte an sind, hält das Gerät seinen Griff selbst, so schwer, wie die Kalibrierung ihn fand. Nichts geschieht, wo nicht kalibriert wurde oder das Gerät es von sich aus tut.</translation>
-    </message>
-    <message>
-        <source>&amp;Device</source>
-        <translation>G&amp;erät</translation>
-    </message>
-    <message>
-        <source>Tried on hardware: ask who made the plug-in.</source>
-        <translation>An einem echten Gerät erprobt: Fragen Sie, wer das Plug-in gemacht hat.</translation>
-    </message>
-    <message>
-        <source>Tried on hardware: never.</source>
-        <translation>An einem echten Gerät erprobt: nie.</translation>
-    </message>
-    <message>
-        <source>Tried on hardware: %1.</source>
-        <translation>An einem echten Gerät erprobt: %1.</translation>
-    </message>
-    <message>
-        <source>%1 (not here now)</source>
-        <translation>%1 (gerade nicht da)</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::FeelForm</name>
-    <message>
-        <source>S&amp;urface</source>
-        <translation>Oberflä&amp;che</translation>
-    </message>
-    <message>
-        <source>Sh&amp;ape</source>
-        <translation>Fo&amp;rm</translation>
-    </message>
-    <message>
-        <source>Prox&amp;y</source>
-        <translation>Prox&amp;y</translation>
-    </message>
-    <message>
-        <source>Stiff&amp;ness</source>
-        <translation>S&amp;teifigkeit</translation>
-    </message>
-    <message>
-        <source>Fr&amp;iction</source>
-        <translation>Reib&amp;ung</translation>
-    </message>
-    <message>
-        <source>Dam&amp;ping</source>
-        <translation>Däm&amp;pfung</translation>
-    </message>
-    <message>
-        <source>Not measure&amp;d</source>
-        <translation>Nicht &amp;gemessen</translation>
-    </message>
-    <message>
-        <source>Edge &amp;cue</source>
-        <translation>&amp;Tastmarke am Rand</translation>
-    </message>
-    <message>
-        <source>Te&amp;xture</source>
-        <translation>Te&amp;xtur</translation>
-    </message>
-    <message>
-        <source>Co&amp;ntact impulse</source>
-        <translation>Ko&amp;ntaktimpuls</translation>
-    </message>
-    <message>
-        <source>Ma&amp;gnet</source>
-        <translation>Ma&amp;gnet</translation>
-    </message>
-    <message>
-        <source>How the surface feels</source>
-        <translation>Wie sich die Oberfläche anfühlt</translation>
-    </message>
-    <message>
-        <source>Smooth</source>
-        <translation>Glatt</translation>
-    </message>
-    <message>
-        <source>Exact</source>
-        <translation>Exakt</translation>
-    </message>
-    <message>
-        <source>As in the paper</source>
-        <translation>Wie im Aufsatz</translation>
-    </message>
-    <message>
-        <source>Soft stone</source>
-        <translation>Weicher Stein</translation>
-    </message>
-    <message>
-        <source>Bronze</source>
-        <translation>Bronze</translation>
-    </message>
-    <message>
-        <source>Own values</source>
-        <translation>Eigene Werte</translation>
-    </message>
-    <message>
-        <source>Sets shape, proxy, stiffness, friction and damping together. Each can be changed afterwards.</source>
-        <translation>Setzt Form, Proxy, Steifigkeit, Reibung und Dämpfung zusammen. Jedes lässt sich danach ändern.</translation>
-    </message>
-    <message>
-        <source>Shape of the surface between the samples</source>
-        <translation>Form der Oberfläche zwischen den Stützstellen</translation>
-    </message>
-    <message>
-        <source>Smooth with walls</source>
-        <translation>Glatt, mit Wänden</translation>
-    </message>
-    <message>
-        <source>Smooth everywhere</source>
-        <translation>Überall glatt</translation>
-    </message>
-    <message>
-        <source>Flat facets (exact)</source>
-        <translation>Ebene Facetten (exakt)</translation>
-    </message>
-    <message>
-        <source>The height samples are exact in each; only what lies between them differs.</source>
-        <translation>Die Stützhöhen sind in jeder exakt; nur was dazwischen liegt, unterscheidet sich.</translation>
-    </message>
-    <message>
-        <source>How the proxy follows the hand</source>
-        <translation>Wie der Proxy der Hand folgt</translation>
-    </message>
-    <message>
-        <source>Converged (exact)</source>
-        <translation>Konvergiert (exakt)</translation>
-    </message>
-    <message>
-        <source>As in the paper (eq. 2)</source>
-        <translation>Wie im Aufsatz (Gl. 2)</translation>
-    </message>
-    <message>
-        <source>Successive approximation (paper)</source>
-        <translation>Schrittweise Näherung (Aufsatz)</translation>
-    </message>
-    <message>
-        <source>The proxy is the point that stays on the surface.</source>
-        <translation>Der Proxy ist der Punkt, der auf der Oberfläche bleibt.</translation>
-    </message>
-    <message>
-        <source>Friction at rest, 0 to 1</source>
-        <translation>Haftreibung, 0 bis 1</translation>
-    </message>
-    <message>
-        <source>Force along the surface that holds the hand, as a part of the force against it; three quarters of it while sliding. The paper&apos;s proxies know none.</source>
-        <translation>Kraft längs der Oberfläche, die die Hand hält, als Teil der Kraft dagegen; beim Gleiten drei Viertel davon. Die Proxys des Aufsatzes kennen keine.</translation>
-    </message>
-    <message>
-        <source>Damping in newton seconds per metre</source>
-        <translation>Dämpfung in Newtonsekunden je Meter</translation>
-    </message>
-    <message>
-        <source> N s/m</source>
-        <translation> N s/m</translation>
-    </message>
-    <message>
-        <source>Against the speed of pressing in.</source>
-        <translation>Gegen die Geschwindigkeit des Eindrückens.</translation>
-    </message>
-    <message>
-        <source>as the &amp;level suggests</source>
-        <translation>wie die Ebene empfieh&amp;lt</translation>
-    </message>
-    <message>
-        <source>Stiffness as the level suggests</source>
-        <translation>Steifigkeit, wie die Ebene empfiehlt</translation>
-    </message>
-    <message>
-        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level&apos;s own.</source>
-        <translation>0,8 N/mm bei Detail 1 und 2, 0,6 bei 3, 0,5 bei feineren. Was hier gesetzt wird, gilt dann für die gezeigte Ebene.</translation>
-    </message>
-    <message>
-        <source>Stiffness in newtons per millimetre</source>
-        <translation>Steifigkeit in Newton je Millimeter</translation>
-    </message>
-    <message>
-        <source> N/mm</source>
-        <translation> N/mm</translation>
-    </message>
-    <message>
-        <source>Force per millimetre that the hand is pressed in.</source>
-        <translation>Kraft je Millimeter, den die Hand eingedrückt ist.</translation>
-    </message>
-    <message>
-        <source>Stiffness of ground that was not measured, in percent</source>
-        <translation>Steifigkeit nicht gemessener Stellen, in Prozent</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>How stiff filled gaps and the base plane are, as a part of the stiffness of measured ground. 100 %: no difference.</source>
-        <translation>Wie steif gefüllte Lücken und die Grundebene sind, als Teil der Steifigkeit gemessener Stellen. 100 %: kein Unterschied.</translation>
-    </message>
-    <message>
-        <source>Edge cue at the border of measured ground, in newtons</source>
-        <translation>Tastmarke am Rand des Gemessenen, in Newton</translation>
-    </message>
-    <message>
-        <source> N</source>
-        <translation> N</translation>
-    </message>
-    <message>
-        <source>A faint tick on the way from measured ground to other ground, and back. 0: none.</source>
-        <translation>Ein schwacher Tick beim Übergang vom Gemessenen zu anderem und zurück. 0: keiner.</translation>
-    </message>
-    <message>
-        <source>Texture of the next finer level, in micrometres of hand</source>
-        <translation>Textur der nächstfeineren Ebene, in Mikrometern der Hand</translation>
-    </message>
-    <message>
-        <source> µm</source>
-        <translation> µm</translation>
-    </message>
-    <message>
-        <source>How much of the next finer level is felt, at most, on top of the level that is touched. 0: none.</source>
-        <translation>Wieviel von der nächstfeineren Ebene höchstens zusätzlich zur getasteten zu fühlen ist. 0: nichts.</translation>
-    </message>
-    <message>
-        <source>Contact impulse, in newtons at most</source>
-        <translation>Kontaktimpuls, höchstens in Newton</translation>
-    </message>
-    <message>
-        <source>A short knock as hard as the hand comes. 0: none.</source>
-        <translation>Ein kurzer Schlag, so stark wie die Hand kommt. 0: keiner.</translation>
-    </message>
-    <message>
-        <source>Pull toward the surface, in newtons at most</source>
-        <translation>Zug zur Oberfläche, höchstens in Newton</translation>
-    </message>
-    <message>
-        <source>A gentle pull that begins 3 mm above the surface and ends on it. 0: none.</source>
-        <translation>Ein sanfter Zug, der 3 mm über der Oberfläche beginnt und auf ihr endet. 0: keiner.</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::FigureForm</name>
-    <message>
-        <source>Browse: %1</source>
-        <translation>Durchsuchen: %1</translation>
-    </message>
-    <message>
-        <source>Choose another place</source>
-        <translation>Einen anderen Ort wählen</translation>
-    </message>
-    <message>
-        <source>Shaded relief</source>
-        <translation>Beleuchtetes Relief</translation>
-    </message>
-    <message>
-        <source>Height in colour</source>
-        <translation>Höhe in Farbe</translation>
-    </message>
-    <message>
-        <source>Hillshade</source>
-        <translation>Schummerung</translation>
-    </message>
-    <message>
-        <source>Hillshade, four lights</source>
-        <translation>Schummerung, vier Lichter</translation>
-    </message>
-    <message>
-        <source>Slope</source>
-        <translation>Neigung</translation>
-    </message>
-    <message>
-        <source>Local relief</source>
-        <translation>Lokales Relief</translation>
-    </message>
-    <message>
-        <source>Sky-view factor</source>
-        <translation>Himmelssichtfaktor</translation>
-    </message>
-    <message>
-        <source>Openness</source>
-        <translation>Offenheit</translation>
-    </message>
-    <message>
-        <source>Deviation, several scales</source>
-        <translation>Abweichung, mehrere Maßstäbe</translation>
-    </message>
-    <message>
-        <source>Curvature, several scales</source>
-        <translation>Krümmung, mehrere Maßstäbe</translation>
-    </message>
-    <message>
-        <source>Stone with ambient occlusion</source>
-        <translation>Stein mit Umgebungsverdeckung</translation>
-    </message>
-    <message>
-        <source>Natural colours</source>
-        <translation>Natürliche Farben</translation>
-    </message>
-    <message>
-        <source>Intensity</source>
-        <translation>Intensität</translation>
-    </message>
-    <message>
-        <source>Rel&amp;ief</source>
-        <translation>R&amp;elief</translation>
-    </message>
-    <message>
-        <source>How heights are painted</source>
-        <translation>Wie Höhen dargestellt werden</translation>
-    </message>
-    <message>
-        <source>This scan has none</source>
-        <translation>Dieser Scan hat keine</translation>
-    </message>
-    <message>
-        <source>Colours</source>
-        <translation>Farben</translation>
-    </message>
-    <message>
-        <source>Even steps of lightness, also for colour-blind readers</source>
-        <translation>Gleichmäßige Helligkeitsstufen, auch für Farbenblinde</translation>
-    </message>
-    <message>
-        <source>Light from</source>
-        <translation>Licht von</translation>
-    </message>
-    <message>
-        <source>0 is above, clockwise; 315 is the upper left</source>
-        <translation>0 ist oben, im Uhrzeigersinn; 315 ist links oben</translation>
-    </message>
-    <message>
-        <source>Light&apos;s height</source>
-        <translation>Lichthöhe</translation>
-    </message>
-    <message>
-        <source>Low light brings out worn detail</source>
-        <translation>Streiflicht zeigt abgenutzte Einzelheiten</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
-    </message>
-    <message>
-        <source>Of the neighbourhood that this relief image looks at</source>
-        <translation>Der Nachbarschaft, die dieses Reliefbild betrachtet</translation>
-    </message>
-    <message>
-        <source>10 samples</source>
-        <translation>10 Stützstellen</translation>
-    </message>
-    <message>
-        <source>Shading</source>
-        <translation>Schattierung</translation>
-    </message>
-    <message>
-        <source>How much relief shading natural colours and intensity get</source>
-        <translation>Wie stark natürliche Farben und Intensität schattiert werden</translation>
-    </message>
-    <message>
-        <source>O&amp;wn ends of the colours</source>
-        <translation>Fa&amp;rbgrenzen vorgeben</translation>
-    </message>
-    <message>
-        <source>The same colours for the same values in several figures; otherwise they follow from what is shown</source>
-        <translation>Gleiche Farben für gleiche Werte in mehreren Abbildungen; sonst ergeben sie sich aus dem Gezeigten</translation>
-    </message>
-    <message>
-        <source>Colours from</source>
-        <translation>Farben von</translation>
-    </message>
-    <message>
-        <source>Value at the colours&apos; lower end</source>
-        <translation>Wert am unteren Ende der Farben</translation>
-    </message>
-    <message>
-        <source>Colours to</source>
-        <translation>Farben bis</translation>
-    </message>
-    <message>
-        <source>Value at the colours&apos; upper end</source>
-        <translation>Wert am oberen Ende der Farben</translation>
-    </message>
-    <message>
-        <source>Its colours are the scan&apos;s own</source>
-        <translation>Seine Farben sind die des Scans</translation>
-    </message>
-    <message>
-        <source>Stone and hillshades have no colours</source>
-        <translation>Stein und Schummerungen haben keine Farben</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Own ends of the colours&quot; first</source>
-        <translation>Zuerst „Farbgrenzen vorgeben“ einschalten</translation>
-    </message>
-    <message>
-        <source>No lamp shines on this relief</source>
-        <translation>Auf dieses Relief scheint kein Licht</translation>
-    </message>
-    <message>
-        <source>The four lights come from all sides</source>
-        <translation>Die vier Lichter kommen von allen Seiten</translation>
-    </message>
-    <message>
-        <source>This relief does not depend on one</source>
-        <translation>Dieses Relief hängt von keinem ab</translation>
-    </message>
-    <message>
-        <source>Only natural colours and intensity are mixed with it</source>
-        <translation>Nur natürliche Farben und Intensität werden damit gemischt</translation>
-    </message>
-    <message>
-        <source>Detail alone</source>
-        <translation>Detail allein</translation>
-    </message>
-    <message>
-        <source>Whole object and detail</source>
-        <translation>Ganzes Objekt und Detail</translation>
-    </message>
-    <message>
-        <source>As measured and filled</source>
-        <translation>Wie gemessen und gefüllt</translation>
-    </message>
-    <message>
-        <source>Several levels</source>
-        <translation>Mehrere Ebenen</translation>
-    </message>
-    <message>
-        <source>With force plots of a recording</source>
-        <translation>Mit Kraftkurven einer Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>Date&amp;i</translation>
-    </message>
-    <message>
-        <source>Ends in .png, .tif, .pdf or .svg</source>
-        <translation>Endet mit .png, .tif, .pdf oder .svg</translation>
-    </message>
-    <message>
-        <source>Save figure</source>
-        <translation>Abbildung speichern</translation>
-    </message>
-    <message>
-        <source>Figures (*.png *.tif *.pdf *.svg)</source>
-        <translation>Abbildungen (*.png *.tif *.pdf *.svg)</translation>
-    </message>
-    <message>
-        <source>&amp;Layout</source>
-        <translation>An&amp;ordnung</translation>
-    </message>
-    <message>
-        <source>What stands beside what</source>
-        <translation>Was neben was steht</translation>
-    </message>
-    <message>
-        <source>&amp;Recording</source>
-        <translation>Au&amp;fzeichnung</translation>
-    </message>
-    <message>
-        <source>File of a recording, CSV or HDF5, for the plots</source>
-        <translation>Datei einer Aufzeichnung, CSV oder HDF5, für die Kurven</translation>
-    </message>
-    <message>
-        <source>Recording</source>
-        <translation>Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Recordings (*.csv *.h5 *.hdf5)</source>
-        <translation>Aufzeichnungen (*.csv *.h5 *.hdf5)</translation>
-    </message>
-    <message>
-        <source>Wi&amp;dth on paper</source>
-        <translation>Breite auf &amp;Papier</translation>
-    </message>
-    <message>
-        <source>Journals have columns of 85 and pages of 180 mm</source>
-        <translation>Zeitschriften haben Spalten von 85 und Seiten von 180 mm</translation>
-    </message>
-    <message>
-        <source>To &amp;scale</source>
-        <translation>Maßst&amp;äblich</translation>
-    </message>
-    <message>
-        <source>Choose the scale of the detail; the width follows from it</source>
-        <translation>Den Maßstab des Details wählen; die Breite folgt daraus</translation>
-    </message>
-    <message>
-        <source>Scale &amp;1 :</source>
-        <translation>&amp;Maßstab 1 :</translation>
-    </message>
-    <message>
-        <source>Millimetres of object on one millimetre of paper</source>
-        <translation>Millimeter des Objekts auf einem Millimeter Papier</translation>
-    </message>
-    <message>
-        <source>D&amp;ensity</source>
-        <translation>A&amp;uflösung</translation>
-    </message>
-    <message>
-        <source>Dots per inch of paper</source>
-        <translation>Punkte je Zoll Papier</translation>
-    </message>
-    <message>
-        <source> dpi</source>
-        <translation> dpi</translation>
-    </message>
-    <message>
-        <source>&amp;Text size</source>
-        <translation>S&amp;chriftgröße</translation>
-    </message>
-    <message>
-        <source>Text and bars on paper, in points</source>
-        <translation>Schrift und Skalen auf Papier, in Punkt</translation>
-    </message>
-    <message>
-        <source> pt</source>
-        <translation> pt</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;To scale&quot; first</source>
-        <translation>Zuerst „Maßstäblich“ einschalten</translation>
-    </message>
-    <message>
-        <source>It follows from the scale</source>
-        <translation>Sie folgt aus dem Maßstab</translation>
-    </message>
-    <message>
-        <source>Only the layout with force plots shows one</source>
-        <translation>Nur die Anordnung mit Kraftkurven zeigt eine</translation>
-    </message>
-    <message>
-        <source>Scale &amp;bar</source>
-        <translation>Maßsta&amp;b</translation>
-    </message>
-    <message>
-        <source>&amp;Height bar</source>
-        <translation>Höhens&amp;kala</translation>
-    </message>
-    <message>
-        <source>&amp;Up mark</source>
-        <translation>&amp;Zeiger nach oben</translation>
-    </message>
-    <message>
-        <source>Window&apos;s &amp;outline</source>
-        <translation>Umriss &amp;des Ausschnitts</translation>
-    </message>
-    <message>
-        <source>Hat&amp;ch</source>
-        <translation>&amp;Schraffur</translation>
-    </message>
-    <message>
-        <source>Le&amp;gend</source>
-        <translation>Le&amp;gende</translation>
-    </message>
-    <message>
-        <source>Letters a, b</source>
-        <translation>Buchstaben a, b</translation>
-    </message>
-    <message>
-        <source>&amp;Measurements</source>
-        <translation>Messu&amp;ngen</translation>
-    </message>
-    <message>
-        <source>Drawn in points, whatever the density</source>
-        <translation>In Punkt gezeichnet, unabhängig von der Auflösung</translation>
-    </message>
-    <message>
-        <source>Tra&amp;nsparent paper</source>
-        <translation>Ohne &amp;weißen Grund</translation>
-    </message>
-    <message>
-        <source>No white behind the relief</source>
-        <translation>Kein Weiß hinter dem Relief</translation>
-    </message>
-    <message>
-        <source>It is drawn on the whole object, which this layout lacks</source>
-        <translation>Er wird auf das ganze Objekt gezeichnet, das dieser Anordnung fehlt</translation>
-    </message>
-    <message>
-        <source>An anaglyph needs its background</source>
-        <translation>Eine Anaglyphe braucht ihren Hintergrund</translation>
-    </message>
-    <message>
-        <source>Both eyes &amp;as files</source>
-        <translation>Beide &amp;Augen als Dateien</translation>
-    </message>
-    <message>
-        <source>Also write the detail as each eye sees it, as NAME.left.png and NAME.right.png beside the figure</source>
-        <translation>Auch das Detail schreiben, wie jedes Auge es sieht, als NAME.left.png und NAME.right.png neben der Abbildung</translation>
-    </message>
-    <message>
-        <source>Sa&amp;ve heights too</source>
-        <translation>H&amp;öhen auch speichern</translation>
-    </message>
-    <message>
-        <source>Also write the detail&apos;s heights as a picture of 16 bits; its description says millimetres per step</source>
-        <translation>Auch die Höhen des Details als Bild mit 16 Bit schreiben; seine Beschreibung nennt Millimeter je Stufe</translation>
-    </message>
-    <message>
-        <source>Heights</source>
-        <translation>Höhen</translation>
-    </message>
-    <message>
-        <source>Ends in .tif</source>
-        <translation>Endet mit .tif</translation>
-    </message>
-    <message>
-        <source>Save heights</source>
-        <translation>Höhen speichern</translation>
-    </message>
-    <message>
-        <source>Heights of 16 bits (*.tif *.tiff)</source>
-        <translation>Höhen mit 16 Bit (*.tif *.tiff)</translation>
-    </message>
-    <message>
-        <source>Save caption as te&amp;xt</source>
-        <translation>Unterschrift als &amp;Text speichern</translation>
-    </message>
-    <message>
-        <source>Also write the caption as a text file</source>
-        <translation>Auch die Bildunterschrift als Textdatei schreiben</translation>
-    </message>
-    <message>
-        <source>Caption&apos;s file</source>
-        <translation>Textdatei</translation>
-    </message>
-    <message>
-        <source>Where the caption is written</source>
-        <translation>Wohin die Bildunterschrift geschrieben wird</translation>
-    </message>
-    <message>
-        <source>Save caption</source>
-        <translation>Bildunterschrift speichern</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Text (*.txt)</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Save heights too&quot; first</source>
-        <translation>Zuerst „Höhen auch speichern“ einschalten</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Save caption as text&quot; first</source>
-        <translation>Zuerst „Unterschrift als Text speichern“ einschalten</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keines</translation>
-    </message>
-    <message>
-        <source>Anaglyph, grey</source>
-        <translation>Anaglyphe, grau</translation>
-    </message>
-    <message>
-        <source>Anaglyph, half colour</source>
-        <translation>Anaglyphe, halbfarbig</translation>
-    </message>
-    <message>
-        <source>Anaglyph, Dubois</source>
-        <translation>Anaglyphe, Dubois</translation>
-    </message>
-    <message>
-        <source>Side by side</source>
-        <translation>Nebeneinander</translation>
-    </message>
-    <message>
-        <source>One over the other</source>
-        <translation>Übereinander</translation>
-    </message>
-    <message>
-        <source>Stereo</source>
-        <translation>Stereo</translation>
-    </message>
-    <message>
-        <source>For red and cyan glasses, or two pictures</source>
-        <translation>Für rot-cyane Brillen, oder zwei Bilder</translation>
-    </message>
-    <message>
-        <source>Eyes apart</source>
-        <translation>Augenabstand</translation>
-    </message>
-    <message>
-        <source>Angle between the two eyes&apos; directions</source>
-        <translation>Winkel zwischen den Blickrichtungen beider Augen</translation>
-    </message>
-    <message>
-        <source>&amp;Keep to 1° of parallax</source>
-        <translation>&amp;Höchstens 1° Parallaxe</translation>
-    </message>
-    <message>
-        <source>Less angle where many readers would see double</source>
-        <translation>Weniger Winkel, wo viele Leser doppelt sähen</translation>
-    </message>
-    <message>
-        <source>Own &amp;zero plane</source>
-        <translation>Nullebene &amp;vorgeben</translation>
-    </message>
-    <message>
-        <source>Choose the height that lies in the plane of the paper; otherwise it is mid height</source>
-        <translation>Die Höhe wählen, die in der Ebene des Papiers liegt; sonst ist es die mittlere Höhe</translation>
-    </message>
-    <message>
-        <source>Zero plane</source>
-        <translation>Nullebene</translation>
-    </message>
-    <message>
-        <source>Height of zero parallax: what is higher stands out of the paper, what is lower lies behind it</source>
-        <translation>Höhe ohne Parallaxe: was höher ist, steht aus dem Papier heraus, was tiefer ist, liegt dahinter</translation>
-    </message>
-    <message>
-        <source>Swap eyes</source>
-        <translation>Augen tauschen</translation>
-    </message>
-    <message>
-        <source>For glasses the other way round, or for crossed eyes</source>
-        <translation>Für umgekehrte Brillen oder gekreuzte Augen</translation>
-    </message>
-    <message>
-        <source>Choose a kind of stereo, or both eyes as files</source>
-        <translation>Eine Art von Stereo wählen, oder beide Augen als Dateien</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Own zero plane&quot; first</source>
-        <translation>Zuerst „Nullebene vorgeben“ einschalten</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::FirmnessRow</name>
-    <message>
-        <source>What says where the ground is firm</source>
-        <translation>Was sagt, wo der Grund fest ist</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>Wählen…</translation>
-    </message>
-    <message>
-        <source>Choose a raster that says where the ground is firm</source>
-        <translation>Ein Raster wählen, das sagt, wo der Grund fest ist</translation>
-    </message>
-    <message>
-        <source>A raster over the whole map: 1 where the ground is firm, 0 where it is as soft as set above. In place of where it was measured.</source>
-        <translation>Ein Raster über die ganze Karte: 1, wo der Grund fest ist, 0, wo er so weich ist wie oben eingestellt. Anstelle davon, wo gemessen wurde.</translation>
-    </message>
-    <message>
-        <source>No&amp;ne</source>
-        <translation>Ke&amp;ines</translation>
-    </message>
-    <message>
-        <source>No raster: firm where it was measured</source>
-        <translation>Kein Raster: fest, wo gemessen wurde</translation>
-    </message>
-    <message>
-        <source>The ground is firm where it was measured.</source>
-        <translation>Der Grund ist fest, wo gemessen wurde.</translation>
-    </message>
-    <message>
-        <source>Stiffness &amp;map</source>
-        <translation>St&amp;eifigkeitskarte</translation>
-    </message>
-    <message>
-        <source>Stiffness map</source>
-        <translation>Steifigkeitskarte</translation>
-    </message>
-    <message>
-        <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
-        <translation>Raster (*.tif *.tiff *.asc *.png);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>where it was measured</source>
-        <translation>wo gemessen wurde</translation>
-    </message>
-    <message>
-        <source>%1 (not of this map)</source>
-        <translation>%1 (nicht von dieser Karte)</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::HandDevice</name>
-    <message>
-        <source>The device %1 is being opened. The mouse is the hand meanwhile.</source>
-        <translation>Das Gerät %1 wird geöffnet. Solange ist die Maus die Hand.</translation>
-    </message>
-    <message>
-        <source>Device: %1.</source>
-        <translation>Gerät: %1.</translation>
-    </message>
-    <message>
-        <source>%1 The mouse is the hand now.</source>
-        <translation>%1 Jetzt ist die Maus die Hand.</translation>
-    </message>
-    <message>
-        <source>Motors: %1 % of what they can take for good; forces stay below %2 N.</source>
-        <translation>Motoren: %1 % dessen, was sie auf Dauer vertragen; Kräfte bleiben unter %2 N.</translation>
-    </message>
-    <message>
-        <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
-        <translation>Ein Falcon wurde eingesteckt. Wählen Sie ihn im Feld Fühlen, um ihn zu benutzen.</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::LoopAnnouncer</name>
-    <message>
-        <source>Forces off: %1.</source>
-        <translation>Kräfte aus: %1.</translation>
-    </message>
-    <message>
-        <source>Forces went off, because the window did not answer for %1 s. Press F5 to switch them on.</source>
-        <translation>Die Kräfte sind aus, weil das Fenster %1 s lang nicht geantwortet hat. F5 schaltet sie ein.</translation>
-    </message>
-    <message>
-        <source>The hand pushes over the edge of the window.</source>
-        <translation>Die Hand drückt über den Rand des Fensters.</translation>
-    </message>
-    <message>
-        <source>The hand is clear: forces come on.</source>
-        <translation>Die Hand ist frei: Die Kräfte kommen.</translation>
-    </message>
-    <message>
-        <source>Forces wait: the hand is inside. Let go or press Page Up.</source>
-        <translation>Kräfte warten: Die Hand ist im Inneren. Loslassen oder Bild auf.</translation>
-    </message>
-    <message>
-        <source>Forces wait: the hand is inside. Raise the grip.</source>
-        <translation>Kräfte warten: Die Hand ist im Inneren. Heben Sie den Griff.</translation>
-    </message>
-    <message>
-        <source>Softened to %1 N/mm: hand and surface had begun to swing.</source>
-        <translation>Auf %1 N/mm verringert: Hand und Oberfläche begannen zu schwingen.</translation>
-    </message>
-    <message>
-        <source>Surface made softer to stay steady.</source>
-        <translation>Oberfläche weicher gemacht, damit sie ruhig bleibt.</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::LoopRows</name>
-    <message>
-        <source>How far the hand is pressed in</source>
-        <translation>Wie weit die Hand eingedrückt ist</translation>
-    </message>
-    <message>
-        <source>How the force loop runs</source>
-        <translation>Wie die Kraftschleife läuft</translation>
-    </message>
-    <message>
-        <source>More a&amp;bout the loop…</source>
-        <translation>Mehr über d&amp;ie Schleife…</translation>
-    </message>
-    <message>
-        <source>More about the force loop</source>
-        <translation>Mehr über die Kraftschleife</translation>
-    </message>
-    <message>
-        <source>Plots &amp;with a cursor…</source>
-        <translation>Kurven mit &amp;Zeiger…</translation>
-    </message>
-    <message>
-        <source>Plots of height and force with a cursor</source>
-        <translation>Kurven von Höhe und Kraft mit Zeiger</translation>
-    </message>
-    <message>
-        <source>Pause, zoom, read values, and save as SVG or CSV.</source>
-        <translation>Anhalten, vergrößern, Werte ablesen und als SVG oder CSV speichern.</translation>
-    </message>
-    <message>
-        <source>Wake-ups and computing times as tables, and what the system granted.</source>
-        <translation>Weck- und Rechenzeiten als Tabellen, und was das System gewährte.</translation>
-    </message>
-    <message>
-        <source>Pressed in</source>
-        <translation>Eingedrückt</translation>
-    </message>
-    <message>
-        <source>Force loop</source>
-        <translation>Kraftschleife</translation>
-    </message>
-    <message>
-        <source>%1 mm of hand</source>
-        <translation>%1 mm der Hand</translation>
-    </message>
-    <message>
-        <source>not touching</source>
-        <translation>keine Berührung</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::RecordingControl</name>
-    <message>
-        <source>Recording to %1</source>
-        <translation>Aufzeichnung in %1</translation>
-    </message>
-    <message>
-        <source>The last %1 before the fault are kept: %2</source>
-        <translation>Die letzten %1 vor dem Fehler sind aufgehoben: %2</translation>
-    </message>
-    <message>
-        <source>The recording has ended early.</source>
-        <translation>Die Aufzeichnung endete vorzeitig.</translation>
-    </message>
-    <message>
-        <source>Recording saved: %1, %2 samples in %3</source>
-        <translation>Aufzeichnung gespeichert: %1, %2 Werte in %3</translation>
-    </message>
-    <message>
-        <source>Note at %1 s: %2</source>
-        <translation>Notiz bei %1 s: %2</translation>
-    </message>
-    <message>
-        <source>The recording had ended before the note &quot;%1&quot; was added. The note is in no file.</source>
-        <translation>Die Aufzeichnung war zu Ende, bevor die Notiz „%1“ hinzugefügt wurde. Die Notiz steht in keiner Datei.</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::TouchedSurface</name>
-    <message>
-        <source>The ground is firm where it was measured.</source>
-        <translation>Der Grund ist fest, wo gemessen wurde.</translation>
-    </message>
-    <message>
-        <source>Stiffness map: %1.</source>
-        <translation>Steifigkeitskarte: %1.</translation>
-    </message>
-    <message>
-        <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
-        <translation>Steifigkeitskarte: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um sie zu fühlen.</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::GuideControl</name>
-    <message>
-        <source>Guide along a recording</source>
-        <translation>Wie in einer Aufnahme führen</translation>
-    </message>
-    <message>
-        <source>Recordings and strokes (*.csv *.h5 *.hdf5)</source>
-        <translation>Aufnahmen und Handwege (*.csv *.h5 *.hdf5)</translation>
-    </message>
-    <message>
-        <source>A recording is running. The introduction lays shapes under the hand that are not of this relief. End the recording first.</source>
-        <translation>Es läuft eine Aufnahme. Die Einführung legt Formen unter die Hand, die nicht zu diesem Relief gehören. Beenden Sie zuerst die Aufnahme.</translation>
-    </message>
-    <message>
-        <source>The introduction is not recorded. End it first.</source>
-        <translation>Die Einführung wird nicht aufgezeichnet. Beenden Sie sie zuerst.</translation>
     </message>
 </context>
 </TS>

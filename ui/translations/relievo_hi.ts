@@ -748,6 +748,21 @@
     </message>
 </context>
 <context>
+    <name>relievo::ButtonControl</name>
+    <message>
+        <source>Buttons</source>
+        <translation>बटन</translation>
+    </message>
+    <message>
+        <source>Gamepads rumble at contact and edge. It is a cue, no force.</source>
+        <translation>गेमपैड छूने पर और किनारे पर कँपते हैं। यह संकेत है, बल नहीं।</translation>
+    </message>
+    <message>
+        <source>Gamepads do not rumble.</source>
+        <translation>गेमपैड नहीं कँपते।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ButtonsPanel</name>
     <message>
         <source>Sca&amp;nning with one button</source>
@@ -2090,10 +2105,6 @@
         <translation>यहाँ से छिपा: %1; नीचे कटा: %2; बहुत तीव्र ढाल: %3।</translation>
     </message>
     <message>
-        <source>Stray points left out: %1.</source>
-        <translation>छोड़े गए भटके बिंदु: %1।</translation>
-    </message>
-    <message>
         <source>%1 × %2 cells of %3, %4 levels; %5.</source>
         <translation>%3 के %1 × %2 सेल, %4 स्तर; %5।</translation>
     </message>
@@ -2176,6 +2187,10 @@
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Stray points left out: %1.</source>
+        <translation>छोड़े गए भटके बिंदु: %1।</translation>
     </message>
 </context>
 <context>
@@ -2448,6 +2463,57 @@
     <message>
         <source>Forces are off.</source>
         <translation>बल बंद हैं।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DeviceRows</name>
+    <message>
+        <source>Device</source>
+        <translation>उपकरण</translation>
+    </message>
+    <message>
+        <source>What the hand holds. A virtual hand is moved by the mouse and pushed by the force, as a real one is.</source>
+        <translation>हाथ क्या पकड़े है। आभासी हाथ को माउस चलाता है और बल धकेलता है, जैसे असली हाथ को।</translation>
+    </message>
+    <message>
+        <source>Whether somebody has tried such a device</source>
+        <translation>क्या किसी ने ऐसा उपकरण आज़माया है</translation>
+    </message>
+    <message>
+        <source>How warm the motors are</source>
+        <translation>मोटर कितनी गरम हैं</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weig&amp;ht</source>
+        <translation>ग्रिप का &amp;भार थामें</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weight</source>
+        <translation>ग्रिप का भार थामें</translation>
+    </message>
+    <message>
+        <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
+        <translation>जब तक बल चालू हैं, उपकरण अपनी ग्रिप को उतने भार से थामता है जितना अंशांकन ने पाया। जहाँ अंशांकन नहीं हुआ या उपकरण स्वयं ऐसा करता है वहाँ कुछ नहीं होता।</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>उपकरण (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: ask who made the plug-in.</source>
+        <translation>वास्तविक उपकरण पर आज़माया गया: जिसने प्लग-इन बनाया, उससे पूछें।</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: never.</source>
+        <translation>वास्तविक उपकरण पर आज़माया गया: कभी नहीं।</translation>
+    </message>
+    <message>
+        <source>Tried on hardware: %1.</source>
+        <translation>वास्तविक उपकरण पर आज़माया गया: %1।</translation>
+    </message>
+    <message>
+        <source>%1 (not here now)</source>
+        <translation>%1 (अभी यहाँ नहीं)</translation>
     </message>
 </context>
 <context>
@@ -2956,6 +3022,221 @@
     </message>
 </context>
 <context>
+    <name>relievo::FeelForm</name>
+    <message>
+        <source>S&amp;urface</source>
+        <translation>सतह (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ape</source>
+        <translation>आकार (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Prox&amp;y</source>
+        <translation>प्रॉक्सी (&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Stiff&amp;ness</source>
+        <translation>कठोरता (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Fr&amp;iction</source>
+        <translation>घर्षण (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Dam&amp;ping</source>
+        <translation>अवमंदन (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Not measure&amp;d</source>
+        <translation>मापा नहीं गया (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Edge &amp;cue</source>
+        <translation>किनारे का संकेत (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture</source>
+        <translation>बनावट (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Co&amp;ntact impulse</source>
+        <translation>स्पर्श का आवेग (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Ma&amp;gnet</source>
+        <translation>चुंबक (&amp;G)</translation>
+    </message>
+    <message>
+        <source>How the surface feels</source>
+        <translation>सतह कैसी लगती है</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>चिकनी</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>सटीक</translation>
+    </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>लेख की तरह</translation>
+    </message>
+    <message>
+        <source>Soft stone</source>
+        <translation>नरम पत्थर</translation>
+    </message>
+    <message>
+        <source>Bronze</source>
+        <translation>काँसा</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>अपने मान</translation>
+    </message>
+    <message>
+        <source>Sets shape, proxy, stiffness, friction and damping together. Each can be changed afterwards.</source>
+        <translation>आकार, प्रॉक्सी, कठोरता, घर्षण और अवमंदन साथ में रखता है। बाद में हर एक बदला जा सकता है।</translation>
+    </message>
+    <message>
+        <source>Shape of the surface between the samples</source>
+        <translation>नमूनों के बीच सतह का आकार</translation>
+    </message>
+    <message>
+        <source>Smooth with walls</source>
+        <translation>दीवारों के साथ चिकना</translation>
+    </message>
+    <message>
+        <source>Smooth everywhere</source>
+        <translation>हर जगह चिकना</translation>
+    </message>
+    <message>
+        <source>Flat facets (exact)</source>
+        <translation>समतल फलक (सटीक)</translation>
+    </message>
+    <message>
+        <source>The height samples are exact in each; only what lies between them differs.</source>
+        <translation>ऊँचाई के नमूने हर एक में सटीक हैं; अंतर केवल उनके बीच है।</translation>
+    </message>
+    <message>
+        <source>How the proxy follows the hand</source>
+        <translation>प्रॉक्सी हाथ का अनुसरण कैसे करता है</translation>
+    </message>
+    <message>
+        <source>Converged (exact)</source>
+        <translation>अभिसरित (सटीक)</translation>
+    </message>
+    <message>
+        <source>As in the paper (eq. 2)</source>
+        <translation>लेख की तरह (समी. 2)</translation>
+    </message>
+    <message>
+        <source>Successive approximation (paper)</source>
+        <translation>क्रमिक सन्निकटन (लेख)</translation>
+    </message>
+    <message>
+        <source>The proxy is the point that stays on the surface.</source>
+        <translation>प्रॉक्सी वह बिंदु है जो सतह पर रहता है।</translation>
+    </message>
+    <message>
+        <source>Friction at rest, 0 to 1</source>
+        <translation>स्थिर घर्षण, 0 से 1</translation>
+    </message>
+    <message>
+        <source>Force along the surface that holds the hand, as a part of the force against it; three quarters of it while sliding. The paper&apos;s proxies know none.</source>
+        <translation>सतह के साथ का बल जो हाथ को रोकता है, सतह के विरुद्ध बल के अंश में; फिसलते समय उसका तीन-चौथाई। लेख के प्रॉक्सी में घर्षण नहीं है।</translation>
+    </message>
+    <message>
+        <source>Damping in newton seconds per metre</source>
+        <translation>अवमंदन न्यूटन सेकंड प्रति मीटर में</translation>
+    </message>
+    <message>
+        <source> N s/m</source>
+        <translation> N s/m</translation>
+    </message>
+    <message>
+        <source>Against the speed of pressing in.</source>
+        <translation>भीतर दबने की गति के विरुद्ध।</translation>
+    </message>
+    <message>
+        <source>as the &amp;level suggests</source>
+        <translation>जैसा स्तर सुझाए (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Stiffness as the level suggests</source>
+        <translation>कठोरता जैसा स्तर सुझाए</translation>
+    </message>
+    <message>
+        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level&apos;s own.</source>
+        <translation>विवरण 1 और 2 पर 0.8 N/mm, 3 पर 0.6, बारीक पर 0.5। यहाँ रखा मान फिर दिखाए गए स्तर का अपना होता है।</translation>
+    </message>
+    <message>
+        <source>Stiffness in newtons per millimetre</source>
+        <translation>कठोरता न्यूटन प्रति मिलीमीटर में</translation>
+    </message>
+    <message>
+        <source> N/mm</source>
+        <translation> N/mm</translation>
+    </message>
+    <message>
+        <source>Force per millimetre that the hand is pressed in.</source>
+        <translation>हाथ जितने मिलीमीटर भीतर दबा है, प्रति मिलीमीटर बल।</translation>
+    </message>
+    <message>
+        <source>Stiffness of ground that was not measured, in percent</source>
+        <translation>बिना मापी जगह की कठोरता, प्रतिशत में</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How stiff filled gaps and the base plane are, as a part of the stiffness of measured ground. 100 %: no difference.</source>
+        <translation>भरे अंतराल और आधार तल कितने कठोर हैं, मापी जगह की कठोरता के अंश में। 100 %: कोई अंतर नहीं।</translation>
+    </message>
+    <message>
+        <source>Edge cue at the border of measured ground, in newtons</source>
+        <translation>मापी जगह के किनारे का संकेत, न्यूटन में</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>A faint tick on the way from measured ground to other ground, and back. 0: none.</source>
+        <translation>मापी जगह से दूसरी जगह और वापस जाते समय हल्का टिक। 0: कोई नहीं।</translation>
+    </message>
+    <message>
+        <source>Texture of the next finer level, in micrometres of hand</source>
+        <translation>अगले बारीक स्तर की बनावट, हाथ के माइक्रोमीटर में</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>How much of the next finer level is felt, at most, on top of the level that is touched. 0: none.</source>
+        <translation>छुए जा रहे स्तर के ऊपर अगला बारीक स्तर अधिकतम कितना महसूस हो। 0: कुछ नहीं।</translation>
+    </message>
+    <message>
+        <source>Contact impulse, in newtons at most</source>
+        <translation>स्पर्श का आवेग, अधिकतम न्यूटन में</translation>
+    </message>
+    <message>
+        <source>A short knock as hard as the hand comes. 0: none.</source>
+        <translation>हाथ जितनी ज़ोर से आए उतनी छोटी ठोकर। 0: कोई नहीं।</translation>
+    </message>
+    <message>
+        <source>Pull toward the surface, in newtons at most</source>
+        <translation>सतह की ओर खिंचाव, अधिकतम न्यूटन में</translation>
+    </message>
+    <message>
+        <source>A gentle pull that begins 3 mm above the surface and ends on it. 0: none.</source>
+        <translation>हल्का खिंचाव जो सतह से 3 mm ऊपर शुरू होकर उस पर समाप्त होता है। 0: कोई नहीं।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::FigureDialog</name>
     <message>
         <source>There is not enough memory for this figure. Nothing was written.</source>
@@ -3055,6 +3336,544 @@
     </message>
 </context>
 <context>
+    <name>relievo::FigureForm</name>
+    <message>
+        <source>Browse: %1</source>
+        <translation>ब्राउज़ करें: %1</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>दूसरी जगह चुनें</translation>
+    </message>
+    <message>
+        <source>Shaded relief</source>
+        <translation>छायांकित उभार</translation>
+    </message>
+    <message>
+        <source>Height in colour</source>
+        <translation>रंग में ऊँचाई</translation>
+    </message>
+    <message>
+        <source>Hillshade</source>
+        <translation>पहाड़ी छाया</translation>
+    </message>
+    <message>
+        <source>Hillshade, four lights</source>
+        <translation>पहाड़ी छाया, चार प्रकाश</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>ढाल</translation>
+    </message>
+    <message>
+        <source>Local relief</source>
+        <translation>स्थानीय उभार</translation>
+    </message>
+    <message>
+        <source>Sky-view factor</source>
+        <translation>आकाश-दृश्य गुणांक</translation>
+    </message>
+    <message>
+        <source>Openness</source>
+        <translation>खुलापन</translation>
+    </message>
+    <message>
+        <source>Deviation, several scales</source>
+        <translation>विचलन, कई पैमाने</translation>
+    </message>
+    <message>
+        <source>Curvature, several scales</source>
+        <translation>वक्रता, कई पैमाने</translation>
+    </message>
+    <message>
+        <source>Stone with ambient occlusion</source>
+        <translation>परिवेशी अवरोधन के साथ पत्थर</translation>
+    </message>
+    <message>
+        <source>Natural colours</source>
+        <translation>प्राकृतिक रंग</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>तीव्रता</translation>
+    </message>
+    <message>
+        <source>Rel&amp;ief</source>
+        <translation>उभार (&amp;I)</translation>
+    </message>
+    <message>
+        <source>How heights are painted</source>
+        <translation>ऊँचाइयाँ कैसे रंगी जाती हैं</translation>
+    </message>
+    <message>
+        <source>This scan has none</source>
+        <translation>इस स्कैन में कोई नहीं है</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>रंग</translation>
+    </message>
+    <message>
+        <source>Even steps of lightness, also for colour-blind readers</source>
+        <translation>उजाले के समान चरण, रंगांध पाठकों के लिए भी</translation>
+    </message>
+    <message>
+        <source>Light from</source>
+        <translation>प्रकाश की दिशा</translation>
+    </message>
+    <message>
+        <source>0 is above, clockwise; 315 is the upper left</source>
+        <translation>0 ऊपर है, घड़ी की दिशा में; 315 ऊपर बाएँ</translation>
+    </message>
+    <message>
+        <source>Light&apos;s height</source>
+        <translation>प्रकाश की ऊँचाई</translation>
+    </message>
+    <message>
+        <source>Low light brings out worn detail</source>
+        <translation>नीचा प्रकाश घिसे विवरण उभारता है</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>त्रिज्या</translation>
+    </message>
+    <message>
+        <source>Of the neighbourhood that this relief image looks at</source>
+        <translation>उस पड़ोस का, जिसे यह उभार-चित्र देखता है</translation>
+    </message>
+    <message>
+        <source>10 samples</source>
+        <translation>10 नमूने</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>छायांकन</translation>
+    </message>
+    <message>
+        <source>How much relief shading natural colours and intensity get</source>
+        <translation>प्राकृतिक रंग और तीव्रता में उभार का कितना छायांकन मिले</translation>
+    </message>
+    <message>
+        <source>O&amp;wn ends of the colours</source>
+        <translation>रंगों के अपने छोर (&amp;W)</translation>
+    </message>
+    <message>
+        <source>The same colours for the same values in several figures; otherwise they follow from what is shown</source>
+        <translation>कई चित्रों में समान मानों के लिए समान रंग; नहीं तो वे दिखाए गए से निकलते हैं</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>रंग यहाँ से</translation>
+    </message>
+    <message>
+        <source>Value at the colours&apos; lower end</source>
+        <translation>रंगों के निचले छोर का मान</translation>
+    </message>
+    <message>
+        <source>Colours to</source>
+        <translation>रंग यहाँ तक</translation>
+    </message>
+    <message>
+        <source>Value at the colours&apos; upper end</source>
+        <translation>रंगों के ऊपरी छोर का मान</translation>
+    </message>
+    <message>
+        <source>Its colours are the scan&apos;s own</source>
+        <translation>इसके रंग स्कैन के अपने हैं</translation>
+    </message>
+    <message>
+        <source>Stone and hillshades have no colours</source>
+        <translation>पत्थर और पहाड़ी छायाओं में रंग नहीं होते</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Own ends of the colours&quot; first</source>
+        <translation>पहले “रंगों के अपने छोर” चालू करें</translation>
+    </message>
+    <message>
+        <source>No lamp shines on this relief</source>
+        <translation>इस उभार पर कोई प्रकाश नहीं पड़ता</translation>
+    </message>
+    <message>
+        <source>The four lights come from all sides</source>
+        <translation>चारों प्रकाश सब ओर से आते हैं</translation>
+    </message>
+    <message>
+        <source>This relief does not depend on one</source>
+        <translation>यह उभार त्रिज्या पर निर्भर नहीं है</translation>
+    </message>
+    <message>
+        <source>Only natural colours and intensity are mixed with it</source>
+        <translation>केवल प्राकृतिक रंग और तीव्रता इसके साथ मिलाए जाते हैं</translation>
+    </message>
+    <message>
+        <source>Detail alone</source>
+        <translation>केवल विवरण</translation>
+    </message>
+    <message>
+        <source>Whole object and detail</source>
+        <translation>पूरी वस्तु और विवरण</translation>
+    </message>
+    <message>
+        <source>As measured and filled</source>
+        <translation>जैसा मापा और भरा हुआ</translation>
+    </message>
+    <message>
+        <source>Several levels</source>
+        <translation>कई स्तर</translation>
+    </message>
+    <message>
+        <source>With force plots of a recording</source>
+        <translation>रिकॉर्डिंग के बल आलेखों के साथ</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>फ़ाइल (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Ends in .png, .tif, .pdf or .svg</source>
+        <translation>.png, .tif, .pdf या .svg पर समाप्त होता है</translation>
+    </message>
+    <message>
+        <source>Save figure</source>
+        <translation>चित्र सहेजें</translation>
+    </message>
+    <message>
+        <source>Figures (*.png *.tif *.pdf *.svg)</source>
+        <translation>चित्र (*.png *.tif *.pdf *.svg)</translation>
+    </message>
+    <message>
+        <source>&amp;Layout</source>
+        <translation>विन्यास (&amp;L)</translation>
+    </message>
+    <message>
+        <source>What stands beside what</source>
+        <translation>किसके पास क्या है</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>रिकॉर्डिंग (&amp;R)</translation>
+    </message>
+    <message>
+        <source>File of a recording, CSV or HDF5, for the plots</source>
+        <translation>आलेखों के लिए रिकॉर्डिंग की फ़ाइल, CSV या HDF5</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>रिकॉर्डिंग</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>रिकॉर्डिंग (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>Wi&amp;dth on paper</source>
+        <translation>काग़ज़ पर चौड़ाई (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Journals have columns of 85 and pages of 180 mm</source>
+        <translation>पत्रिकाओं में 85 के स्तंभ और 180 mm के पृष्ठ होते हैं</translation>
+    </message>
+    <message>
+        <source>To &amp;scale</source>
+        <translation>पैमाने पर (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Choose the scale of the detail; the width follows from it</source>
+        <translation>विवरण का पैमाना चुनें; चौड़ाई उससे निकलती है</translation>
+    </message>
+    <message>
+        <source>Scale &amp;1 :</source>
+        <translation>पैमाना 1 (&amp;1) :</translation>
+    </message>
+    <message>
+        <source>Millimetres of object on one millimetre of paper</source>
+        <translation>काग़ज़ के एक मिलीमीटर पर वस्तु के मिलीमीटर</translation>
+    </message>
+    <message>
+        <source>D&amp;ensity</source>
+        <translation>घनत्व (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Dots per inch of paper</source>
+        <translation>काग़ज़ के प्रति इंच बिंदु</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>&amp;Text size</source>
+        <translation>पाठ का आकार (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Text and bars on paper, in points</source>
+        <translation>काग़ज़ पर पाठ और पट्टियाँ, पॉइंट में</translation>
+    </message>
+    <message>
+        <source> pt</source>
+        <translation> pt</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;To scale&quot; first</source>
+        <translation>पहले “पैमाने पर” चालू करें</translation>
+    </message>
+    <message>
+        <source>It follows from the scale</source>
+        <translation>वह पैमाने से निकलती है</translation>
+    </message>
+    <message>
+        <source>Only the layout with force plots shows one</source>
+        <translation>केवल बल आलेखों वाला विन्यास इसे दिखाता है</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>पैमाना पट्टी (&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Height bar</source>
+        <translation>ऊँचाई पट्टी (&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Up mark</source>
+        <translation>ऊपर का चिह्न (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Window&apos;s &amp;outline</source>
+        <translation>विंडो की रूपरेखा (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Hat&amp;ch</source>
+        <translation>रेखा-छाया (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Le&amp;gend</source>
+        <translation>संकेत सूची (&amp;G)</translation>
+    </message>
+    <message>
+        <source>Letters a, b</source>
+        <translation>अक्षर a, b</translation>
+    </message>
+    <message>
+        <source>&amp;Measurements</source>
+        <translation>माप (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Drawn in points, whatever the density</source>
+        <translation>पॉइंट में बना, घनत्व जो भी हो</translation>
+    </message>
+    <message>
+        <source>Tra&amp;nsparent paper</source>
+        <translation>पारदर्शी काग़ज़ (&amp;N)</translation>
+    </message>
+    <message>
+        <source>No white behind the relief</source>
+        <translation>उभार के पीछे सफ़ेद नहीं</translation>
+    </message>
+    <message>
+        <source>It is drawn on the whole object, which this layout lacks</source>
+        <translation>यह पूरी वस्तु पर बनती है, जो इस विन्यास में नहीं है</translation>
+    </message>
+    <message>
+        <source>An anaglyph needs its background</source>
+        <translation>एनाग्लिफ़ को अपनी पृष्ठभूमि चाहिए</translation>
+    </message>
+    <message>
+        <source>Both eyes &amp;as files</source>
+        <translation>दोनों आँखें फ़ाइलों में (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Also write the detail as each eye sees it, as NAME.left.png and NAME.right.png beside the figure</source>
+        <translation>विवरण जैसा हर आँख को दिखता है वैसा भी लिखें, चित्र के पास NAME.left.png और NAME.right.png में</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve heights too</source>
+        <translation>ऊँचाइयाँ भी सहेजें (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Also write the detail&apos;s heights as a picture of 16 bits; its description says millimetres per step</source>
+        <translation>विवरण की ऊँचाइयाँ 16 बिट की तस्वीर में भी लिखें; उसका वर्णन प्रति चरण मिलीमीटर बताता है</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>ऊँचाइयाँ</translation>
+    </message>
+    <message>
+        <source>Ends in .tif</source>
+        <translation>.tif पर समाप्त होता है</translation>
+    </message>
+    <message>
+        <source>Save heights</source>
+        <translation>ऊँचाइयाँ सहेजें</translation>
+    </message>
+    <message>
+        <source>Heights of 16 bits (*.tif *.tiff)</source>
+        <translation>16 बिट की ऊँचाइयाँ (*.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>Save caption as te&amp;xt</source>
+        <translation>शीर्षक को पाठ में सहेजें (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Also write the caption as a text file</source>
+        <translation>चित्र-शीर्षक को पाठ फ़ाइल में भी लिखें</translation>
+    </message>
+    <message>
+        <source>Caption&apos;s file</source>
+        <translation>शीर्षक की फ़ाइल</translation>
+    </message>
+    <message>
+        <source>Where the caption is written</source>
+        <translation>चित्र-शीर्षक कहाँ लिखा जाए</translation>
+    </message>
+    <message>
+        <source>Save caption</source>
+        <translation>चित्र-शीर्षक सहेजें</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>पाठ (*.txt)</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Save heights too&quot; first</source>
+        <translation>पहले “ऊँचाइयाँ भी सहेजें” चालू करें</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Save caption as text&quot; first</source>
+        <translation>पहले “शीर्षक को पाठ में सहेजें” चालू करें</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>कोई नहीं</translation>
+    </message>
+    <message>
+        <source>Anaglyph, grey</source>
+        <translation>एनाग्लिफ़, धूसर</translation>
+    </message>
+    <message>
+        <source>Anaglyph, half colour</source>
+        <translation>एनाग्लिफ़, अर्ध-रंग</translation>
+    </message>
+    <message>
+        <source>Anaglyph, Dubois</source>
+        <translation>एनाग्लिफ़, Dubois</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>साथ-साथ</translation>
+    </message>
+    <message>
+        <source>One over the other</source>
+        <translation>एक के ऊपर एक</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>स्टीरियो</translation>
+    </message>
+    <message>
+        <source>For red and cyan glasses, or two pictures</source>
+        <translation>लाल-सियान चश्मे के लिए, या दो चित्र</translation>
+    </message>
+    <message>
+        <source>Eyes apart</source>
+        <translation>आँखों की दूरी</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes&apos; directions</source>
+        <translation>दोनों आँखों की दिशाओं के बीच का कोण</translation>
+    </message>
+    <message>
+        <source>&amp;Keep to 1° of parallax</source>
+        <translation>लंबन 1° तक रखें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Less angle where many readers would see double</source>
+        <translation>जहाँ कई पाठक दोहरा देखेंगे वहाँ कम कोण</translation>
+    </message>
+    <message>
+        <source>Own &amp;zero plane</source>
+        <translation>अपना शून्य तल (&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Choose the height that lies in the plane of the paper; otherwise it is mid height</source>
+        <translation>वह ऊँचाई चुनें जो काग़ज़ के तल में हो; नहीं तो वह बीच की ऊँचाई है</translation>
+    </message>
+    <message>
+        <source>Zero plane</source>
+        <translation>शून्य तल</translation>
+    </message>
+    <message>
+        <source>Height of zero parallax: what is higher stands out of the paper, what is lower lies behind it</source>
+        <translation>शून्य लंबन की ऊँचाई: जो ऊँचा है वह काग़ज़ से बाहर उभरता है, जो नीचा है वह पीछे रहता है</translation>
+    </message>
+    <message>
+        <source>Swap eyes</source>
+        <translation>आँखें बदलें</translation>
+    </message>
+    <message>
+        <source>For glasses the other way round, or for crossed eyes</source>
+        <translation>उलटे चश्मे या तिरछी आँखों के लिए</translation>
+    </message>
+    <message>
+        <source>Choose a kind of stereo, or both eyes as files</source>
+        <translation>स्टीरियो का कोई प्रकार चुनें, या दोनों आँखें फ़ाइलों में</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Own zero plane&quot; first</source>
+        <translation>पहले “अपना शून्य तल” चालू करें</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::FirmnessRow</name>
+    <message>
+        <source>What says where the ground is firm</source>
+        <translation>क्या बताता है कि जगह कहाँ ठोस है</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>चुनें…</translation>
+    </message>
+    <message>
+        <source>Choose a raster that says where the ground is firm</source>
+        <translation>ग्रिड चुनें जो बताए कि जगह कहाँ ठोस है</translation>
+    </message>
+    <message>
+        <source>A raster over the whole map: 1 where the ground is firm, 0 where it is as soft as set above. In place of where it was measured.</source>
+        <translation>पूरे मानचित्र पर ग्रिड: जहाँ जगह ठोस है वहाँ 1, जहाँ ऊपर तय की गई जितनी नरम है वहाँ 0। मापी जगह के बदले।</translation>
+    </message>
+    <message>
+        <source>No&amp;ne</source>
+        <translation>कोई नहीं (&amp;N)</translation>
+    </message>
+    <message>
+        <source>No raster: firm where it was measured</source>
+        <translation>ग्रिड नहीं: जहाँ मापा गया वहाँ ठोस</translation>
+    </message>
+    <message>
+        <source>The ground is firm where it was measured.</source>
+        <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
+    </message>
+    <message>
+        <source>Stiffness &amp;map</source>
+        <translation>कठोरता मानचित्र (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Stiffness map</source>
+        <translation>कठोरता मानचित्र</translation>
+    </message>
+    <message>
+        <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
+        <translation>ग्रिड (*.tif *.tiff *.asc *.png);;सभी फ़ाइलें (*)</translation>
+    </message>
+    <message>
+        <source>where it was measured</source>
+        <translation>जहाँ मापा गया</translation>
+    </message>
+    <message>
+        <source>%1 (not of this map)</source>
+        <translation>%1 (इस मानचित्र का नहीं)</translation>
+    </message>
+</context>
+<context>
     <name>relievo::FirstViewCard</name>
     <message>
         <source>First view of the file that is being read</source>
@@ -3141,6 +3960,48 @@
     <message>
         <source>Put the glasses on and close your right eye: you should see only the L, bright on black. With the left eye closed only the R. If it is the other way round, turn on &quot;Swap eyes&quot;. What shines through faintly is a ghost; Dubois has the least.</source>
         <translation>चश्मा पहनें और दाईं आँख बंद करें: केवल L दिखना चाहिए, काले पर चमकीला। बाईं आँख बंद हो तो केवल R। उलटा हो तो “आँखें बदलें” चालू करें। जो हल्का-सा झलकता है वह छाया-चित्र है; Dubois में वह सबसे कम है।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::GuideControl</name>
+    <message>
+        <source>Guide along a recording</source>
+        <translation>रिकॉर्डिंग के साथ ले चलना</translation>
+    </message>
+    <message>
+        <source>Recordings and strokes (*.csv *.h5 *.hdf5)</source>
+        <translation>रिकॉर्डिंग और हाथ के रास्ते (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>A recording is running. The introduction lays shapes under the hand that are not of this relief. End the recording first.</source>
+        <translation>रिकॉर्डिंग चल रही है। परिचय हाथ के नीचे ऐसे आकार रखता है जो इस उभार के नहीं हैं। पहले रिकॉर्डिंग समाप्त करें।</translation>
+    </message>
+    <message>
+        <source>The introduction is not recorded. End it first.</source>
+        <translation>परिचय रिकॉर्ड नहीं होता। पहले उसे समाप्त करें।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HandDevice</name>
+    <message>
+        <source>The device %1 is being opened. The mouse is the hand meanwhile.</source>
+        <translation>उपकरण %1 खोला जा रहा है। तब तक माउस हाथ है।</translation>
+    </message>
+    <message>
+        <source>Device: %1.</source>
+        <translation>उपकरण: %1।</translation>
+    </message>
+    <message>
+        <source>%1 The mouse is the hand now.</source>
+        <translation>%1 अब माउस ही हाथ है।</translation>
+    </message>
+    <message>
+        <source>Motors: %1 % of what they can take for good; forces stay below %2 N.</source>
+        <translation>मोटर: जितना वे लगातार सह सकती हैं उसका %1 %; बल %2 N से कम रहते हैं।</translation>
+    </message>
+    <message>
+        <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
+        <translation>एक Falcon जोड़ा गया। उपयोग के लिए स्पर्श पटल में उसे चुनें।</translation>
     </message>
 </context>
 <context>
@@ -3251,14 +4112,6 @@
     <message>
         <source>Touch: advanced</source>
         <translation>स्पर्श: उन्नत</translation>
-    </message>
-    <message>
-        <source>Gamepads rumble at contact and edge. It is a cue, no force.</source>
-        <translation>गेमपैड छूने पर और किनारे पर कँपते हैं। यह संकेत है, बल नहीं।</translation>
-    </message>
-    <message>
-        <source>Gamepads do not rumble.</source>
-        <translation>गेमपैड नहीं कँपते।</translation>
     </message>
 </context>
 <context>
@@ -3560,6 +4413,41 @@
     </message>
 </context>
 <context>
+    <name>relievo::LoopAnnouncer</name>
+    <message>
+        <source>Forces off: %1.</source>
+        <translation>बल बंद: %1।</translation>
+    </message>
+    <message>
+        <source>Forces went off, because the window did not answer for %1 s. Press F5 to switch them on.</source>
+        <translation>बल बंद हो गए, क्योंकि विंडो ने %1 से. तक उत्तर नहीं दिया। चालू करने के लिए F5 दबाएँ।</translation>
+    </message>
+    <message>
+        <source>The hand pushes over the edge of the window.</source>
+        <translation>हाथ विंडो के किनारे से बाहर धकेल रहा है।</translation>
+    </message>
+    <message>
+        <source>The hand is clear: forces come on.</source>
+        <translation>हाथ सतह से अलग है: बल चालू हो रहे हैं।</translation>
+    </message>
+    <message>
+        <source>Forces wait: the hand is inside. Let go or press Page Up.</source>
+        <translation>बल रुके हैं: हाथ सतह के भीतर है। बटन छोड़ें या Page Up दबाएँ।</translation>
+    </message>
+    <message>
+        <source>Forces wait: the hand is inside. Raise the grip.</source>
+        <translation>बल रुके हैं: हाथ सतह के भीतर है। हत्था ऊपर उठाएँ।</translation>
+    </message>
+    <message>
+        <source>Softened to %1 N/mm: hand and surface had begun to swing.</source>
+        <translation>%1 N/mm तक नरम किया: हाथ और सतह काँपने लगे थे।</translation>
+    </message>
+    <message>
+        <source>Surface made softer to stay steady.</source>
+        <translation>सतह स्थिर रखने के लिए नरम की गई।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::LoopDetailsDialog</name>
     <message>
         <source>How the force loop runs</source>
@@ -3568,6 +4456,57 @@
     <message>
         <source>Counts of the force loop since it began</source>
         <translation>आरंभ से बल चक्र की गिनती</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::LoopRows</name>
+    <message>
+        <source>How far the hand is pressed in</source>
+        <translation>हाथ कितना भीतर दबा है</translation>
+    </message>
+    <message>
+        <source>How the force loop runs</source>
+        <translation>बल चक्र कैसे चल रहा है</translation>
+    </message>
+    <message>
+        <source>More a&amp;bout the loop…</source>
+        <translation>चक्र के बारे में और (&amp;B)…</translation>
+    </message>
+    <message>
+        <source>More about the force loop</source>
+        <translation>बल चक्र के बारे में और</translation>
+    </message>
+    <message>
+        <source>Plots &amp;with a cursor…</source>
+        <translation>सूचक वाले आलेख (&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Plots of height and force with a cursor</source>
+        <translation>सूचक के साथ ऊँचाई और बल के आलेख</translation>
+    </message>
+    <message>
+        <source>Pause, zoom, read values, and save as SVG or CSV.</source>
+        <translation>रोकें, पास लाएँ, मान पढ़ें और SVG या CSV में सहेजें।</translation>
+    </message>
+    <message>
+        <source>Wake-ups and computing times as tables, and what the system granted.</source>
+        <translation>जागने और गणना के समय की तालिकाएँ, और प्रणाली ने क्या दिया।</translation>
+    </message>
+    <message>
+        <source>Pressed in</source>
+        <translation>दबा हुआ</translation>
+    </message>
+    <message>
+        <source>Force loop</source>
+        <translation>बल चक्र</translation>
+    </message>
+    <message>
+        <source>%1 mm of hand</source>
+        <translation>हाथ के %1 mm</translation>
+    </message>
+    <message>
+        <source>not touching</source>
+        <translation>स्पर्श नहीं</translation>
     </message>
 </context>
 <context>
@@ -8870,6 +9809,33 @@
     </message>
 </context>
 <context>
+    <name>relievo::RecordingControl</name>
+    <message>
+        <source>Recording to %1</source>
+        <translation>%1 में रिकॉर्डिंग</translation>
+    </message>
+    <message>
+        <source>The last %1 before the fault are kept: %2</source>
+        <translation>गड़बड़ी से पहले के %1 रखे गए हैं: %2</translation>
+    </message>
+    <message>
+        <source>The recording has ended early.</source>
+        <translation>रिकॉर्डिंग समय से पहले समाप्त हुई।</translation>
+    </message>
+    <message>
+        <source>Recording saved: %1, %2 samples in %3</source>
+        <translation>रिकॉर्डिंग सहेजी गई: %1, %3 में %2 नमूने</translation>
+    </message>
+    <message>
+        <source>Note at %1 s: %2</source>
+        <translation>%1 s पर टिप्पणी: %2</translation>
+    </message>
+    <message>
+        <source>The recording had ended before the note &quot;%1&quot; was added. The note is in no file.</source>
+        <translation>टिप्पणी “%1” जुड़ने से पहले ही रिकॉर्डिंग समाप्त हो गई थी। टिप्पणी किसी फ़ाइल में नहीं है।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::RecordingsEnd</name>
     <message>
         <source>Recording saved: %1</source>
@@ -10579,6 +11545,21 @@
     </message>
 </context>
 <context>
+    <name>relievo::TouchedSurface</name>
+    <message>
+        <source>The ground is firm where it was measured.</source>
+        <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1.</source>
+        <translation>कठोरता मानचित्र: %1।</translation>
+    </message>
+    <message>
+        <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
+        <translation>कठोरता मानचित्र: %1। इसे महसूस करने के लिए “मापा नहीं गया” को 100 % से कम रखें।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::VideoControl</name>
     <message>
         <source>Video saved: %1 s, %2 frames in %3</source>
@@ -11071,987 +12052,6 @@
     <message>
         <source>hand scale 1 : %1</source>
         <translation>हाथ का पैमाना 1 : %1</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::ButtonControl</name>
-    <message>
-        <source>Buttons</source>
-        <translation>बटन</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::DeviceRows</name>
-    <message>
-        <source>Device</source>
-        <translation>उपकरण</translation>
-    </message>
-    <message>
-        <source>What the hand holds. A virtual hand is moved by the mouse and pushed by the force, as a real one is.</source>
-        <translation>हाथ क्या पकड़े है। आभासी हाथ को माउस चलाता है और बल धकेलता है, जैसे असली हाथ को।</translation>
-    </message>
-    <message>
-        <source>Whether somebody has tried such a device</source>
-        <translation>क्या किसी ने ऐसा उपकरण आज़माया है</translation>
-    </message>
-    <message>
-        <source>How warm the motors are</source>
-        <translation>मोटर कितनी गरम हैं</translation>
-    </message>
-    <message>
-        <source>Hold the grip&apos;s weig&amp;ht</source>
-        <translation>ग्रिप का &amp;भार थामें</translation>
-    </message>
-    <message>
-        <source>Hold the grip&apos;s weight</source>
-        <translation>ग्रिप का भार थामें</translation>
-    </message>
-    <message>
-        <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
-        <translation>जब तक बल चालू हैं, उपकरण अपनी ग्रिप को उतने भार से थामता है जितना अंशांकन ने पाया। जहाँ अंशांकन नहीं हुआ या उपकरण स्वयं ऐसा करता है वहाँ कुछ नहीं होता।</translation>
-    </message>
-    <message>
-        <source>&amp;Device</source>
-        <translation>उपकरण (&amp;D)</translation>
-    </message>
-    <message>
-        <source>Tried on hardware: ask who made the plug-in.</source>
-        <translation>वास्तविक उपकरण पर आज़माया गया: जिसने प्लग-इन बनाया, उससे पूछें।</translation>
-    </message>
-    <message>
-        <source>Tried on hardware: never.</source>
-        <translation>वास्तविक उपकरण पर आज़माया गया: कभी नहीं।</translation>
-    </message>
-    <message>
-        <source>Tried on hardware: %1.</source>
-        <translation>वास्तविक उपकरण पर आज़माया गया: %1।</translation>
-    </message>
-    <message>
-        <source>%1 (not here now)</source>
-        <translation>%1 (अभी यहाँ नहीं)</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::FeelForm</name>
-    <message>
-        <source>S&amp;urface</source>
-        <translation>सतह (&amp;U)</translation>
-    </message>
-    <message>
-        <source>Sh&amp;ape</source>
-        <translation>आकार (&amp;A)</translation>
-    </message>
-    <message>
-        <source>Prox&amp;y</source>
-        <translation>प्रॉक्सी (&amp;Y)</translation>
-    </message>
-    <message>
-        <source>Stiff&amp;ness</source>
-        <translation>कठोरता (&amp;N)</translation>
-    </message>
-    <message>
-        <source>Fr&amp;iction</source>
-        <translation>घर्षण (&amp;I)</translation>
-    </message>
-    <message>
-        <source>Dam&amp;ping</source>
-        <translation>अवमंदन (&amp;P)</translation>
-    </message>
-    <message>
-        <source>Not measure&amp;d</source>
-        <translation>मापा नहीं गया (&amp;D)</translation>
-    </message>
-    <message>
-        <source>Edge &amp;cue</source>
-        <translation>किनारे का संकेत (&amp;C)</translation>
-    </message>
-    <message>
-        <source>Te&amp;xture</source>
-        <translation>बनावट (&amp;X)</translation>
-    </message>
-    <message>
-        <source>Co&amp;ntact impulse</source>
-        <translation>स्पर्श का आवेग (&amp;N)</translation>
-    </message>
-    <message>
-        <source>Ma&amp;gnet</source>
-        <translation>चुंबक (&amp;G)</translation>
-    </message>
-    <message>
-        <source>How the surface feels</source>
-        <translation>सतह कैसी लगती है</translation>
-    </message>
-    <message>
-        <source>Smooth</source>
-        <translation>चिकनी</translation>
-    </message>
-    <message>
-        <source>Exact</source>
-        <translation>सटीक</translation>
-    </message>
-    <message>
-        <source>As in the paper</source>
-        <translation>लेख की तरह</translation>
-    </message>
-    <message>
-        <source>Soft stone</source>
-        <translation>नरम पत्थर</translation>
-    </message>
-    <message>
-        <source>Bronze</source>
-        <translation>काँसा</translation>
-    </message>
-    <message>
-        <source>Own values</source>
-        <translation>अपने मान</translation>
-    </message>
-    <message>
-        <source>Sets shape, proxy, stiffness, friction and damping together. Each can be changed afterwards.</source>
-        <translation>आकार, प्रॉक्सी, कठोरता, घर्षण और अवमंदन साथ में रखता है। बाद में हर एक बदला जा सकता है।</translation>
-    </message>
-    <message>
-        <source>Shape of the surface between the samples</source>
-        <translation>नमूनों के बीच सतह का आकार</translation>
-    </message>
-    <message>
-        <source>Smooth with walls</source>
-        <translation>दीवारों के साथ चिकना</translation>
-    </message>
-    <message>
-        <source>Smooth everywhere</source>
-        <translation>हर जगह चिकना</translation>
-    </message>
-    <message>
-        <source>Flat facets (exact)</source>
-        <translation>समतल फलक (सटीक)</translation>
-    </message>
-    <message>
-        <source>The height samples are exact in each; only what lies between them differs.</source>
-        <translation>ऊँचाई के नमूने हर एक में सटीक हैं; अंतर केवल उनके बीच है।</translation>
-    </message>
-    <message>
-        <source>How the proxy follows the hand</source>
-        <translation>प्रॉक्सी हाथ का अनुसरण कैसे करता है</translation>
-    </message>
-    <message>
-        <source>Converged (exact)</source>
-        <translation>अभिसरित (सटीक)</translation>
-    </message>
-    <message>
-        <source>As in the paper (eq. 2)</source>
-        <translation>लेख की तरह (समी. 2)</translation>
-    </message>
-    <message>
-        <source>Successive approximation (paper)</source>
-        <translation>क्रमिक सन्निकटन (लेख)</translation>
-    </message>
-    <message>
-        <source>The proxy is the point that stays on the surface.</source>
-        <translation>प्रॉक्सी वह बिंदु है जो सतह पर रहता है।</translation>
-    </message>
-    <message>
-        <source>Friction at rest, 0 to 1</source>
-        <translation>स्थिर घर्षण, 0 से 1</translation>
-    </message>
-    <message>
-        <source>Force along the surface that holds the hand, as a part of the force against it; three quarters of it while sliding. The paper&apos;s proxies know none.</source>
-        <translation>सतह के साथ का बल जो हाथ को रोकता है, सतह के विरुद्ध बल के अंश में; फिसलते समय उसका तीन-चौथाई। लेख के प्रॉक्सी में घर्षण नहीं है।</translation>
-    </message>
-    <message>
-        <source>Damping in newton seconds per metre</source>
-        <translation>अवमंदन न्यूटन सेकंड प्रति मीटर में</translation>
-    </message>
-    <message>
-        <source> N s/m</source>
-        <translation> N s/m</translation>
-    </message>
-    <message>
-        <source>Against the speed of pressing in.</source>
-        <translation>भीतर दबने की गति के विरुद्ध।</translation>
-    </message>
-    <message>
-        <source>as the &amp;level suggests</source>
-        <translation>जैसा स्तर सुझाए (&amp;L)</translation>
-    </message>
-    <message>
-        <source>Stiffness as the level suggests</source>
-        <translation>कठोरता जैसा स्तर सुझाए</translation>
-    </message>
-    <message>
-        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level&apos;s own.</source>
-        <translation>विवरण 1 और 2 पर 0.8 N/mm, 3 पर 0.6, बारीक पर 0.5। यहाँ रखा मान फिर दिखाए गए स्तर का अपना होता है।</translation>
-    </message>
-    <message>
-        <source>Stiffness in newtons per millimetre</source>
-        <translation>कठोरता न्यूटन प्रति मिलीमीटर में</translation>
-    </message>
-    <message>
-        <source> N/mm</source>
-        <translation> N/mm</translation>
-    </message>
-    <message>
-        <source>Force per millimetre that the hand is pressed in.</source>
-        <translation>हाथ जितने मिलीमीटर भीतर दबा है, प्रति मिलीमीटर बल।</translation>
-    </message>
-    <message>
-        <source>Stiffness of ground that was not measured, in percent</source>
-        <translation>बिना मापी जगह की कठोरता, प्रतिशत में</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>How stiff filled gaps and the base plane are, as a part of the stiffness of measured ground. 100 %: no difference.</source>
-        <translation>भरे अंतराल और आधार तल कितने कठोर हैं, मापी जगह की कठोरता के अंश में। 100 %: कोई अंतर नहीं।</translation>
-    </message>
-    <message>
-        <source>Edge cue at the border of measured ground, in newtons</source>
-        <translation>मापी जगह के किनारे का संकेत, न्यूटन में</translation>
-    </message>
-    <message>
-        <source> N</source>
-        <translation> N</translation>
-    </message>
-    <message>
-        <source>A faint tick on the way from measured ground to other ground, and back. 0: none.</source>
-        <translation>मापी जगह से दूसरी जगह और वापस जाते समय हल्का टिक। 0: कोई नहीं।</translation>
-    </message>
-    <message>
-        <source>Texture of the next finer level, in micrometres of hand</source>
-        <translation>अगले बारीक स्तर की बनावट, हाथ के माइक्रोमीटर में</translation>
-    </message>
-    <message>
-        <source> µm</source>
-        <translation> µm</translation>
-    </message>
-    <message>
-        <source>How much of the next finer level is felt, at most, on top of the level that is touched. 0: none.</source>
-        <translation>छुए जा रहे स्तर के ऊपर अगला बारीक स्तर अधिकतम कितना महसूस हो। 0: कुछ नहीं।</translation>
-    </message>
-    <message>
-        <source>Contact impulse, in newtons at most</source>
-        <translation>स्पर्श का आवेग, अधिकतम न्यूटन में</translation>
-    </message>
-    <message>
-        <source>A short knock as hard as the hand comes. 0: none.</source>
-        <translation>हाथ जितनी ज़ोर से आए उतनी छोटी ठोकर। 0: कोई नहीं।</translation>
-    </message>
-    <message>
-        <source>Pull toward the surface, in newtons at most</source>
-        <translation>सतह की ओर खिंचाव, अधिकतम न्यूटन में</translation>
-    </message>
-    <message>
-        <source>A gentle pull that begins 3 mm above the surface and ends on it. 0: none.</source>
-        <translation>हल्का खिंचाव जो सतह से 3 mm ऊपर शुरू होकर उस पर समाप्त होता है। 0: कोई नहीं।</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::FigureForm</name>
-    <message>
-        <source>Browse: %1</source>
-        <translation>ब्राउज़ करें: %1</translation>
-    </message>
-    <message>
-        <source>Choose another place</source>
-        <translation>दूसरी जगह चुनें</translation>
-    </message>
-    <message>
-        <source>Shaded relief</source>
-        <translation>छायांकित उभार</translation>
-    </message>
-    <message>
-        <source>Height in colour</source>
-        <translation>रंग में ऊँचाई</translation>
-    </message>
-    <message>
-        <source>Hillshade</source>
-        <translation>पहाड़ी छाया</translation>
-    </message>
-    <message>
-        <source>Hillshade, four lights</source>
-        <translation>पहाड़ी छाया, चार प्रकाश</translation>
-    </message>
-    <message>
-        <source>Slope</source>
-        <translation>ढाल</translation>
-    </message>
-    <message>
-        <source>Local relief</source>
-        <translation>स्थानीय उभार</translation>
-    </message>
-    <message>
-        <source>Sky-view factor</source>
-        <translation>आकाश-दृश्य गुणांक</translation>
-    </message>
-    <message>
-        <source>Openness</source>
-        <translation>खुलापन</translation>
-    </message>
-    <message>
-        <source>Deviation, several scales</source>
-        <translation>विचलन, कई पैमाने</translation>
-    </message>
-    <message>
-        <source>Curvature, several scales</source>
-        <translation>वक्रता, कई पैमाने</translation>
-    </message>
-    <message>
-        <source>Stone with ambient occlusion</source>
-        <translation>परिवेशी अवरोधन के साथ पत्थर</translation>
-    </message>
-    <message>
-        <source>Natural colours</source>
-        <translation>प्राकृतिक रंग</translation>
-    </message>
-    <message>
-        <source>Intensity</source>
-        <translation>तीव्रता</translation>
-    </message>
-    <message>
-        <source>Rel&amp;ief</source>
-        <translation>उभार (&amp;I)</translation>
-    </message>
-    <message>
-        <source>How heights are painted</source>
-        <translation>ऊँचाइयाँ कैसे रंगी जाती हैं</translation>
-    </message>
-    <message>
-        <source>This scan has none</source>
-        <translation>इस स्कैन में कोई नहीं है</translation>
-    </message>
-    <message>
-        <source>Colours</source>
-        <translation>रंग</translation>
-    </message>
-    <message>
-        <source>Even steps of lightness, also for colour-blind readers</source>
-        <translation>उजाले के समान चरण, रंगांध पाठकों के लिए भी</translation>
-    </message>
-    <message>
-        <source>Light from</source>
-        <translation>प्रकाश की दिशा</translation>
-    </message>
-    <message>
-        <source>0 is above, clockwise; 315 is the upper left</source>
-        <translation>0 ऊपर है, घड़ी की दिशा में; 315 ऊपर बाएँ</translation>
-    </message>
-    <message>
-        <source>Light&apos;s height</source>
-        <translation>प्रकाश की ऊँचाई</translation>
-    </message>
-    <message>
-        <source>Low light brings out worn detail</source>
-        <translation>नीचा प्रकाश घिसे विवरण उभारता है</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>त्रिज्या</translation>
-    </message>
-    <message>
-        <source>Of the neighbourhood that this relief image looks at</source>
-        <translation>उस पड़ोस का, जिसे यह उभार-चित्र देखता है</translation>
-    </message>
-    <message>
-        <source>10 samples</source>
-        <translation>10 नमूने</translation>
-    </message>
-    <message>
-        <source>Shading</source>
-        <translation>छायांकन</translation>
-    </message>
-    <message>
-        <source>How much relief shading natural colours and intensity get</source>
-        <translation>प्राकृतिक रंग और तीव्रता में उभार का कितना छायांकन मिले</translation>
-    </message>
-    <message>
-        <source>O&amp;wn ends of the colours</source>
-        <translation>रंगों के अपने छोर (&amp;W)</translation>
-    </message>
-    <message>
-        <source>The same colours for the same values in several figures; otherwise they follow from what is shown</source>
-        <translation>कई चित्रों में समान मानों के लिए समान रंग; नहीं तो वे दिखाए गए से निकलते हैं</translation>
-    </message>
-    <message>
-        <source>Colours from</source>
-        <translation>रंग यहाँ से</translation>
-    </message>
-    <message>
-        <source>Value at the colours&apos; lower end</source>
-        <translation>रंगों के निचले छोर का मान</translation>
-    </message>
-    <message>
-        <source>Colours to</source>
-        <translation>रंग यहाँ तक</translation>
-    </message>
-    <message>
-        <source>Value at the colours&apos; upper end</source>
-        <translation>रंगों के ऊपरी छोर का मान</translation>
-    </message>
-    <message>
-        <source>Its colours are the scan&apos;s own</source>
-        <translation>इसके रंग स्कैन के अपने हैं</translation>
-    </message>
-    <message>
-        <source>Stone and hillshades have no colours</source>
-        <translation>पत्थर और पहाड़ी छायाओं में रंग नहीं होते</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Own ends of the colours&quot; first</source>
-        <translation>पहले “रंगों के अपने छोर” चालू करें</translation>
-    </message>
-    <message>
-        <source>No lamp shines on this relief</source>
-        <translation>इस उभार पर कोई प्रकाश नहीं पड़ता</translation>
-    </message>
-    <message>
-        <source>The four lights come from all sides</source>
-        <translation>चारों प्रकाश सब ओर से आते हैं</translation>
-    </message>
-    <message>
-        <source>This relief does not depend on one</source>
-        <translation>यह उभार त्रिज्या पर निर्भर नहीं है</translation>
-    </message>
-    <message>
-        <source>Only natural colours and intensity are mixed with it</source>
-        <translation>केवल प्राकृतिक रंग और तीव्रता इसके साथ मिलाए जाते हैं</translation>
-    </message>
-    <message>
-        <source>Detail alone</source>
-        <translation>केवल विवरण</translation>
-    </message>
-    <message>
-        <source>Whole object and detail</source>
-        <translation>पूरी वस्तु और विवरण</translation>
-    </message>
-    <message>
-        <source>As measured and filled</source>
-        <translation>जैसा मापा और भरा हुआ</translation>
-    </message>
-    <message>
-        <source>Several levels</source>
-        <translation>कई स्तर</translation>
-    </message>
-    <message>
-        <source>With force plots of a recording</source>
-        <translation>रिकॉर्डिंग के बल आलेखों के साथ</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>फ़ाइल (&amp;F)</translation>
-    </message>
-    <message>
-        <source>Ends in .png, .tif, .pdf or .svg</source>
-        <translation>.png, .tif, .pdf या .svg पर समाप्त होता है</translation>
-    </message>
-    <message>
-        <source>Save figure</source>
-        <translation>चित्र सहेजें</translation>
-    </message>
-    <message>
-        <source>Figures (*.png *.tif *.pdf *.svg)</source>
-        <translation>चित्र (*.png *.tif *.pdf *.svg)</translation>
-    </message>
-    <message>
-        <source>&amp;Layout</source>
-        <translation>विन्यास (&amp;L)</translation>
-    </message>
-    <message>
-        <source>What stands beside what</source>
-        <translation>किसके पास क्या है</translation>
-    </message>
-    <message>
-        <source>&amp;Recording</source>
-        <translation>रिकॉर्डिंग (&amp;R)</translation>
-    </message>
-    <message>
-        <source>File of a recording, CSV or HDF5, for the plots</source>
-        <translation>आलेखों के लिए रिकॉर्डिंग की फ़ाइल, CSV या HDF5</translation>
-    </message>
-    <message>
-        <source>Recording</source>
-        <translation>रिकॉर्डिंग</translation>
-    </message>
-    <message>
-        <source>Recordings (*.csv *.h5 *.hdf5)</source>
-        <translation>रिकॉर्डिंग (*.csv *.h5 *.hdf5)</translation>
-    </message>
-    <message>
-        <source>Wi&amp;dth on paper</source>
-        <translation>काग़ज़ पर चौड़ाई (&amp;D)</translation>
-    </message>
-    <message>
-        <source>Journals have columns of 85 and pages of 180 mm</source>
-        <translation>पत्रिकाओं में 85 के स्तंभ और 180 mm के पृष्ठ होते हैं</translation>
-    </message>
-    <message>
-        <source>To &amp;scale</source>
-        <translation>पैमाने पर (&amp;S)</translation>
-    </message>
-    <message>
-        <source>Choose the scale of the detail; the width follows from it</source>
-        <translation>विवरण का पैमाना चुनें; चौड़ाई उससे निकलती है</translation>
-    </message>
-    <message>
-        <source>Scale &amp;1 :</source>
-        <translation>पैमाना 1 (&amp;1) :</translation>
-    </message>
-    <message>
-        <source>Millimetres of object on one millimetre of paper</source>
-        <translation>काग़ज़ के एक मिलीमीटर पर वस्तु के मिलीमीटर</translation>
-    </message>
-    <message>
-        <source>D&amp;ensity</source>
-        <translation>घनत्व (&amp;E)</translation>
-    </message>
-    <message>
-        <source>Dots per inch of paper</source>
-        <translation>काग़ज़ के प्रति इंच बिंदु</translation>
-    </message>
-    <message>
-        <source> dpi</source>
-        <translation> dpi</translation>
-    </message>
-    <message>
-        <source>&amp;Text size</source>
-        <translation>पाठ का आकार (&amp;T)</translation>
-    </message>
-    <message>
-        <source>Text and bars on paper, in points</source>
-        <translation>काग़ज़ पर पाठ और पट्टियाँ, पॉइंट में</translation>
-    </message>
-    <message>
-        <source> pt</source>
-        <translation> pt</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;To scale&quot; first</source>
-        <translation>पहले “पैमाने पर” चालू करें</translation>
-    </message>
-    <message>
-        <source>It follows from the scale</source>
-        <translation>वह पैमाने से निकलती है</translation>
-    </message>
-    <message>
-        <source>Only the layout with force plots shows one</source>
-        <translation>केवल बल आलेखों वाला विन्यास इसे दिखाता है</translation>
-    </message>
-    <message>
-        <source>Scale &amp;bar</source>
-        <translation>पैमाना पट्टी (&amp;B)</translation>
-    </message>
-    <message>
-        <source>&amp;Height bar</source>
-        <translation>ऊँचाई पट्टी (&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;Up mark</source>
-        <translation>ऊपर का चिह्न (&amp;U)</translation>
-    </message>
-    <message>
-        <source>Window&apos;s &amp;outline</source>
-        <translation>विंडो की रूपरेखा (&amp;O)</translation>
-    </message>
-    <message>
-        <source>Hat&amp;ch</source>
-        <translation>रेखा-छाया (&amp;C)</translation>
-    </message>
-    <message>
-        <source>Le&amp;gend</source>
-        <translation>संकेत सूची (&amp;G)</translation>
-    </message>
-    <message>
-        <source>Letters a, b</source>
-        <translation>अक्षर a, b</translation>
-    </message>
-    <message>
-        <source>&amp;Measurements</source>
-        <translation>माप (&amp;M)</translation>
-    </message>
-    <message>
-        <source>Drawn in points, whatever the density</source>
-        <translation>पॉइंट में बना, घनत्व जो भी हो</translation>
-    </message>
-    <message>
-        <source>Tra&amp;nsparent paper</source>
-        <translation>पारदर्शी काग़ज़ (&amp;N)</translation>
-    </message>
-    <message>
-        <source>No white behind the relief</source>
-        <translation>उभार के पीछे सफ़ेद नहीं</translation>
-    </message>
-    <message>
-        <source>It is drawn on the whole object, which this layout lacks</source>
-        <translation>यह पूरी वस्तु पर बनती है, जो इस विन्यास में नहीं है</translation>
-    </message>
-    <message>
-        <source>An anaglyph needs its background</source>
-        <translation>एनाग्लिफ़ को अपनी पृष्ठभूमि चाहिए</translation>
-    </message>
-    <message>
-        <source>Both eyes &amp;as files</source>
-        <translation>दोनों आँखें फ़ाइलों में (&amp;A)</translation>
-    </message>
-    <message>
-        <source>Also write the detail as each eye sees it, as NAME.left.png and NAME.right.png beside the figure</source>
-        <translation>विवरण जैसा हर आँख को दिखता है वैसा भी लिखें, चित्र के पास NAME.left.png और NAME.right.png में</translation>
-    </message>
-    <message>
-        <source>Sa&amp;ve heights too</source>
-        <translation>ऊँचाइयाँ भी सहेजें (&amp;V)</translation>
-    </message>
-    <message>
-        <source>Also write the detail&apos;s heights as a picture of 16 bits; its description says millimetres per step</source>
-        <translation>विवरण की ऊँचाइयाँ 16 बिट की तस्वीर में भी लिखें; उसका वर्णन प्रति चरण मिलीमीटर बताता है</translation>
-    </message>
-    <message>
-        <source>Heights</source>
-        <translation>ऊँचाइयाँ</translation>
-    </message>
-    <message>
-        <source>Ends in .tif</source>
-        <translation>.tif पर समाप्त होता है</translation>
-    </message>
-    <message>
-        <source>Save heights</source>
-        <translation>ऊँचाइयाँ सहेजें</translation>
-    </message>
-    <message>
-        <source>Heights of 16 bits (*.tif *.tiff)</source>
-        <translation>16 बिट की ऊँचाइयाँ (*.tif *.tiff)</translation>
-    </message>
-    <message>
-        <source>Save caption as te&amp;xt</source>
-        <translation>शीर्षक को पाठ में सहेजें (&amp;X)</translation>
-    </message>
-    <message>
-        <source>Also write the caption as a text file</source>
-        <translation>चित्र-शीर्षक को पाठ फ़ाइल में भी लिखें</translation>
-    </message>
-    <message>
-        <source>Caption&apos;s file</source>
-        <translation>शीर्षक की फ़ाइल</translation>
-    </message>
-    <message>
-        <source>Where the caption is written</source>
-        <translation>चित्र-शीर्षक कहाँ लिखा जाए</translation>
-    </message>
-    <message>
-        <source>Save caption</source>
-        <translation>चित्र-शीर्षक सहेजें</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>पाठ (*.txt)</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Save heights too&quot; first</source>
-        <translation>पहले “ऊँचाइयाँ भी सहेजें” चालू करें</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Save caption as text&quot; first</source>
-        <translation>पहले “शीर्षक को पाठ में सहेजें” चालू करें</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>कोई नहीं</translation>
-    </message>
-    <message>
-        <source>Anaglyph, grey</source>
-        <translation>एनाग्लिफ़, धूसर</translation>
-    </message>
-    <message>
-        <source>Anaglyph, half colour</source>
-        <translation>एनाग्लिफ़, अर्ध-रंग</translation>
-    </message>
-    <message>
-        <source>Anaglyph, Dubois</source>
-        <translation>एनाग्लिफ़, Dubois</translation>
-    </message>
-    <message>
-        <source>Side by side</source>
-        <translation>साथ-साथ</translation>
-    </message>
-    <message>
-        <source>One over the other</source>
-        <translation>एक के ऊपर एक</translation>
-    </message>
-    <message>
-        <source>Stereo</source>
-        <translation>स्टीरियो</translation>
-    </message>
-    <message>
-        <source>For red and cyan glasses, or two pictures</source>
-        <translation>लाल-सियान चश्मे के लिए, या दो चित्र</translation>
-    </message>
-    <message>
-        <source>Eyes apart</source>
-        <translation>आँखों की दूरी</translation>
-    </message>
-    <message>
-        <source>Angle between the two eyes&apos; directions</source>
-        <translation>दोनों आँखों की दिशाओं के बीच का कोण</translation>
-    </message>
-    <message>
-        <source>&amp;Keep to 1° of parallax</source>
-        <translation>लंबन 1° तक रखें (&amp;K)</translation>
-    </message>
-    <message>
-        <source>Less angle where many readers would see double</source>
-        <translation>जहाँ कई पाठक दोहरा देखेंगे वहाँ कम कोण</translation>
-    </message>
-    <message>
-        <source>Own &amp;zero plane</source>
-        <translation>अपना शून्य तल (&amp;Z)</translation>
-    </message>
-    <message>
-        <source>Choose the height that lies in the plane of the paper; otherwise it is mid height</source>
-        <translation>वह ऊँचाई चुनें जो काग़ज़ के तल में हो; नहीं तो वह बीच की ऊँचाई है</translation>
-    </message>
-    <message>
-        <source>Zero plane</source>
-        <translation>शून्य तल</translation>
-    </message>
-    <message>
-        <source>Height of zero parallax: what is higher stands out of the paper, what is lower lies behind it</source>
-        <translation>शून्य लंबन की ऊँचाई: जो ऊँचा है वह काग़ज़ से बाहर उभरता है, जो नीचा है वह पीछे रहता है</translation>
-    </message>
-    <message>
-        <source>Swap eyes</source>
-        <translation>आँखें बदलें</translation>
-    </message>
-    <message>
-        <source>For glasses the other way round, or for crossed eyes</source>
-        <translation>उलटे चश्मे या तिरछी आँखों के लिए</translation>
-    </message>
-    <message>
-        <source>Choose a kind of stereo, or both eyes as files</source>
-        <translation>स्टीरियो का कोई प्रकार चुनें, या दोनों आँखें फ़ाइलों में</translation>
-    </message>
-    <message>
-        <source>Turn on &quot;Own zero plane&quot; first</source>
-        <translation>पहले “अपना शून्य तल” चालू करें</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::FirmnessRow</name>
-    <message>
-        <source>What says where the ground is firm</source>
-        <translation>क्या बताता है कि जगह कहाँ ठोस है</translation>
-    </message>
-    <message>
-        <source>Choose…</source>
-        <translation>चुनें…</translation>
-    </message>
-    <message>
-        <source>Choose a raster that says where the ground is firm</source>
-        <translation>ग्रिड चुनें जो बताए कि जगह कहाँ ठोस है</translation>
-    </message>
-    <message>
-        <source>A raster over the whole map: 1 where the ground is firm, 0 where it is as soft as set above. In place of where it was measured.</source>
-        <translation>पूरे मानचित्र पर ग्रिड: जहाँ जगह ठोस है वहाँ 1, जहाँ ऊपर तय की गई जितनी नरम है वहाँ 0। मापी जगह के बदले।</translation>
-    </message>
-    <message>
-        <source>No&amp;ne</source>
-        <translation>कोई नहीं (&amp;N)</translation>
-    </message>
-    <message>
-        <source>No raster: firm where it was measured</source>
-        <translation>ग्रिड नहीं: जहाँ मापा गया वहाँ ठोस</translation>
-    </message>
-    <message>
-        <source>The ground is firm where it was measured.</source>
-        <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
-    </message>
-    <message>
-        <source>Stiffness &amp;map</source>
-        <translation>कठोरता मानचित्र (&amp;M)</translation>
-    </message>
-    <message>
-        <source>Stiffness map</source>
-        <translation>कठोरता मानचित्र</translation>
-    </message>
-    <message>
-        <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
-        <translation>ग्रिड (*.tif *.tiff *.asc *.png);;सभी फ़ाइलें (*)</translation>
-    </message>
-    <message>
-        <source>where it was measured</source>
-        <translation>जहाँ मापा गया</translation>
-    </message>
-    <message>
-        <source>%1 (not of this map)</source>
-        <translation>%1 (इस मानचित्र का नहीं)</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::HandDevice</name>
-    <message>
-        <source>The device %1 is being opened. The mouse is the hand meanwhile.</source>
-        <translation>उपकरण %1 खोला जा रहा है। तब तक माउस हाथ है।</translation>
-    </message>
-    <message>
-        <source>Device: %1.</source>
-        <translation>उपकरण: %1।</translation>
-    </message>
-    <message>
-        <source>%1 The mouse is the hand now.</source>
-        <translation>%1 अब माउस ही हाथ है।</translation>
-    </message>
-    <message>
-        <source>Motors: %1 % of what they can take for good; forces stay below %2 N.</source>
-        <translation>मोटर: जितना वे लगातार सह सकती हैं उसका %1 %; बल %2 N से कम रहते हैं।</translation>
-    </message>
-    <message>
-        <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
-        <translation>एक Falcon जोड़ा गया। उपयोग के लिए स्पर्श पटल में उसे चुनें।</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::LoopAnnouncer</name>
-    <message>
-        <source>Forces off: %1.</source>
-        <translation>बल बंद: %1।</translation>
-    </message>
-    <message>
-        <source>Forces went off, because the window did not answer for %1 s. Press F5 to switch them on.</source>
-        <translation>बल बंद हो गए, क्योंकि विंडो ने %1 से. तक उत्तर नहीं दिया। चालू करने के लिए F5 दबाएँ।</translation>
-    </message>
-    <message>
-        <source>The hand pushes over the edge of the window.</source>
-        <translation>हाथ विंडो के किनारे से बाहर धकेल रहा है।</translation>
-    </message>
-    <message>
-        <source>The hand is clear: forces come on.</source>
-        <translation>हाथ सतह से अलग है: बल चालू हो रहे हैं।</translation>
-    </message>
-    <message>
-        <source>Forces wait: the hand is inside. Let go or press Page Up.</source>
-        <translation>बल रुके हैं: हाथ सतह के भीतर है। बटन छोड़ें या Page Up दबाएँ।</translation>
-    </message>
-    <message>
-        <source>Forces wait: the hand is inside. Raise the grip.</source>
-        <translation>बल रुके हैं: हाथ सतह के भीतर है। हत्था ऊपर उठाएँ।</translation>
-    </message>
-    <message>
-        <source>Softened to %1 N/mm: hand and surface had begun to swing.</source>
-        <translation>%1 N/mm तक नरम किया: हाथ और सतह काँपने लगे थे।</translation>
-    </message>
-    <message>
-        <source>Surface made softer to stay steady.</source>
-        <translation>सतह स्थिर रखने के लिए नरम की गई।</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::LoopRows</name>
-    <message>
-        <source>How far the hand is pressed in</source>
-        <translation>हाथ कितना भीतर दबा है</translation>
-    </message>
-    <message>
-        <source>How the force loop runs</source>
-        <translation>बल चक्र कैसे चल रहा है</translation>
-    </message>
-    <message>
-        <source>More a&amp;bout the loop…</source>
-        <translation>चक्र के बारे में और (&amp;B)…</translation>
-    </message>
-    <message>
-        <source>More about the force loop</source>
-        <translation>बल चक्र के बारे में और</translation>
-    </message>
-    <message>
-        <source>Plots &amp;with a cursor…</source>
-        <translation>सूचक वाले आलेख (&amp;W)…</translation>
-    </message>
-    <message>
-        <source>Plots of height and force with a cursor</source>
-        <translation>सूचक के साथ ऊँचाई और बल के आलेख</translation>
-    </message>
-    <message>
-        <source>Pause, zoom, read values, and save as SVG or CSV.</source>
-        <translation>रोकें, पास लाएँ, मान पढ़ें और SVG या CSV में सहेजें।</translation>
-    </message>
-    <message>
-        <source>Wake-ups and computing times as tables, and what the system granted.</source>
-        <translation>जागने और गणना के समय की तालिकाएँ, और प्रणाली ने क्या दिया।</translation>
-    </message>
-    <message>
-        <source>Pressed in</source>
-        <translation>दबा हुआ</translation>
-    </message>
-    <message>
-        <source>Force loop</source>
-        <translation>बल चक्र</translation>
-    </message>
-    <message>
-        <source>%1 mm of hand</source>
-        <translation>हाथ के %1 mm</translation>
-    </message>
-    <message>
-        <source>not touching</source>
-        <translation>स्पर्श नहीं</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::RecordingControl</name>
-    <message>
-        <source>Recording to %1</source>
-        <translation>%1 में रिकॉर्डिंग</translation>
-    </message>
-    <message>
-        <source>The last %1 before the fault are kept: %2</source>
-        <translation>गड़बड़ी से पहले के %1 रखे गए हैं: %2</translation>
-    </message>
-    <message>
-        <source>The recording has ended early.</source>
-        <translation>रिकॉर्डिंग समय से पहले समाप्त हुई।</translation>
-    </message>
-    <message>
-        <source>Recording saved: %1, %2 samples in %3</source>
-        <translation>रिकॉर्डिंग सहेजी गई: %1, %3 में %2 नमूने</translation>
-    </message>
-    <message>
-        <source>Note at %1 s: %2</source>
-        <translation>%1 s पर टिप्पणी: %2</translation>
-    </message>
-    <message>
-        <source>The recording had ended before the note &quot;%1&quot; was added. The note is in no file.</source>
-        <translation>टिप्पणी “%1” जुड़ने से पहले ही रिकॉर्डिंग समाप्त हो गई थी। टिप्पणी किसी फ़ाइल में नहीं है।</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::TouchedSurface</name>
-    <message>
-        <source>The ground is firm where it was measured.</source>
-        <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
-    </message>
-    <message>
-        <source>Stiffness map: %1.</source>
-        <translation>कठोरता मानचित्र: %1।</translation>
-    </message>
-    <message>
-        <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
-        <translation>कठोरता मानचित्र: %1। इसे महसूस करने के लिए “मापा नहीं गया” को 100 % से कम रखें।</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::GuideControl</name>
-    <message>
-        <source>Guide along a recording</source>
-        <translation>रिकॉर्डिंग के साथ ले चलना</translation>
-    </message>
-    <message>
-        <source>Recordings and strokes (*.csv *.h5 *.hdf5)</source>
-        <translation>रिकॉर्डिंग और हाथ के रास्ते (*.csv *.h5 *.hdf5)</translation>
-    </message>
-    <message>
-        <source>A recording is running. The introduction lays shapes under the hand that are not of this relief. End the recording first.</source>
-        <translation>रिकॉर्डिंग चल रही है। परिचय हाथ के नीचे ऐसे आकार रखता है जो इस उभार के नहीं हैं। पहले रिकॉर्डिंग समाप्त करें।</translation>
-    </message>
-    <message>
-        <source>The introduction is not recorded. End it first.</source>
-        <translation>परिचय रिकॉर्ड नहीं होता। पहले उसे समाप्त करें।</translation>
     </message>
 </context>
 </TS>
