@@ -29,6 +29,8 @@ namespace relievo {
 WindowHost::WindowHost(MainWindow& window) : window_(window) {
   connect(&window_, &MainWindow::windowShown, this, &ShownWindow::windowShown);
   connect(&window_, &MainWindow::closing, this, &ShownWindow::closing);
+  connect(&window_.controllers().places, &PlaceController::wentToMarker, this,
+          &ShownWindow::wentToMarker);
   connect(&window_, &MainWindow::handMoved, this, [this](const ViewMm& position, bool inside) {
     Q_EMIT handMoved({position, inside});
   });

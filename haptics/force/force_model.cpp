@@ -109,6 +109,7 @@ DeviceN passiveSum(const ForceOptions& options, const ForceInput& input, DeviceN
   const double stored_mj =
       springEnergyMj(gain * options.stiffness_n_per_mm, length_mm, options.limit_n) +
       gain * input.fields_mj;
+  state.passivity.stored_mj += gain * input.given_mj;
   state.passivity = observe(options.passivity, input.moved, stored_mj, state.passivity);
   const DeviceN damping = passivityForce(options.passivity, state.passivity, input.velocity,
                                          input.speed_window_s, input.dt_s);

@@ -61,6 +61,7 @@ struct ForceInput {
   double speed_window_s = 0.008;  ///< Over which `velocity` was measured.
   DeviceN fields;                 ///< Of texture, softness, magnet, cushion; N at full strength.
   double fields_mj = 0;           ///< Energy that stands in them.
+  double given_mj = 0;            ///< Of that: put in on purpose in this tick; nobody owes it.
   bool contact = false;
   bool measured = true;  ///< Ground under the proxy.
   bool fault = false;    ///< Zero force at once.

@@ -282,20 +282,37 @@ ForceInput HapticCore::throughDetent(const MoveDetent& detent, const ForceInput&
   return pulled(hip_, detentForce(detent, hip_), input, options);
 }
 
-GuideStep HapticCore::lead(const HapticOptions& options, const GuidePath* path,
-                           const ForceInput& input, std::uint32_t buttons,
-                           const ForceOptions& force) RELIEVO_REALTIME {
+GuideInput HapticCore::guideInput(const HapticOptions& options, const ForceInput& input,
+                                  std::uint32_t buttons,
+                                  const ForceOptions& force) const RELIEVO_REALTIME {
   const double most_n = std::min(GuideLaw::kMostN, force.limit_n);
   const double step_n = force.contact_slew_n_per_s * input.dt_s;
-  const GuideInput guide{.hand = hip_,
-                         .velocity = input.velocity,
-                         .buttons = buttons & ~kHoverBit,
-                         .scene_id = scene_id_,
-                         .forces_on = force.forces_on && !input.fault,
-                         .in_detent = options.detent.on,
-                         .rise = force_.rise * force_.oscillation.factor,
-                         .sent_most_n = std::min(most_n, norm(force_.last) + step_n),
-                         .dt_s = input.dt_s};
+  return {.hand = hip_,
+          .velocity = input.velocity,
+          .buttons = buttons & ~kHoverBit,
+          .scene_id = scene_id_,
+          .forces_on = force.forces_on && !input.fault,
+          .in_detent = options.detent.on,
+          .rise = force_.rise * force_.oscillation.factor,
+          .sent_most_n = std::min(most_n, norm(force_.last) + step_n),
+          .dt_s = input.dt_s};
+}
+
+// Strength is for surfaces, as throughGuide() says.
+void HapticCore::pullBack(const HapticOptions& options, GuideInput guide, double strength,
+                          ForceInput& input) RELIEVO_REALTIME {
+  guide.in_detent = guide.in_detent || guided_;
+  const BeaconStep step = pulledBack(options.beacon, guide, beacon_);
+  beacon_ = step.state;
+  if (!(strength > 0) || guide.in_detent) return;
+  const double part = 1 / strength;
+  input.fields = input.fields + part * step.force;
+  input.fields_mj += part * step.energy_mj;
+  input.given_mj = part * step.given_mj;
+}
+
+GuideStep HapticCore::lead(const HapticOptions& options, const GuidePath* path,
+                           const GuideInput& guide) RELIEVO_REALTIME {
   const GuideStep step = guided(options.guide, path, guide, guide_);
   guide_ = step.state;
   if (step.on != guided_) force_ = refade(force_);
@@ -401,7 +418,9 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   input.fault = fault != DeviceFault::none;
   input.resumed = paused;
   input.age_s = 1e-9 * static_cast<double>(now_ns - reading.time_ns);
-  const GuideStep guide = lead(options, path, input, reading.buttons, force_options);
+  const GuideInput hand = guideInput(options, input, reading.buttons, force_options);
+  const GuideStep guide = lead(options, path, hand);
+  pullBack(options, hand, force_options.strength, input);
   if (options.detent.on) input = throughDetent(options.detent, input, force_options);
   if (guide.on) input = throughGuide(guide, input, force_options);
   const DeviceN before = force_.last;
@@ -431,6 +450,9 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   sample.guide = guide_.phase;
   sample.guide_end = guide_.end;
   sample.guide_path = guide_.path;
+  sample.beacon = beacon_.id;
+  sample.beacon_end = beacon_.end;
+  sample.pulled_back = beacon_.pulls;
   if (sample.engaged != EngagePhase::off) sample.slow = slow_;
   sample.change = change_.running() ? change_.weight() : 1;
   return sample;

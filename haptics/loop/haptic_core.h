@@ -9,6 +9,7 @@
 #include "haptics/force/force_audit.h"
 #include "haptics/force/force_model.h"
 #include "haptics/force/move_detent.h"
+#include "haptics/guide/beacon_pull.h"
 #include "haptics/guide/guide.h"
 #include "haptics/loop/force_stop.h"
 #include "haptics/loop/rate_watch.h"
@@ -46,6 +47,7 @@ struct HapticOptions {
   std::uint64_t id = 0;  ///< Given by whoever sets them; names these very values in recordings.
   MoveDetent detent;     ///< While on, felt in place of the surface.
   GuideOptions guide;    ///< Likewise, while it leads.
+  BeaconOptions beacon;  ///< Felt with the surface.
   ForceStopOptions stop;
   /// Below RateWatch::kLeastHz no surface is stiffer than what `timing` allows at the rate that is
   /// left (E306). Without a `timing`, which withinDevice() knows of a device that pushes, none
@@ -92,13 +94,16 @@ struct HapticSample {
   GuidePhase guide = GuidePhase::off;
   GuideEnd guide_end = GuideEnd::none;  ///< Of the last run.
   std::uint64_t guide_path = 0;         ///< GuidePath::id of the last run; 0: there was none.
+  GuideEnd beacon_end = GuideEnd::none;
+  std::uint64_t beacon = 0;  ///< BeaconOptions::id of the last pull; 0: there was none.
   SlowRate slow;
   double change = 1;  ///< How much of a new surface is there; 1: all of it, none is coming.
   bool contact = false;
-  bool clamped = false;    ///< A limit changed the force.
-  std::uint8_t frame = 0;  ///< Sides of the window that the hand pushes over: pan that way.
-  bool late = false;       ///< This tick came more than half a period late.
-  bool resumed = false;    ///< No tick came for longer than kPauseNs; the force starts from zero.
+  bool pulled_back = false;  ///< By a beacon.
+  bool clamped = false;      ///< A limit changed the force.
+  std::uint8_t frame = 0;    ///< Sides of the window that the hand pushes over: pan that way.
+  bool late = false;         ///< This tick came more than half a period late.
+  bool resumed = false;      ///< No tick came for longer than kPauseNs; the force starts from zero.
 };
 static_assert(std::is_trivially_copyable_v<HapticSample>);
 
@@ -180,8 +185,14 @@ class HapticCore {
   ForceInput throughDetent(const MoveDetent& detent, const ForceInput& input,
                            ForceOptions& options) const RELIEVO_REALTIME;
   /// Leads the hand, if it is to be led: from there on as by the pull of Move mode.
-  GuideStep lead(const HapticOptions& options, const GuidePath* path, const ForceInput& input,
-                 std::uint32_t buttons, const ForceOptions& force) RELIEVO_REALTIME;
+  GuideStep lead(const HapticOptions& options, const GuidePath* path,
+                 const GuideInput& guide) RELIEVO_REALTIME;
+  /// What leads and pulls the hand must know of it.
+  GuideInput guideInput(const HapticOptions& options, const ForceInput& input,
+                        std::uint32_t buttons, const ForceOptions& force) const RELIEVO_REALTIME;
+  /// Adds a beacon's pull to what is felt of the surface.
+  void pullBack(const HapticOptions& options, GuideInput guide, double strength,
+                ForceInput& input) RELIEVO_REALTIME;
   ForceInput throughGuide(const GuideStep& step, const ForceInput& input,
                           ForceOptions& options) const RELIEVO_REALTIME;
   void checkGuide(const GuideStep& step, const ForceOptions& options,
@@ -202,6 +213,7 @@ class HapticCore {
   ForceState force_;
   ForceStop stop_;
   GuideState guide_;
+  BeaconState beacon_;
   ForceAudit audit_;
 
   static constexpr std::uint64_t kSpeedTicks = 8;

@@ -117,6 +117,10 @@ std::string eventBetween(const HapticSample& before, const HapticSample& now) {
   if (let_go && (before.guide != GuidePhase::off || now.guide_path != before.guide_path)) {
     events.add("the guide lets go: " + std::string(guideEndText(now.guide_end)));
   }
+  if (now.pulled_back && now.beacon != before.beacon) events.add("a marker pulls the hand");
+  if (before.pulled_back && !now.pulled_back) {
+    events.add("the marker lets go: " + std::string(guideEndText(now.beacon_end)));
+  }
   const bool slow = now.slow.rate_hz > 0, was_slow = before.slow.rate_hz > 0;
   if (slow && !was_slow) {
     events.add("E306: update rate " + numberText(now.slow.rate_hz, 0) + " per second; stiffness " +

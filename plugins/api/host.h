@@ -86,6 +86,9 @@ class ShownWindow : public QObject {
   void firmnessRead(const QString& file, std::shared_ptr<const FirmnessMap> firmness,
                     const QString& problem);
   void closing();
+  /// Somebody went to a marker: a place that the hand is to find again. View mm. The window that
+  /// it lies in is shown then, or will be.
+  void wentToMarker(double x_mm, double y_mm);
 };
 
 /// What the status bar and the accessible texts say about touch.

@@ -105,6 +105,33 @@ TEST_F(GuidePluginTest, AnotherWindowEndsIt) {
   ASSERT_TRUE(said("The guide is off: the window is another one."));
 }
 
+TEST_F(GuidePluginTest, AMarkerThatIsGoneToPullsTheHandBack) {
+  host_.window = hill(17);
+  attach();
+  takeTheVirtualHand();
+  Q_EMIT host_.wentToMarker(30, 30);
+  ASSERT_TRUE(switchForcesOn());
+  EXPECT_FALSE(host_.announcements.contains("The hand is at the marker."));
+  Q_EMIT host_.wentToMarker(30, 30);
+  ASSERT_TRUE(said("The hand is at the marker."));
+  ASSERT_TRUE(
+      probeBecomes([](const Probe& p) { return std::hypot(p.hip.x - 30, p.hip.y - 30) < 5; }));
+}
+
+TEST_F(GuidePluginTest, AMarkersPullLetsGoOfAHandThatGoesAway) {
+  host_.window = hill(18);
+  attach();
+  takeTheVirtualHand();
+  ASSERT_TRUE(switchForcesOn());
+  Q_EMIT host_.wentToMarker(10, 40);
+  double x_mm = 60;
+  ASSERT_TRUE(eventually([&] {
+    x_mm = x_mm < 78 ? x_mm + 0.5 : 60;
+    Q_EMIT host_.handMoved({handOver(*host_.window, x_mm, 40, true, 1), true});
+    return host_.announcements.contains("You lead.");
+  }));
+}
+
 TEST_F(GuidePluginTest, TheIntroductionGoesThroughFiveShapesAndGivesTheReliefBack) {
   host_.window = hill(21);
   attach();

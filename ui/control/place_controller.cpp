@@ -147,7 +147,9 @@ void PlaceController::goToPoint(const NamedRegion& marker) {
   to.x_mm = marker.region.centreX() - 0.5 * to.side_mm;
   to.y_mm = marker.region.centreY() - 0.5 * to.side_mm;
   to = moved(document_.surface()->ladder, to, 0, 0).value_or(to);
-  if (!document_.goTo(to, document_.project().gain, tr("Go to %1").arg(name))) {
+  const bool is_other = document_.goTo(to, document_.project().gain, tr("Go to %1").arg(name));
+  Q_EMIT wentToMarker(marker.region.centreX(), marker.region.centreY());
+  if (!is_other) {
     announce(tr("%1 is in the window already.").arg(name));
     return;
   }

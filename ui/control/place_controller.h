@@ -27,6 +27,9 @@ class PlaceController : public Controller {
   PlaceController(const ControllerParts& parts, const Panels& panels, ReferenceView& reference,
                   LookController& look, const TouchController& touch);
 
+ Q_SIGNALS:
+  void wentToMarker(double x_mm, double y_mm);  ///< View mm.
+
  private:
   void makeCommands();
   void connectSuggestions(ReferenceView& reference);

@@ -8055,6 +8055,10 @@
         <translation>Die Führung ist am Ziel.</translation>
     </message>
     <message>
+        <source>The hand is at the marker.</source>
+        <translation>Die Hand ist bei der Markierung.</translation>
+    </message>
+    <message>
         <source>The guide is off.</source>
         <translation>Die Führung ist aus.</translation>
     </message>

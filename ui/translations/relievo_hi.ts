@@ -8055,6 +8055,10 @@
         <translation>मार्गदर्शन पूरा हुआ।</translation>
     </message>
     <message>
+        <source>The hand is at the marker.</source>
+        <translation>हाथ निशान पर है।</translation>
+    </message>
+    <message>
         <source>The guide is off.</source>
         <translation>मार्गदर्शन बंद है।</translation>
     </message>

@@ -23,6 +23,7 @@ GuideControl::GuideControl(TouchParts& parts, HandDevice& device, RecordingContr
       surface_(surface),
       buttons_(buttons),
       guide_(parts.host),
+      marker_(parts.host),
       training_(parts.host) {
   surface_.setTraining(&training_);
   connectGuide();
@@ -41,6 +42,10 @@ void GuideControl::connectGuide() {
     }
     buttons_.setLed(guide_.isOn());
     Q_EMIT changed();
+  });
+  connect(&marker_, &MarkerPull::changed, this, &GuideControl::changed);
+  connect(&parts_.host.view, &ShownWindow::wentToMarker, this, [this](double x_mm, double y_mm) {
+    if (!training_.isOn()) marker_.goTo(x_mm, y_mm);
   });
   connect(&buttons_, &ButtonControl::letGo, this, [this] { guide_.letGo(); });
   connect(parts_.actions.guide, &QAction::triggered, this, [this] {
@@ -79,6 +84,7 @@ void GuideControl::setTraining(bool on) {
     return showTraining();
   }
   guide_.drop();
+  marker_.drop();
   buttons_.cancelMoving();
   const bool were_off = !parts_.forces_asked;
   training_.begin(were_off, nowS());
@@ -107,11 +113,13 @@ void GuideControl::showTraining() {
 
 void GuideControl::follow(const HapticSample& sample) {
   guide_.frame(*device_.session(), sample);
+  marker_.frame(*device_.session(), sample, parts_.forces_asked);
   training_.frame(sample, nowS());
 }
 
 void GuideControl::end() {
   guide_.drop();
+  marker_.drop();
   training_.stop();
 }
 

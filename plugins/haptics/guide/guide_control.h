@@ -5,6 +5,7 @@
 
 #include "plugins/haptics/buttons/button_control.h"
 #include "plugins/haptics/device/hand_device.h"
+#include "plugins/haptics/guide/marker_pull.h"
 #include "plugins/haptics/guide/touch_guide.h"
 #include "plugins/haptics/recording/recording_control.h"
 #include "plugins/haptics/touch_parts.h"
@@ -13,8 +14,8 @@
 
 namespace relievo {
 
-/// Leads the hand, and introduces it to touch: joins both to menu, keys, buttons and the surface
-/// under the hand. All calls: GUI thread.
+/// Leads the hand, pulls it back to markers, and introduces it to touch: joins these to menu, keys,
+/// buttons and the surface under the hand. All calls: GUI thread.
 class GuideControl : public QObject {
   Q_OBJECT
  public:
@@ -22,11 +23,14 @@ class GuideControl : public QObject {
                TouchedSurface& surface, ButtonControl& buttons);
   ~GuideControl() override;
 
-  /// Which path the loop is to lead along.
-  void addTo(HapticOptions& options) const { options.guide = guide_.options(); }
+  /// Which path the loop is to lead along, and which marker pulls.
+  void addTo(HapticOptions& options) const {
+    options.guide = guide_.options();
+    options.beacon = marker_.options();
+  }
   /// Once a frame, with the newest sample, after the buttons were looked at.
   void follow(const HapticSample& sample);
-  /// Both off without a word: forces or the device go, which is said already.
+  /// All off without a word: forces or the device go, which is said already.
   void end();
   /// What is under the hand is a shape of the introduction, not what the host shows.
   bool isTraining() const { return training_.isOn(); }
@@ -50,6 +54,7 @@ class GuideControl : public QObject {
   TouchedSurface& surface_;
   ButtonControl& buttons_;
   TouchGuide guide_;
+  MarkerPull marker_;
   TouchTraining training_;
 };
 
