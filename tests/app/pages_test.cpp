@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs every command that README.md, docs/paper.md and docs/user give, as it is written there, in a
 // folder with stand-ins for the files that a reader would have.
+#include <gdal_priv.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -89,6 +91,7 @@ class Pages : public testing::Test {
     writeFigure(here("front.ply"), 1);
     writeFigure(here("back.ply"), 2);
     writeFigure(here("left.ply"), 3);
+    writeHeights(here("heights.png"));
     std::ofstream(here("picks.csv")) << "scan,x,y,z,ref_x,ref_y,ref_z\n"
                                         "2,0,0,79,0,0,79\n2,40,0,0,40,0,0\n2,0,40,0,0,40,0\n"
                                         "3,0,0,79,0,0,79\n3,40,0,0,40,0,0\n3,0,40,0,0,40,0\n";
@@ -121,6 +124,28 @@ class Pages : public testing::Test {
     out << "ply\nformat ascii 1.0\ncomment unit mm\nelement vertex " << scan.points.size()
         << "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
     for (const auto& p : scan.points) out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  }
+
+  /// A picture of 16 bits that does not say how large it is.
+  static void writeHeights(const fs::path& file) {
+    GDALAllRegister();
+    constexpr int kSide = 60;
+    GDALDriver* const memory = GetGDALDriverManager()->GetDriverByName("MEM");
+    const std::unique_ptr<GDALDataset> heights(
+        memory->Create("", kSide, kSide, 1, GDT_UInt16, nullptr));
+    std::vector<std::uint16_t> row(kSide);
+    for (int y = 0; y < kSide; ++y) {
+      for (int x = 0; x < kSide; ++x) {
+        row[static_cast<std::size_t>(x)] = static_cast<std::uint16_t>(500 * (x + y));
+      }
+      ASSERT_EQ(heights->GetRasterBand(1)->RasterIO(GF_Write, 0, y, kSide, 1, row.data(), kSide, 1,
+                                                    GDT_UInt16, 0, 0),
+                CE_None);
+    }
+    GDALDriver* const png = GetGDALDriverManager()->GetDriverByName("PNG");
+    const std::unique_ptr<GDALDataset> written(
+        png->CreateCopy(file.c_str(), heights.get(), FALSE, nullptr, nullptr, nullptr));
+    ASSERT_TRUE(written);
   }
 
   /// Two key views, a fifth of a second apart.
