@@ -316,7 +316,7 @@ TEST_F(DeviceSetupTest, WhatSelfTestAndFirmwareSayIsInTheWindowsLanguage) {
   QTest::keyClick(child<QPushButton>("setupSelfTest"), Qt::Key_Space);
   EXPECT_TRUE(
       shows("MOVE THE GRIP ALL ROUND AND PRESS EACH OF THE FOUR BUTTONS. STILL MISSING: "
-            "PLUS, FORWARD, CENTRE, MINUS."))
+            "PLUS, FORWARD, CENTRE, MINUS, "))
       << results->toPlainText().toStdString();
   EXPECT_TRUE(said_.contains("MEASURING HOW EVENLY THE FALCON ANSWERS."));
   emulated_->with([](auto& f) { f.unplug(); });

@@ -44,13 +44,17 @@ QPainterPath arrow(double from, double to, double y, double size) {
 HomingPicture::HomingPicture(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("homingPicture"));
   setAccessibleName(tr("What to do with the grip"));
-  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   show(LinkState::absent);
 }
 
 QSize HomingPicture::sizeHint() const {
   const int height = 7 * fontMetrics().height();
   return {2 * height, height};
+}
+
+QSize HomingPicture::minimumSizeHint() const {
+  return sizeHint() / 2;  // Large text on a small screen.
 }
 
 void HomingPicture::show(LinkState state) {

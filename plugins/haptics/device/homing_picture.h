@@ -18,6 +18,7 @@ class HomingPicture : public QWidget {
   void show(falcon::LinkState state);
   falcon::LinkState state() const { return state_; }
   QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

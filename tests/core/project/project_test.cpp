@@ -50,6 +50,7 @@ Project fullProject() {
   p.options.rule = PointRule::median;
   p.options.strays = StrayRule::keep;
   p.options.nodata = NodataChoice{.value = -9999};
+  p.options.raster = {.pixel_mm = 0.05, .height_mm = -0.0002, .zero = 65535};
   p.options.holes = {.rule = HoleRule::interpolate, .max_area_mm2 = 12.5};
   p.options.pyramid.factor = 1.5;
   p.options.pyramid.coarsest_samples = 150;
@@ -110,6 +111,7 @@ TEST(ProjectJson, EveryFieldComesBackBitForBit) {
   EXPECT_EQ(back.options.rule, PointRule::median);
   EXPECT_EQ(back.options.strays, StrayRule::keep);
   EXPECT_EQ(back.options.nodata, NodataChoice{.value = -9999});
+  EXPECT_EQ(back.options.raster, fullProject().options.raster);
   // Had a field been forgotten, the text of a full project would share a value with a plain one.
   const std::string plain = projectJson(Project{});
   const std::set<std::string> kSame{"\"relievo_project\"", "\"version\"", "\"commit\"", "\"name\"",
