@@ -217,7 +217,7 @@ ObjectPlace WindowHost::placeAt(double x_mm, double y_mm) const {
 }
 
 bool WindowHost::showRegion(const Region& region) {
-  return window_.document().zoomTo(region);
+  return window_.document().region().zoomTo(region);
 }
 
 std::uint8_t WindowHost::edges() const {

@@ -22,7 +22,7 @@ bool isPlace(DeviceMm p) RELIEVO_REALTIME {
 
 void HapticCore::reset() RELIEVO_REALTIME {
   placed_ = false;
-  places_seen_ = 0;
+  speed_.forget();
   soft_ = {};
   force_ = {};
   stop_ = {};
@@ -101,26 +101,6 @@ DeviceFault HapticCore::latch(const HapticOptions& options,
   return fault_;
 }
 
-void HapticCore::measureSpeed(std::int64_t reading_ns, ForceInput& input) RELIEVO_REALTIME {
-  const auto newest = [this]() RELIEVO_REALTIME -> HandPlace& {
-    return places_[(places_seen_ - 1) % kSpeedTicks];
-  };
-  if (places_seen_ > 0) input.moved = hip_ - newest().position;
-  const bool twice =
-      places_seen_ > 0 && newest().time_ns == reading_ns && hip_ == newest().position;
-  if (!twice) {
-    // The one that is overwritten is the oldest that counts.
-    const std::uint64_t back = std::min(places_seen_, kSpeedTicks);
-    oldest_ = back > 0 ? places_[(places_seen_ - back) % kSpeedTicks] : HandPlace{hip_, reading_ns};
-    places_[places_seen_ % kSpeedTicks] = {hip_, reading_ns};
-    ++places_seen_;
-  }
-  const double seconds = 1e-9 * static_cast<double>(reading_ns - oldest_.time_ns);
-  // Fewer than 8 places count as 8: the first steps of a hand are too coarse for a speed.
-  const double least = 1e-3 * static_cast<double>(kSpeedTicks);
-  input.velocity = (1 / std::max(seconds, least)) * (hip_ - oldest_.position);
-}
-
 double HapticCore::stiffness(const HapticSpace& space,
                              const HapticOptions& options) const RELIEVO_REALTIME {
   if (!options.stiffness_by_detail) return options.force.stiffness_n_per_mm;
@@ -183,7 +163,7 @@ void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
   placeHand(space, options);
   if (hovers) {
     liftHand(space, options);
-    places_seen_ = 0;  // Its way through the air is no speed of pressing in.
+    speed_.forget();  // Its way through the air is no speed of pressing in.
   }
   const GridPoint hip = hand_.place;
   const bool is_new = !placed_ || !isFelt(space);
@@ -203,9 +183,7 @@ void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
     force_ = refade(force_);
     change_.stop();
   }
-  window_id_ = space.window_id;
-  scene_id_ = space.scene_id;
-  surface_ = space.surface;
+  felt_ = {space.window_id, space.scene_id, space.surface};
   placed_ = true;
   if (hovers) {
     proxy_ = {hip, hip, false, false};
@@ -290,7 +268,7 @@ GuideInput HapticCore::guideInput(const HapticOptions& options, const ForceInput
   return {.hand = hip_,
           .velocity = input.velocity,
           .buttons = buttons & ~kHoverBit,
-          .scene_id = scene_id_,
+          .scene_id = felt_.scene_id,
           .forces_on = force.forces_on && !input.fault,
           .in_detent = options.detent.on,
           .rise = force_.rise * force_.oscillation.factor,
@@ -413,7 +391,7 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   input.fields_mj = felt.energy_mj;
   input.measured = sample.origin == CellStatus::measured || sample.origin == CellStatus::steep;
   input.normal = {sample.normal.x, sample.normal.y, sample.normal.z};
-  measureSpeed(reading.time_ns, input);
+  speed_.measure(hip_, reading.time_ns, input);
   input.contact = sample.contact;
   input.fault = fault != DeviceFault::none;
   input.resumed = paused;

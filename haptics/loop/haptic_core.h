@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <type_traits>
 
@@ -12,6 +11,7 @@
 #include "haptics/guide/beacon_pull.h"
 #include "haptics/guide/guide.h"
 #include "haptics/loop/force_stop.h"
+#include "haptics/loop/hand_speed.h"
 #include "haptics/loop/rate_watch.h"
 #include "haptics/loop/scene_change.h"
 #include "haptics/loop/scene_frame.h"
@@ -107,6 +107,12 @@ struct HapticSample {
 };
 static_assert(std::is_trivially_copyable_v<HapticSample>);
 
+/// What names the surface of a tick.
+struct FeltSurface {
+  std::uint64_t window_id = 0, scene_id = 0;
+  SurfaceKind surface = SurfaceKind::crease_aware;
+};
+
 /// The loop without a thread, a clock or a device: the loop's thread, tests and `touch` drive it.
 class HapticCore {
  public:
@@ -151,8 +157,8 @@ class HapticCore {
   friend struct NamedFields;  // Recordings hold every member by its name.
   /// Is it the surface of the last tick? The same window is filled anew with another firmness.
   bool isFelt(const HapticSpace& space) const RELIEVO_REALTIME {
-    return space.window_id == window_id_ && space.surface == surface_ &&
-           space.scene_id == scene_id_;
+    return space.window_id == felt_.window_id && space.surface == felt_.surface &&
+           space.scene_id == felt_.scene_id;
   }
   void check(const ForceOptions& options, const ForceInput& input, bool paused, DeviceN before,
              DeviceN sent) RELIEVO_REALTIME;
@@ -161,9 +167,6 @@ class HapticCore {
   void keepSteady(const HapticOptions& asked, int detail, DetailStiffness& k) RELIEVO_REALTIME;
   FeltSpring feltSpring(const HapticOptions& options) const RELIEVO_REALTIME;
   DeviceFault latch(const HapticOptions& options, const DeviceReading& reading) RELIEVO_REALTIME;
-  /// Velocity of the hand over its last 8 places, by their own times: one step of a coarse encoder
-  /// is 63 mm/s from tick to tick. A reading that is handed over twice is one place.
-  void measureSpeed(std::int64_t reading_ns, ForceInput& input) RELIEVO_REALTIME;
   void follow(const HapticSpace& space, const HapticSpace* previous, const HapticOptions& options,
               bool hovers) RELIEVO_REALTIME;
   /// Where the hand is in the window, brought to a stop at its frame.
@@ -216,19 +219,11 @@ class HapticCore {
   BeaconState beacon_;
   ForceAudit audit_;
 
-  static constexpr std::uint64_t kSpeedTicks = 8;
-  struct HandPlace {
-    DeviceMm position;
-    std::int64_t time_ns = 0;
-  };
-  std::array<HandPlace, kSpeedTicks> places_;  // The last ones; the newest is at places_seen_ - 1.
-  HandPlace oldest_;                           // That the newest is compared with.
-  std::uint64_t places_seen_ = 0;
+  HandSpeed speed_;
   DeviceMm hip_;  // The last hand that was a place.
   DeviceFault fault_ = DeviceFault::none;
   std::uint64_t tick_ = 0;
-  std::uint64_t window_id_ = 0, scene_id_ = 0;
-  SurfaceKind surface_ = SurfaceKind::crease_aware;
+  FeltSurface felt_;          // In the last tick.
   std::int64_t last_ns_ = 0;  // Of the last tick.
   bool in_detent_ = false;    // In the last tick.
   bool guided_ = false;       // Likewise.

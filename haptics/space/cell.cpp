@@ -26,82 +26,111 @@ const SurfaceSample* sampleBeyond(const HapticSpace& space, int col, int row, Al
 EdgeBeyond beyond(double near, double far, double far_slope, int sign) RELIEVO_REALTIME {
   return {true, sign > 0 ? far - near : near - far, far_slope};
 }
+/// A cell of four corners, numbered by column, then row; some of them break along x or y.
+struct BrokenCell {
+  const HapticSpace& space;
+  int col, row;
+  std::array<bool, 4> along_x{}, along_y{};
+
+  BrokenCell(const HapticSpace& of, int first_col, int first_row) RELIEVO_REALTIME
+      : space(of),
+        col(first_col),
+        row(first_row) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::uint8_t mark = space.marks[HapticSpace::index(colOf(i), rowOf(i))];
+      along_x[i] = (mark & kBreakX) != 0;
+      along_y[i] = (mark & kBreakY) != 0;
+    }
+  }
+  int colOf(std::size_t i) const RELIEVO_REALTIME { return col + static_cast<int>(i % 2); }
+  int rowOf(std::size_t i) const RELIEVO_REALTIME { return row + static_cast<int>(i / 2); }
+  double height(const SurfaceSample& sample) const RELIEVO_REALTIME {
+    return (static_cast<double>(sample.height_mm) - space.mid_mm) * space.cells_per_mm;
+  }
+  const SurfaceSample* beyondCorner(std::size_t i, Along way, int sign,
+                                    std::uint8_t breaks) const RELIEVO_REALTIME {
+    return sampleBeyond(space, colOf(i), rowOf(i), way, sign, breaks);
+  }
+};
+
+void slopeAlongX(const BrokenCell& cell, std::size_t low, Corners& c) RELIEVO_REALTIME {
+  const std::array<bool, 4>& breaks = cell.along_x;
+  const std::size_t high = low + 1, broken = breaks[low] ? low : high;
+  const int sign = breaks[low] ? 1 : -1;
+  EdgeBeyond past;
+  if (breaks[low] != breaks[high]) {
+    const SurfaceSample* far = cell.beyondCorner(broken, kX, sign, kBreakX);
+    if (far != nullptr) past = beyond(c[broken ^ 1U].f, cell.height(*far), far->slope_x, sign);
+  }
+  const EdgeSlopes e =
+      edgeSlopes(c[high].f - c[low].f, {c[low].fx, c[high].fx}, breaks[low], breaks[high], past);
+  c[low].fx = e.first;
+  c[high].fx = e.last;
+}
+
+void slopeAlongY(const BrokenCell& cell, std::size_t low, Corners& c) RELIEVO_REALTIME {
+  const std::array<bool, 4>& breaks = cell.along_y;
+  const std::size_t high = low + 2, broken = breaks[low] ? low : high;
+  const int sign = breaks[low] ? 1 : -1;
+  EdgeBeyond past;
+  if (breaks[low] != breaks[high]) {
+    const SurfaceSample* far = cell.beyondCorner(broken, kY, sign, kBreakY);
+    if (far != nullptr) past = beyond(c[broken ^ 2U].f, cell.height(*far), far->slope_y, sign);
+  }
+  const EdgeSlopes e =
+      edgeSlopes(c[high].f - c[low].f, {c[low].fy, c[high].fy}, breaks[low], breaks[high], past);
+  c[low].fy = e.first;
+  c[high].fy = e.last;
+}
+
+/// Twist of a corner that breaks along x only. @param straight  that of straight lines
+double twistAlongX(const BrokenCell& cell, std::size_t i, const Corners& edges,
+                   double straight) RELIEVO_REALTIME {
+  const std::size_t beside = i ^ 1U;
+  if (cell.along_x[beside] || cell.along_y[beside]) return straight;
+  const int sign = i % 2 == 0 ? 1 : -1;
+  const SurfaceSample* far = cell.beyondCorner(i, kX, sign, kBreakX | kBreakY);
+  EdgeBeyond past;
+  if (far != nullptr) past = beyond(edges[beside].fy, far->slope_y, far->twist, sign);
+  const EdgeSlopes e =
+      edgeSlopes(straight, {edges[beside].fxy, edges[beside].fxy}, i % 2 == 0, i % 2 != 0, past);
+  return i % 2 == 0 ? e.first : e.last;
+}
+
+/// The same along y.
+double twistAlongY(const BrokenCell& cell, std::size_t i, const Corners& edges,
+                   double straight) RELIEVO_REALTIME {
+  const std::size_t across = i ^ 2U;
+  if (cell.along_y[across] || cell.along_x[across]) return straight;
+  const int sign = i / 2 == 0 ? 1 : -1;
+  const SurfaceSample* far = cell.beyondCorner(i, kY, sign, kBreakX | kBreakY);
+  EdgeBeyond past;
+  if (far != nullptr) past = beyond(edges[across].fx, far->slope_x, far->twist, sign);
+  const EdgeSlopes e =
+      edgeSlopes(straight, {edges[across].fxy, edges[across].fxy}, i / 2 == 0, i / 2 != 0, past);
+  return i / 2 == 0 ? e.first : e.last;
+}
 }  // namespace
 
 Corners brokenCorners(const HapticSpace& space, int col, int row) RELIEVO_REALTIME {
   Corners c{smoothCorner(space, col, row), smoothCorner(space, col + 1, row),
             smoothCorner(space, col, row + 1), smoothCorner(space, col + 1, row + 1)};
-  std::array<bool, 4> break_x{}, break_y{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const int at_col = col + static_cast<int>(i % 2), at_row = row + static_cast<int>(i / 2);
-    const std::uint8_t mark = space.marks[HapticSpace::index(at_col, at_row)];
-    break_x[i] = (mark & kBreakX) != 0;
-    break_y[i] = (mark & kBreakY) != 0;
-  }
-  const auto height = [&](const SurfaceSample& sample) RELIEVO_REALTIME {
-    return (static_cast<double>(sample.height_mm) - space.mid_mm) * space.cells_per_mm;
-  };
-  const auto col_of = [&](std::size_t i) RELIEVO_REALTIME { return col + static_cast<int>(i % 2); };
-  const auto row_of = [&](std::size_t i) RELIEVO_REALTIME { return row + static_cast<int>(i / 2); };
-  // Slopes along the four edges.
-  for (const std::size_t low : {0U, 2U}) {
-    const std::size_t high = low + 1, broken = break_x[low] ? low : high;
-    const int sign = break_x[low] ? 1 : -1;
-    EdgeBeyond past;
-    if (break_x[low] != break_x[high]) {
-      const SurfaceSample* far =
-          sampleBeyond(space, col_of(broken), row_of(broken), kX, sign, kBreakX);
-      if (far != nullptr) past = beyond(c[broken ^ 1U].f, height(*far), far->slope_x, sign);
-    }
-    const EdgeSlopes e = edgeSlopes(c[high].f - c[low].f, {c[low].fx, c[high].fx}, break_x[low],
-                                    break_x[high], past);
-    c[low].fx = e.first;
-    c[high].fx = e.last;
-  }
-  for (const std::size_t low : {0U, 1U}) {
-    const std::size_t high = low + 2, broken = break_y[low] ? low : high;
-    const int sign = break_y[low] ? 1 : -1;
-    EdgeBeyond past;
-    if (break_y[low] != break_y[high]) {
-      const SurfaceSample* far =
-          sampleBeyond(space, col_of(broken), row_of(broken), kY, sign, kBreakY);
-      if (far != nullptr) past = beyond(c[broken ^ 2U].f, height(*far), far->slope_y, sign);
-    }
-    const EdgeSlopes e = edgeSlopes(c[high].f - c[low].f, {c[low].fy, c[high].fy}, break_y[low],
-                                    break_y[high], past);
-    c[low].fy = e.first;
-    c[high].fy = e.last;
-  }
+  const BrokenCell cell(space, col, row);
+  for (const std::size_t low : {0U, 2U}) slopeAlongX(cell, low, c);
+  for (const std::size_t low : {0U, 1U}) slopeAlongY(cell, low, c);
   // Twists: a corner that breaks in one direction follows that direction's edge, with the same
   // rule; one that breaks in both takes the twist of straight lines.
   const Corners edges = c;
   for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t beside = i ^ 1U, across = i ^ 2U;
     const double sign_x = i % 2 == 0 ? 1 : -1, sign_y = i / 2 == 0 ? 1 : -1;
-    const double along_x = sign_x * (edges[beside].fy - edges[i].fy);
-    const double along_y = sign_y * (edges[across].fx - edges[i].fx);
-    if (break_x[i] && break_y[i]) {
+    const double along_x = sign_x * (edges[i ^ 1U].fy - edges[i].fy);
+    const double along_y = sign_y * (edges[i ^ 2U].fx - edges[i].fx);
+    if (cell.along_x[i] && cell.along_y[i]) {
       c[i].fxy = 0.5 * (along_x + along_y);
-    } else if (break_x[i]) {
-      const bool straight = break_x[beside] || break_y[beside];
-      const int sign = i % 2 == 0 ? 1 : -1;
-      const SurfaceSample* far =
-          sampleBeyond(space, col_of(i), row_of(i), kX, sign, kBreakX | kBreakY);
-      EdgeBeyond past;
-      if (far != nullptr) past = beyond(edges[beside].fy, far->slope_y, far->twist, sign);
-      const EdgeSlopes e =
-          edgeSlopes(along_x, {edges[beside].fxy, edges[beside].fxy}, i % 2 == 0, i % 2 != 0, past);
-      c[i].fxy = straight ? along_x : i % 2 == 0 ? e.first : e.last;
-    } else if (break_y[i]) {
-      const bool straight = break_y[across] || break_x[across];
-      const int sign = i / 2 == 0 ? 1 : -1;
-      const SurfaceSample* far =
-          sampleBeyond(space, col_of(i), row_of(i), kY, sign, kBreakX | kBreakY);
-      EdgeBeyond past;
-      if (far != nullptr) past = beyond(edges[across].fx, far->slope_x, far->twist, sign);
-      const EdgeSlopes e =
-          edgeSlopes(along_y, {edges[across].fxy, edges[across].fxy}, i / 2 == 0, i / 2 != 0, past);
-      c[i].fxy = straight ? along_y : i / 2 == 0 ? e.first : e.last;
+    } else if (cell.along_x[i]) {
+      c[i].fxy = twistAlongX(cell, i, edges, along_x);
+    } else if (cell.along_y[i]) {
+      c[i].fxy = twistAlongY(cell, i, edges, along_y);
     }
   }
   return c;

@@ -19,6 +19,8 @@
 namespace relievo {
 
 namespace {
+constexpr std::uint64_t kPlotEvery = 5;
+
 bool on(EngagePhase phase) {
   return phase != EngagePhase::off;
 }
@@ -55,7 +57,7 @@ LoopSession::~LoopSession() {
 
 void LoopSession::plotSink(std::span<const HapticSample> batch) {
   for (const HapticSample& sample : batch) {
-    if (sample.tick % plot_every_ != 0 || sample.window_id == 0) continue;
+    if (sample.tick % kPlotEvery != 0 || sample.window_id == 0) continue;
     const double t_s = 1e-9 * static_cast<double>(sample.time_ns - plot_start_ns_);
     plot_.push(forcePoint(touchRow(sample, t_s)));
   }

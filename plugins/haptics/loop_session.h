@@ -110,7 +110,6 @@ class LoopSession {
   Recorder recorder_;
   FlightRecord flight_;
   SpscRing<ForcePoint, 4096> plot_;
-  std::uint64_t plot_every_ = 5;
   std::int64_t plot_start_ns_ = 0;
   std::unique_ptr<HapticLoop> loop_;
   SteeredHand hand_{nullptr};

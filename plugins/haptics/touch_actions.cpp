@@ -32,8 +32,9 @@ QAction* made(const Words& words, const QList<QKeySequence>& keys, bool checkabl
   return action;
 }
 
-/// What the buttons of a device ask for, for keys and menus.
-void makeButtonActions(TouchActions& actions) {
+// What the buttons of a device ask for, for keys and menus.
+
+void makeMoveActions(TouchActions& actions) {
   actions.use_mouse = made(
       {"useMouse", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Use the mouse"),
        QT_TRANSLATE_NOOP("relievo::TouchActions", "Let the mouse be the hand"),
@@ -55,6 +56,9 @@ void makeButtonActions(TouchActions& actions) {
                          "The device's button Centre does the same in Move mode.")},
       {}, false);
   actions.move_back->setEnabled(false);
+}
+
+void makePlaceActions(TouchActions& actions) {
   actions.where_am_i =
       made({"whereAmI", QT_TRANSLATE_NOOP("relievo::TouchActions", "Where am &I"),
             QT_TRANSLATE_NOOP("relievo::TouchActions", "Say where the hand is (Ctrl+I)"),
@@ -76,6 +80,9 @@ void makeButtonActions(TouchActions& actions) {
             QT_TRANSLATE_NOOP("relievo::TouchActions",
                               "How large the window is and what one millimetre of hand is.")},
            {QKeySequence(QStringLiteral("Ctrl+Shift+I"))}, false);
+}
+
+void makeGuideActions(TouchActions& actions) {
   actions.guide =
       made({"guide", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Guide along the outline"),
             QT_TRANSLATE_NOOP("relievo::TouchActions",
@@ -107,6 +114,9 @@ void makeButtonActions(TouchActions& actions) {
                               "The device's button Forward does the same in the introduction.")},
            {QKeySequence(QStringLiteral("Ctrl+Alt+N"))}, false);
   actions.next_shape->setEnabled(false);
+}
+
+void makeDeviceActions(TouchActions& actions) {
   actions.rumble =
       made({"rumble", QT_TRANSLATE_NOOP("relievo::TouchActions", "G&amepads rumble"),
             QT_TRANSLATE_NOOP("relievo::TouchActions",
@@ -122,11 +132,8 @@ void makeButtonActions(TouchActions& actions) {
                               "It differs in Move mode and while scanning with one button.")},
            {}, false);
 }
-}  // namespace
 
-TouchActions addTouchActions(Host& host) {
-  const QString touch = QStringLiteral("Touch"), record = QStringLiteral("Record");
-  TouchActions actions;
+void makeForceActions(TouchActions& actions) {
   actions.forces =
       made({"forces", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Forces on"),
             QT_TRANSLATE_NOOP("relievo::TouchActions", "Switch forces on or off (F5)"),
@@ -158,6 +165,9 @@ TouchActions addTouchActions(Host& host) {
                               "From plug to touch: access, firmware, homing, self test, force by a "
                               "known weight, left or right hand.")},
            {}, false);
+}
+
+void makeRecordActions(TouchActions& actions) {
   actions.record = made(
       {"record", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Record"),
        QT_TRANSLATE_NOOP("relievo::TouchActions", "Start or stop recording every sample (Ctrl+R)"),
@@ -174,7 +184,18 @@ TouchActions addTouchActions(Host& host) {
                               "goes on while you write.")},
            {QKeySequence(QStringLiteral("Ctrl+Shift+N"))}, false);
   actions.note->setEnabled(false);
-  makeButtonActions(actions);
+}
+}  // namespace
+
+TouchActions addTouchActions(Host& host) {
+  const QString touch = QStringLiteral("Touch"), record = QStringLiteral("Record");
+  TouchActions actions;
+  makeForceActions(actions);
+  makeRecordActions(actions);
+  makeMoveActions(actions);
+  makePlaceActions(actions);
+  makeGuideActions(actions);
+  makeDeviceActions(actions);
   for (QAction* action :
        {actions.forces, actions.forces_off, actions.stronger, actions.weaker, actions.setup,
         actions.use_mouse, actions.move_mode, actions.move_back, actions.where_am_i,

@@ -40,10 +40,10 @@ class ManyScansTest : public GuiTest {
   /// Opens it and does with it what a hand does first. @return what came of it
   std::string tryOut(const QString& file) {
     window().open(file);
-    if (!waitFor([&] { return !document().busy(); }) &&
-        !waitFor([&] { return !document().busy(); })) {
+    if (!waitFor([&] { return !document().loader().busy(); }) &&
+        !waitFor([&] { return !document().loader().busy(); })) {
       ADD_FAILURE() << "still being opened: " << file.toStdString();
-      document().cancel();
+      document().loader().cancel();
       return "nothing";
     }
     QApplication::processEvents();

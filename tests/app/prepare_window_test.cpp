@@ -65,7 +65,7 @@ TEST_F(PrepareWindowTest, WindowAndCommandLineWriteEqualBytesAndOpenEqualMaps) {
             QStringLiteral("relievo prepare --recipe '%1' -o '%2'")
                 .arg(path("window/recipe.json"), path("window/front-prepared.ply")));
   accept(dialog);
-  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
 
   const auto made =
       runRelievo({"prepare", at("command/front.ply"), at("command/side.ply"), "--clean", "--align",
@@ -96,8 +96,8 @@ TEST_F(PrepareWindowTest, AProjectOfAPreparedScanOpensElsewhere) {
   addStep(dialog, "add_crop_box");
   setNumber(dialog, "crop_x_max", 100);
   accept(dialog);
-  ASSERT_TRUE(
-      waitFor([&] { return document().file().endsWith("-prepared.ply") && !document().busy(); }));
+  ASSERT_TRUE(waitFor(
+      [&] { return document().file().endsWith("-prepared.ply") && !document().loader().busy(); }));
   window().saveProject(path("work.relievo.json"));
   ASSERT_TRUE(QDir().mkpath(path("elsewhere")));
   for (const char* name : {"work.relievo.json", "relief-prepared.ply"}) {
@@ -106,7 +106,7 @@ TEST_F(PrepareWindowTest, AProjectOfAPreparedScanOpensElsewhere) {
   }
   restart();
   window().open(path("elsewhere/work.relievo.json"));
-  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(document().file(), path("elsewhere/relief-prepared.ply"));
   EXPECT_EQ(document().surface()->info.points, 80'400U);
   EXPECT_FALSE(window().message().contains("E501")) << window().message().toStdString();

@@ -98,7 +98,7 @@ class TouchWindowTest : public GuiTest {
     request.unit = LengthUnit::mm;
     request.view = ViewChoice{"top", {}};
     window().open(request);
-    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
     ASSERT_EQ(document().surface()->holes.size(), 1U);
   }
   /// A plate of 250 x 200 mm with a wall across its middle, 40 mm high and 8 mm thick.
@@ -122,7 +122,7 @@ class TouchWindowTest : public GuiTest {
     request.unit = LengthUnit::mm;
     request.view = ViewChoice{"top", {}};
     window().open(request);
-    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
   }
   /// Until the force loop feels what the window shows; then a moment goes by, so that a recording
   /// has many rows of it. A slow computer gives it fewer.
@@ -228,7 +228,7 @@ TEST_F(TouchWindowTest, APictureOfTheDetailViewIsDrawnAgainFromTheCommandLine) {
     return path(name);
   };
   const QString bare = saved(ImageSource::detail, "bare.png");
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   window().runCommand("relief_slope");
   window().detailView().turnBy(20, 10);
   touchMiddle();  // The hand is in the picture, too.
@@ -308,7 +308,7 @@ TEST_F(TouchWindowTest, ARecordingOfAScanOfAnyNameIsKeptAndReplayedToTheLastBit)
   request.unit = LengthUnit::mm;
   request.view = ViewChoice{"top", {}};
   window().open(request);
-  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
   for (const char* kind : {"record_csv", "record_h5"}) {
     ASSERT_TRUE(window().runCommand(kind)) << kind;
     touchMiddle();
@@ -378,7 +378,8 @@ TEST_F(TouchWindowTest, ARecordingAcrossOtherMapsOfTheScanIsReplayedToTheLastBit
     change(options);
     const auto before = document().surface();
     document().remake(options, "Change");
-    ASSERT_TRUE(waitFor([&] { return document().surface() != before && !document().busy(); }));
+    ASSERT_TRUE(
+        waitFor([&] { return document().surface() != before && !document().loader().busy(); }));
     feelAWhile();
   };
   // Fill, rotation, and back to the scan's other side.

@@ -153,8 +153,9 @@ void run(const QString& scan, double seconds) {
   request.file = scan;
   request.unit = LengthUnit::mm;
   window.open(request);
-  if (!QTest::qWaitFor([&] { return window.document().isOpen() && !window.document().busy(); },
-                       60'000)) {
+  if (!QTest::qWaitFor(
+          [&] { return window.document().isOpen() && !window.document().loader().busy(); },
+          60'000)) {
     std::fprintf(stderr, "picture_rate: %s did not open.\n", qPrintable(scan));
     std::exit(1);
   }
@@ -172,7 +173,7 @@ void run(const QString& scan, double seconds) {
     const double side = 0.35 * ladder.sideMm(1);
     const double x = ladder.left_mm + 0.5 * ladder.width_mm;
     const double y = ladder.bottom_mm + 0.5 * ladder.height_mm;
-    window.document().setRect({x - 0.5 * side, y - 0.5 * side, side, side});
+    window.document().region().setRect({x - 0.5 * side, y - 0.5 * side, side, side});
     QTest::qWait(500);
     const QPointF middle = reference.pointOf(x, y);
     const QPointF over(0.5 * detail.width(), 0.5 * detail.height());

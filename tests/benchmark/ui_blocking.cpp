@@ -179,7 +179,7 @@ void run(const QString& scan) {
       "load", [&] { window.open(scan); },
       [&] {
         return !window.message().isEmpty() ||
-               (window.document().isOpen() && !window.document().busy());
+               (window.document().isOpen() && !window.document().loader().busy());
       });
   if (!window.document().isOpen()) {
     std::printf("%s\n", window.message().toLocal8Bit().constData());

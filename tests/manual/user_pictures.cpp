@@ -78,7 +78,7 @@ class Photographer {
     request.file = kPanel;
     request.unit = LengthUnit::mm;
     window_.open(request);
-    waitFor([this] { return document().isOpen() && !document().busy(); }, "the panel");
+    waitFor([this] { return document().isOpen() && !document().loader().busy(); }, "the panel");
     settle();
   }
   void settle() {
@@ -144,7 +144,7 @@ void takeStart(Photographer& p) {
 }
 
 void takeRegion(Photographer& p) {
-  p.document().setRect({60, 60, 120, 120});
+  p.document().region().setRect({60, 60, 120, 120});
   p.settle();
   ReferenceView& view = p.window().referenceView();
   const QPointF from = view.pointOf(120, 120);
@@ -183,7 +183,7 @@ void takeAll(Photographer& p) {
   p.take(QStringLiteral("window"));
   takeRegion(p);
   takeTouch(p);
-  p.document().whole();
+  p.document().region().whole();
   p.window().runCommand(QStringLiteral("stereo"));
   p.take(QStringLiteral("anaglyph"));
   auto* stereo = p.window().findChild<StereoPanel*>();

@@ -40,8 +40,9 @@ class ColoursTest : public GuiTest {
   }
   void openFile(const QString& file) {
     window().open(file);
-    ASSERT_TRUE(waitFor(
-        [&] { return document().isOpen() && !document().busy() && document().file() == file; }));
+    ASSERT_TRUE(waitFor([&] {
+      return document().isOpen() && !document().loader().busy() && document().file() == file;
+    }));
     QApplication::processEvents();
   }
   void openColoured() { openFile(writeColouredMap()); }
@@ -118,7 +119,7 @@ TEST_F(ColoursTest, AProjectBringsThemBack) {
   window().saveProject(project);
   restart();
   window().open(project);
-  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
   ASSERT_TRUE(waitFor([this] { return seen().look.kind == ReliefKind::natural; }));
   EXPECT_DOUBLE_EQ(seen().look.shading, 0.3);
   EXPECT_FALSE(seen().grid->colours.empty());

@@ -54,7 +54,7 @@ class FileNames : public GuiTest, public testing::WithParamInterface<Name> {
     ASSERT_TRUE(opens()) << window().message().toStdString();
   }
   bool opens() {
-    return waitFor([this] { return document().isOpen() && !document().busy(); });
+    return waitFor([this] { return document().isOpen() && !document().loader().busy(); });
   }
   /// Qt takes the first "[*]" of a title for a star of its own, unless it stands twice.
   bool titleStartsWith(const char* ending) {
@@ -154,7 +154,7 @@ TEST_F(GuiTest, ANameOf255BytesOpensAndItsProjectGetsAShorterOne) {
   request.unit = LengthUnit::mm;
   window().open(request);
   const int width = window().minimumSizeHint().width();
-  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_LT(child<QLabel>("surface_file")->minimumSizeHint().width(), 300) << "of the side panel";
   window().showMessage(shownName(document().file()) + ' ' + shownPath(document().file()));
   EXPECT_LE(window().minimumSizeHint().width(), std::max(width, 860))

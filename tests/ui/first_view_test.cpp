@@ -17,7 +17,7 @@ class FirstViewTest : public GuiTest {
  protected:
   static constexpr int kSide = 1500;
 
-  FirstViewTest() { document().setFirstViewFrom(1'000'000); }
+  FirstViewTest() { document().loader().setFirstViewFrom(1'000'000); }
 
   /// kSide * kSide points, a wavy plate with stated metres.
   QString writeCloud() const {
@@ -54,7 +54,7 @@ TEST_F(FirstViewTest, IsThereBeforeTheFileIsReadAndGoesWhenItIsOpen) {
   EXPECT_LT(number(shares[0]), kSide * kSide);
   // Something is drawn: the plate's steps are lit and in shade.
   EXPECT_GT(card().grab().toImage().convertToFormat(QImage::Format_Indexed8).colorCount(), 8);
-  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_FALSE(card().isVisible());
   EXPECT_EQ(document().surface()->info.finite_points, std::uint64_t{kSide} * kSide);
 }
@@ -67,24 +67,24 @@ TEST_F(FirstViewTest, LeavesTheOpenObjectItsViewsAndGoesWhenStopped) {
   EXPECT_LT(card().width(), window().width() / 2);
   EXPECT_EQ(document().state(), before);
   EXPECT_TRUE(card().text().contains("object before"));
-  document().cancel();
+  document().loader().cancel();
   EXPECT_FALSE(card().isVisible());
   EXPECT_EQ(document().state(), before);
 }
 
 TEST_F(FirstViewTest, OfWorkThatWasStoppedIsNotTold) {
   openRelief();
-  QSignalSpy told(&document(), &Document::firstView);
+  QSignalSpy told(&document().loader(), &SurfaceLoader::firstView);
   const QString cloud = writeCloud();
   window().open(cloud);
-  document().cancel();
+  document().loader().cancel();
   openRelief();
   EXPECT_EQ(told.count(), 0);
   // Nor if it was made already, and nobody had heard of it yet.
   for (const unsigned long ms : {100UL, 300UL, 600UL, 1000UL}) {
     window().open(cloud);
     QThread::msleep(ms);
-    document().cancel();
+    document().loader().cancel();
     QApplication::processEvents();
     EXPECT_EQ(told.count(), 0) << ms;
   }
@@ -92,10 +92,10 @@ TEST_F(FirstViewTest, OfWorkThatWasStoppedIsNotTold) {
 }
 
 TEST_F(FirstViewTest, IsNotMadeOfFilesThatAreReadSooner) {
-  QSignalSpy told(&document(), &Document::firstView);
-  document().setFirstViewFrom(kSide * kSide + 1);
+  QSignalSpy told(&document().loader(), &SurfaceLoader::firstView);
+  document().loader().setFirstViewFrom(kSide * kSide + 1);
   window().open(writeCloud());
-  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(told.count(), 0);
 }
 

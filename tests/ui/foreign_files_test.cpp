@@ -40,7 +40,7 @@ class ForeignFiles : public GuiTest {
     return question();
   }
   bool opens() {
-    return waitFor([this] { return document().isOpen() && !document().busy(); });
+    return waitFor([this] { return document().isOpen() && !document().loader().busy(); });
   }
 };
 
@@ -63,7 +63,7 @@ TEST_F(ForeignFiles, AScanThatIsNotTheProjectsIsReadOnlyIfSomebodySaysSo) {
   QTest::keyClick(box, Qt::Key_Return);
   ASSERT_TRUE(waitFor([this] { return !window().message().isEmpty(); }));
   EXPECT_TRUE(window().message().contains("was not read")) << window().message().toStdString();
-  EXPECT_FALSE(document().isOpen() || document().busy());
+  EXPECT_FALSE(document().isOpen() || document().loader().busy());
   ASSERT_TRUE(waitFor([this] { return question() == nullptr; }));
 
   box = openAndWaitForQuestion();
@@ -130,7 +130,7 @@ TEST_F(ForeignFiles, APictureIsAskedAboutLikeAProject) {
   window().open(path("work/p.csv"));
   ASSERT_TRUE(waitFor([this] { return question() != nullptr && question()->isVisible(); }));
   QTest::keyClick(question(), Qt::Key_Return);
-  EXPECT_FALSE(document().isOpen() || document().busy());
+  EXPECT_FALSE(document().isOpen() || document().loader().busy());
 }
 
 }  // namespace

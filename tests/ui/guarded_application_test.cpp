@@ -115,7 +115,7 @@ TEST_F(GuardTest, ThinScansOpenOrAreRefusedInARunningWindow) {
     request.file = file;
     request.unit = LengthUnit::mm;
     window().open(request);
-    ASSERT_TRUE(waitFor([&] { return !document().busy(); }));
+    ASSERT_TRUE(waitFor([&] { return !document().loader().busy(); }));
     QTest::qWait(50);  // Its pictures are drawn.
     if (document().file() == file) {
       ++opened;
@@ -211,7 +211,7 @@ TEST_F(GuardTest, AnyScanGivesAPictureOrASentenceInOneRunningWindow) {
       request.file = file;
       request.unit = LengthUnit::mm;
       window().open(request);
-      ASSERT_TRUE(waitFor([&] { return !document().busy(); }));
+      ASSERT_TRUE(waitFor([&] { return !document().loader().busy(); }));
       QApplication::processEvents();
       ASSERT_TRUE(window().isVisible());
       if (document().file() == file) {

@@ -80,7 +80,7 @@ void GuiTest::openRelief() {
   request.unit = LengthUnit::mm;
   request.view = ViewChoice{"top", {}};
   window_->open(request);
-  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
   ASSERT_EQ(document().details(), 3);
   QApplication::processEvents();
 }

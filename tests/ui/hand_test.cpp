@@ -18,7 +18,7 @@ class HandTest : public GuiTest {
 
   void SetUp() override {
     openRelief();
-    document().setRect({60, 50, 80, 80});
+    document().region().setRect({60, 50, 80, 80});
     QObject::connect(&window(), &MainWindow::handMoved, &window(),
                      [this](const ViewMm& p, bool inside) {
                        moves_.push_back({p, inside});
@@ -57,7 +57,7 @@ TEST_F(HandTest, TheLeftButtonPressesInToThePressDepthAndLetsGo) {
 TEST_F(HandTest, AWindowElsewhereKeepsTheHandOfTheKeysOverIt) {
   QTest::keyClick(&view(), Qt::Key_Left);
   ASSERT_NEAR(last().position.x, 100, 2);
-  document().setRect({0, 0, 40, 40});
+  document().region().setRect({0, 0, 40, 40});
   const Region region = document().project().region;
   EXPECT_LE(last().position.x, region.x_mm + region.side_mm);
   EXPECT_LE(last().position.y, region.y_mm + region.side_mm);
@@ -66,7 +66,7 @@ TEST_F(HandTest, AWindowElsewhereKeepsTheHandOfTheKeysOverIt) {
 
 TEST_F(HandTest, AWindowElsewhereComesUnderThePointer) {
   move(view(), middle());
-  document().setRect({0, 0, 40, 40});
+  document().region().setRect({0, 0, 40, 40});
   const Region region = document().project().region;
   EXPECT_NEAR(last().position.x, region.centreX(), 0.02 * region.side_mm);
   EXPECT_NEAR(last().position.y, region.centreY(), 0.02 * region.side_mm);
@@ -130,7 +130,7 @@ TEST_F(HandTest, TheWheelZoomsAboutThePointerByChangingTheRegion) {
 }
 
 TEST_F(HandTest, FinerHappensAboutTheHand) {
-  document().whole();
+  document().region().whole();
   move(view(), middle());
   while (document().detail() < 3) {
     QTest::keyClick(&view(), Qt::Key_Plus, Qt::ControlModifier);
@@ -161,7 +161,7 @@ TEST_F(HandTest, AProbeIsDrawnOnlyOnTheWindowItBelongsTo) {
   window().controllers().touch.showProbe(probe);
   ASSERT_TRUE(view().sceneState().probe.has_value());
   EXPECT_EQ(child<QLabel>("status_force")->text(), "0.50/4.0 N");
-  ASSERT_TRUE(document().move(0.25, 0));
+  ASSERT_TRUE(document().region().move(0.25, 0));
   EXPECT_FALSE(view().sceneState().probe.has_value());
 }
 

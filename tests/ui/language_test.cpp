@@ -145,7 +145,8 @@ TEST_F(PseudoTest, FrequentErrorsOfFilesAreTranslated) {
   for (const char* name : {"missing.ply", "empty.ply", "headless.ply", "pointless.xyz", "cut.ply",
                            "picture.jpg", ""}) {
     window().open(path(name));
-    ASSERT_TRUE(waitFor([&] { return !window().message().isEmpty() && !document().busy(); }));
+    ASSERT_TRUE(
+        waitFor([&] { return !window().message().isEmpty() && !document().loader().busy(); }));
     const QString said = window().message();
     EXPECT_TRUE(said.startsWith(QString::fromUtf8("⟦Cánnót réád ")) &&
                 said.contains(QString::fromLatin1(name)))

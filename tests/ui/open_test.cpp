@@ -45,7 +45,7 @@ class OpenTest : public GuiTest {
     QApplication::sendEvent(&window(), &event);
   }
   bool settled() {
-    return waitFor([this] { return !document().busy(); });
+    return waitFor([this] { return !document().loader().busy(); });
   }
 };
 
@@ -93,13 +93,14 @@ TEST_F(OpenTest, ACutFileOffersItsCompletePointsAndLoadsThemOnRequest) {
   QPushButton* load = stripButton("&Load what is there");
   ASSERT_NE(load, nullptr);
   QTest::mouseClick(load, Qt::LeftButton);
-  ASSERT_TRUE(waitFor([&] { return !document().busy() && document().file() == cut.fileName(); }));
+  ASSERT_TRUE(
+      waitFor([&] { return !document().loader().busy() && document().file() == cut.fileName(); }));
   EXPECT_LT(document().surface()->info.points, before.surface->info.points);
 }
 
 TEST_F(OpenTest, AnUnknownUnitIsAskedForWithoutBlockingAndRememberedForTheFolder) {
   window().open(writeRelief());
-  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_TRUE(window().message().contains("E103"));
   EXPECT_EQ(document().surface()->unit_source, UnitSource::assumed);
   ASSERT_EQ(buttonsOfStrip().size(), 3);
@@ -161,7 +162,7 @@ TEST_F(OpenTest, SeveralDroppedFilesAreScansOfOneObject) {
 
 TEST_F(OpenTest, DroppedFilesOfOtherComputersOpenNothingAndSaySo) {
   drop({QUrl::fromLocalFile(writeRelief()), QUrl("https://example.org/b.ply")});
-  EXPECT_FALSE(document().busy());
+  EXPECT_FALSE(document().loader().busy());
   EXPECT_TRUE(window().message().contains("Nothing was opened"));
 }
 
@@ -203,11 +204,11 @@ TEST_F(OpenTest, SafeModeReadsAndKeepsNothing) {
 TEST_F(OpenTest, EscapeCancelsOpeningAndKeepsWhatWasShown) {
   openRelief();
   const DocumentState before = document().state();
-  QSignalSpy cancelled(&document(), &Document::cancelled);
+  QSignalSpy cancelled(&document().loader(), &SurfaceLoader::cancelled);
   window().open(writeRelief("second.ply"));
-  ASSERT_TRUE(document().busy());
+  ASSERT_TRUE(document().loader().busy());
   QTest::keyClick(&window().detailView(), Qt::Key_Escape);
-  EXPECT_FALSE(document().busy());
+  EXPECT_FALSE(document().loader().busy());
   EXPECT_EQ(cancelled.size(), 1);
   EXPECT_EQ(document().state(), before);
 }

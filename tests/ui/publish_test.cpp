@@ -76,7 +76,7 @@ class PublishTest : public GuiTest {
 
 TEST_F(PublishTest, AFigureIsWrittenAsItsPreviewShowsAndCarriesTheState) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   FigureDialog& dialog = openDialog();
   const QString file = path("out.png");
   dialog.findChild<QLineEdit*>("figure_file")->setText(file);
@@ -222,8 +222,8 @@ TEST_F(PublishTest, ADialogsFigureIsThatOfTheSameRecordDrawnElsewhere) {
 
 TEST_F(PublishTest, DroppingAFigureRestoresWindowAndMeasurements) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
-  document().setGain(2);
+  document().region().setRect({40, 40, 60, 60});
+  document().region().setGain(2);
   measure().setMeasurements({{"top", MeasureKind::depth, {{10, 10}, {100, 90}}, 0}});
   window().runCommand("relief_slope");
   const Region region = document().project().region;
@@ -266,11 +266,11 @@ TEST_F(PublishTest, DroppingAPictureOfRenderRestoresItsRegion) {
 
 TEST_F(PublishTest, AProjectMovedWithItsScanOpensAndAChangedScanIsSaid) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   const Region region = document().project().region;
   window().saveProject(path("p.relievo.json"));
   ASSERT_TRUE(QFile::exists(path("p.relievo.json")));
-  document().whole();
+  document().region().whole();
   window().open(path("p.relievo.json"));
   ASSERT_TRUE(waitFor([&] { return document().project().region == region; }));
   EXPECT_TRUE(window().message().isEmpty());
@@ -470,7 +470,7 @@ TEST_F(PublishTest, AnAreaOfALargeMapIsReadByAWorker) {
   request.file = raster.fileName();
   request.unit = LengthUnit::mm;
   window().open(request);
-  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
   const Measurement all{
       "all", MeasureKind::area, {{10, 10}, {600, 10}, {600, 400}, {10, 400}}, 2.5};
   measure().setMeasurements({all});
@@ -570,7 +570,7 @@ TEST_F(PublishTest, AReliefImageHasABarThatNamesItAndStoneHasNone) {
   EXPECT_TRUE(bar->isVisible());
   EXPECT_TRUE(bar->accessibleDescription().startsWith("slope"));
   EXPECT_FALSE(window().detailView().sceneState().grid->colours.empty());
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   EXPECT_FALSE(window().detailView().sceneState().grid->colours.empty()) << "stays on a new window";
   window().runCommand("relief_lit");
   EXPECT_FALSE(bar->isVisible());
@@ -598,7 +598,7 @@ TEST_F(PublishTest, AReliefImageThatTakesLongComesWhenItIsReady) {
             GridPainter::paintNow(*plain.grid, look).grid->colours);
 
   const auto before = view.sceneState().grid;
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   EXPECT_EQ(view.sceneState().grid, before) << "until the new one has its colours";
   ASSERT_TRUE(waitFor([&] { return view.sceneState().grid != before; }));
   EXPECT_TRUE(waitFor([&] { return !view.sceneState().grid->colours.empty(); }));

@@ -46,7 +46,7 @@ class QuestionsTest : public GuiTest {
     request.file = file;
     request.unit = unit;
     window().open(request);
-    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
     ASSERT_TRUE(waitFor([this] { return !window().message().isEmpty(); }));
   }
   /// Presses a button of the strip as the keyboard does: by F6 and Tab, then Space.

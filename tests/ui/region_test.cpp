@@ -35,7 +35,7 @@ class RegionTest : public GuiTest {
 };
 
 TEST_F(RegionTest, ADragOutsideDrawsANewWindowWhileTheDetailFollows) {
-  document().setRect({40, 40, 60, 60});  // All fields of the status have their rows.
+  document().region().setRect({40, 40, 60, 60});  // All fields of the status have their rows.
   QTest::qWait(0);
   const int before = document().history().count();
   press(view(), point(60, 150));
@@ -77,7 +77,7 @@ class Pictures {
 /// newest place wins, and pictures of the detail come all the same. The overview's relief stays as
 /// it is and is not drawn anew.
 TEST_F(RegionTest, TheDetailFollowsADragThatNeverPauses) {
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   for (SurfaceView* shown :
        {static_cast<SurfaceView*>(&view()), static_cast<SurfaceView*>(&window().detailView())}) {
     ASSERT_TRUE(waitFor([&] {
@@ -120,7 +120,8 @@ TEST_F(RegionTest, TheCornersOfATallObjectsWindowAreInView) {
   request.unit = LengthUnit::mm;
   request.view = ViewChoice{"top", {}};
   window().open(request);
-  ASSERT_TRUE(waitFor([&] { return document().file() == request.file && !document().busy(); }));
+  ASSERT_TRUE(
+      waitFor([&] { return document().file() == request.file && !document().loader().busy(); }));
   const double right = region().x_mm + region().side_mm, top = region().y_mm + region().side_mm;
   for (const QPointF& corner : {point(region().x_mm, region().y_mm), point(right, top),
                                 point(region().x_mm, top), point(right, region().y_mm)}) {
@@ -132,7 +133,7 @@ TEST_F(RegionTest, TheCornersOfATallObjectsWindowAreInView) {
 }
 
 TEST_F(RegionTest, ADragInsideMovesTheWindowAndKeepsItsSize) {
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   drag(view(), point(70, 70), point(100, 90));
   EXPECT_NEAR(region().x_mm, 70, 1e-6);
   EXPECT_NEAR(region().y_mm, 60, 1e-6);
@@ -140,7 +141,7 @@ TEST_F(RegionTest, ADragInsideMovesTheWindowAndKeepsItsSize) {
 }
 
 TEST_F(RegionTest, ACornerResizesAboutTheOppositeCorner) {
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   drag(view(), point(100, 100), point(130, 120));
   EXPECT_NEAR(region().x_mm, 40, 1e-6);
   EXPECT_NEAR(region().y_mm, 40, 1e-6);
@@ -148,7 +149,7 @@ TEST_F(RegionTest, ACornerResizesAboutTheOppositeCorner) {
 }
 
 TEST_F(RegionTest, EscapeDuringADragReturnsToTheWindowBefore) {
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   const DocumentState before = document().state();
   const int entries = document().history().count();
   press(view(), point(70, 70));
@@ -245,7 +246,7 @@ TEST_F(RegionTest, EscapeWhileDrawingByKeysReturnsToTheWindowBefore) {
 }
 
 TEST_F(RegionTest, ControlAndArrowsMoveTheWindowByAQuarter) {
-  document().setRect({80, 80, 40, 40});
+  document().region().setRect({80, 80, 40, 40});
   QTest::keyClick(&window().detailView(), Qt::Key_Right, Qt::ControlModifier);
   EXPECT_NEAR(region().x_mm, 90, 1e-9);
   QTest::keyClick(&window().detailView(), Qt::Key_Up, Qt::ControlModifier);
@@ -257,7 +258,7 @@ TEST_F(RegionTest, ControlAndArrowsMoveTheWindowByAQuarter) {
 }
 
 TEST_F(RegionTest, TheLevelCanBeChosenWithoutMovingTheWindow) {
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   const Region before = region();
   auto* level = child<QComboBox>("region_level");
   ASSERT_EQ(level->count(), 3);
@@ -274,7 +275,7 @@ TEST_F(RegionTest, UndoAndRedoBringBackIdenticalStatesUnderTheirNames) {
   const std::vector<float> first_heights = document().window()->heights_mm;
   QTest::keyClick(&window().detailView(), Qt::Key_Plus, Qt::ControlModifier);
   drag(view(), point(60, 90), point(120, 150));
-  document().setGain(2);
+  document().region().setGain(2);
   const DocumentState last = document().state();
   const std::vector<float> last_heights = document().window()->heights_mm;
   EXPECT_EQ(action("undo")->text(), "&Undo Vertical exaggeration");
@@ -293,8 +294,8 @@ TEST_F(RegionTest, UndoAndRedoBringBackIdenticalStatesUnderTheirNames) {
 TEST_F(RegionTest, GainStepsMergeIntoOneEntryAndTheGainIsShown) {
   auto* note = child<QLabel>("detail_note");
   EXPECT_FALSE(note->text().contains("heights"));
-  document().setGain(1.5);
-  document().setGain(2);
+  document().region().setGain(1.5);
+  document().region().setGain(2);
   EXPECT_EQ(document().history().count(), 1);
   EXPECT_TRUE(note->text().contains(QString::fromUtf8("heights \u00d7 2.00")));
   const float highest = document().window()->max_mm;
@@ -304,7 +305,7 @@ TEST_F(RegionTest, GainStepsMergeIntoOneEntryAndTheGainIsShown) {
 }
 
 TEST_F(RegionTest, TheHandScaleIsSaid) {
-  document().setRect({40, 40, 80, 80});
+  document().region().setRect({40, 40, 80, 80});
   const double scale = handMapping(*document().window()).objectMmPerHandMm();
   const QString text = child<QLabel>("hand_scale")->text();
   EXPECT_TRUE(text.startsWith("Hand scale 1 : " + QString::number(scale, 'f', 2)))
@@ -314,14 +315,14 @@ TEST_F(RegionTest, TheHandScaleIsSaid) {
 TEST_F(RegionTest, AtTheLimitsTheCommandsAreOff) {
   EXPECT_FALSE(action("coarser")->isEnabled());
   EXPECT_FALSE(action("whole")->isEnabled());
-  while (document().finer(document().aboutCentre())) {
+  while (document().region().finer(document().region().aboutCentre())) {
   }
   EXPECT_FALSE(action("finer")->isEnabled());
   EXPECT_TRUE(action("coarser")->isEnabled());
 }
 
 TEST_F(RegionTest, PointerShapesSayWhatADragWillDo) {
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   move(view(), point(70, 70));
   EXPECT_EQ(view().cursor().shape(), Qt::SizeAllCursor);
   move(view(), point(40, 70));

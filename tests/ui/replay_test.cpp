@@ -193,7 +193,7 @@ TEST_F(ReplayTest, DrivesNoDeviceAndGivesTheWindowBack) {
   auto* forces = new QAction("&Forces on");
   forces->setObjectName("forces");
   window().addToMenu("Touch", forces);
-  document().setRect({60, 50, 80, 80});
+  document().region().setRect({60, 50, 80, 80});
   const Region before = document().project().region;
   TouchReadout readout;
   readout.forces_on = true;

@@ -62,7 +62,7 @@ class ShareTest : public GuiTest {
 
 TEST_F(ShareTest, AViewGoesThroughTheClipboardAsText) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   window().runCommand("relief_slope");
   window().detailView().turnBy(20, 10);
   const ViewState shown = viewOf(window().project());
@@ -71,7 +71,7 @@ TEST_F(ShareTest, AViewGoesThroughTheClipboardAsText) {
 
   window().runCommand("relief_lit");
   window().detailView().straighten();
-  document().whole();
+  document().region().whole();
   const Region whole = document().project().region;
   copy("  " + clipboard() + "\n");  // As mail programs give it back.
   QTest::keyClick(&window().detailView(), Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
@@ -83,10 +83,10 @@ TEST_F(ShareTest, AViewGoesThroughTheClipboardAsText) {
 
 TEST_F(ShareTest, APictureFindsItsScanBesideItself) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   const Region region = document().project().region;
   saveImage("fig.png");
-  document().whole();
+  document().region().whole();
   for (const QString& name : {QStringLiteral("fig.png"), QStringLiteral("relief.ply")}) {
     fs::create_directories(path("moved").toStdString());
     ASSERT_TRUE(QFile::rename(path(name), path("moved/" + name)));
@@ -173,7 +173,7 @@ TEST_F(ShareTest, APackageForCitationIsMadeInTheDialog) {
 
 TEST_F(ShareTest, ThePackageOpensWhereverItIsTaken) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   const Region region = document().project().region;
   window().controllers().packages.write({path("cite.zip"), true, {}, {}});
   ASSERT_TRUE(waitFor([&] { return !window().controllers().packages.busy(); }));
@@ -181,11 +181,11 @@ TEST_F(ShareTest, ThePackageOpensWhereverItIsTaken) {
   ASSERT_TRUE(QFile::rename(path("cite.zip"), path("elsewhere/cite.zip")));
   ASSERT_TRUE(QFile::remove(path("relief.ply")));
   for (int times = 0; times < 2; ++times) {  // The second time it is there already.
-    document().whole();
+    document().region().whole();
     window().open(path("elsewhere/cite.zip"));
     ASSERT_TRUE(waitFor([&] {
-      return document().file() == path("elsewhere/cite/input/relief.ply") && !document().busy() &&
-             document().project().region == region;
+      return document().file() == path("elsewhere/cite/input/relief.ply") &&
+             !document().loader().busy() && document().project().region == region;
     })) << window().message().toStdString()
         << document().file().toStdString();
     EXPECT_EQ(window().message(), QString());
@@ -247,7 +247,7 @@ TEST_F(ShareTest, FiguresAreOfferedForAPackageAfterTheProjectIsOpenedAgain) {
   QFile::remove(path("gone.png"));
   restart();
   window().open(path("p.relievo.json"));
-  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
   ASSERT_TRUE(waitFor([&] { return !window().project().figures.empty(); }));
   EXPECT_FALSE(window().hasUnsavedWork());
   window().runCommand("package");

@@ -49,7 +49,7 @@ class StateWalk : public GuiTest {
     Q_EMIT box->activated(index);  // As a click in the list says.
   }
   bool settled() {
-    return waitFor([this] { return !document().busy(); });
+    return waitFor([this] { return !document().loader().busy(); });
   }
 
   void moveTheWindow() {
@@ -62,7 +62,7 @@ class StateWalk : public GuiTest {
         [this] { spin("region_side", 10, 150); },
         [this] { choose("region_level"); },
         [this] {
-          document().zoomTo({between(0, 90), between(0, 90), 40, {any(3)}});
+          document().region().zoomTo({between(0, 90), between(0, 90), 40, {any(3)}});
         },
         [this] { spin("gain", 0.3, 3); },
         [this] { slide("gain_slider"); },
@@ -285,7 +285,7 @@ TEST_F(StateWalk, WhatIsSavedIsTheValueAndComesBack) {
   EXPECT_TRUE(readProject(file.toStdString()) == saved);
   restart();
   window().open(file);
-  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
   Project back = document().project();
   EXPECT_FALSE(window().hasUnsavedWork());
   // What a view draws of the depth that was chosen is its own, by its size.

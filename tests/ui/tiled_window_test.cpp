@@ -24,7 +24,7 @@ class TiledWindowTest : public GuiTest {
  protected:
   void SetUp() override {
     window().open(file());
-    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
     ASSERT_TRUE(document().surface()->tiles);
     ASSERT_EQ(document().details(), 4);
   }
@@ -54,21 +54,21 @@ TEST_F(TiledWindowTest, EveryStepShowsTheWindowOfTheMapInMemoryAndComesBack) {
   };
   expectTheWindowOfTheWhole();
   for (int detail = 2; detail <= 4; ++detail) {
-    ASSERT_TRUE(document().finer(document().aboutCentre()));
+    ASSERT_TRUE(document().region().finer(document().region().aboutCentre()));
     EXPECT_EQ(document().detail(), detail);
     shown();
   }
-  ASSERT_TRUE(document().move(0.25, -0.4));
+  ASSERT_TRUE(document().region().move(0.25, -0.4));
   shown();
-  ASSERT_TRUE(document().setRect({31, 40, 17, 17}));
+  ASSERT_TRUE(document().region().setRect({31, 40, 17, 17}));
   shown();
-  ASSERT_TRUE(document().setGain(2));
+  ASSERT_TRUE(document().region().setGain(2));
   shown();
-  ASSERT_TRUE(document().setLevel({2}));
+  ASSERT_TRUE(document().region().setLevel({2}));
   shown();
-  document().preview({60, 40, 30, {1}});
+  document().region().preview({60, 40, 30, {1}});
   expectTheWindowOfTheWhole();
-  document().revert();
+  document().region().revert();
   for (std::size_t i = seen.size() - 1; i-- > 0;) {
     document().history().undo();
     EXPECT_EQ(document().window()->id, seen[i]);
@@ -124,17 +124,17 @@ TEST_F(TiledWindowTest, APointBesideTheObjectIsNone) {
 }
 
 TEST_F(TiledWindowTest, AProjectOpensItAgainWithItsSteps) {
-  document().finer(document().aboutCentre());
-  document().finer({60, 50, false});
-  document().setRect({31, 40, 17, 17});
+  document().region().finer(document().region().aboutCentre());
+  document().region().finer({60, 50, false});
+  document().region().setRect({31, 40, 17, 17});
   const DocumentState before = document().state();
   const std::uint64_t id = document().window()->id;
   window().saveProject(path("p.relievo.json"));
-  document().whole();
+  document().region().whole();
   QSignalSpy windows(&document(), &Document::windowChanged);
   window().open(path("p.relievo.json"));
-  ASSERT_TRUE(
-      waitFor([&] { return document().state().surface != before.surface && !document().busy(); }));
+  ASSERT_TRUE(waitFor(
+      [&] { return document().state().surface != before.surface && !document().loader().busy(); }));
   EXPECT_EQ(windows.size(), 1) << "no window of the way there is read";
   EXPECT_EQ(document().project().region, before.project.region);
   EXPECT_EQ(document().window()->id, id);
@@ -155,23 +155,23 @@ TEST_F(TiledWindowTest, WhatNeedsTheWholeIsRefusedInOneSentence) {
     if (!action(command)->isEnabled()) continue;
     EXPECT_TRUE(window().runCommand(command));
     EXPECT_TRUE(window().message().contains("by tiles")) << window().message().toStdString();
-    EXPECT_FALSE(document().busy());
+    EXPECT_FALSE(document().loader().busy());
     EXPECT_EQ(window().findChild<DepthMapDialog*>(), nullptr);
     EXPECT_EQ(document().state(), before);
   }
-  document().setUnit(LengthUnit::m);
+  document().choices().setUnit(LengthUnit::m);
   EXPECT_EQ(document().state(), before);
 }
 
 TEST_F(TiledWindowTest, AFileThatIsDamagedMeanwhileLeavesWhatIsShown) {
-  document().finer(document().aboutCentre());
+  document().region().finer(document().region().aboutCentre());
   const DocumentState before = document().state();
   const auto shown = document().window();
   const int steps = document().history().count();
   // Level 0 is not in the cache yet, but for what was loaded ahead.
   QFile finest(file());
   ASSERT_TRUE(finest.resize(finest.size() / 8));
-  EXPECT_TRUE(document().setRect({140, 2, 20, 20}));
+  EXPECT_TRUE(document().region().setRect({140, 2, 20, 20}));
   EXPECT_TRUE(window().message().contains("map.tif")) << window().message().toStdString();
   EXPECT_EQ(document().state(), before);
   EXPECT_EQ(document().window(), shown);
@@ -181,7 +181,7 @@ TEST_F(TiledWindowTest, AFileThatIsDamagedMeanwhileLeavesWhatIsShown) {
 }
 
 TEST_F(TiledWindowTest, ItsWindowHasATextureFromTheNextFinerLevel) {
-  document().finer(document().aboutCentre());
+  document().region().finer(document().region().aboutCentre());
   const RegionWindow& w = *document().window();
   const std::vector<float> finer = finerHeights(*document().surface(), w.region, w.gain);
   EXPECT_FALSE(finer.empty());

@@ -84,7 +84,7 @@ TEST_F(VideoWindowTest, AVideoOfTheViewIsSavedWhileTheWindowGoesOn) {
   action("video_live")->setChecked(true);
   ASSERT_TRUE(video().live()) << window().message().toStdString();
   ASSERT_TRUE(waitFor([this] { return video().liveS() > 0.7; }));
-  document().setRect({60, 50, 40, 40});
+  document().region().setRect({60, 50, 40, 40});
   action("video_live")->setChecked(false);
   ASSERT_TRUE(waitFor([this] { return !video().live(); }));
   ASSERT_EQ(videos().size(), 1) << window().message().toStdString();
@@ -322,7 +322,7 @@ TEST_F(VideoWindowTest, AReplayIsFilmedAlongTheCameraPathIfThatIsChosen) {
   window().controllers().replays.setReader(
       [](const std::filesystem::path&, const Task&) { return shortTouch(2); });
   window().runCommand("key_view");
-  document().setRect({60, 50, 40, 40});
+  document().region().setRect({60, 50, 40, 40});
   window().runCommand("key_view");
   const auto open_dialog = [this] {
     window().runCommand("video");
@@ -348,7 +348,7 @@ TEST_F(VideoWindowTest, AReplayIsFilmedAlongTheCameraPathIfThatIsChosen) {
 TEST_F(VideoWindowTest, KeyViewsMakeAPathThatIsShownAndKept) {
   EXPECT_FALSE(action("path_play")->isEnabled());
   window().runCommand("key_view");
-  document().setRect({60, 50, 40, 40});
+  document().region().setRect({60, 50, 40, 40});
   window().detailView().turnBy(0, 20);
   window().runCommand("key_view");
   EXPECT_TRUE(said().contains("Key view 2 at 3 s")) << said().toStdString();

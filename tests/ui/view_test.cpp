@@ -23,7 +23,8 @@ class ViewTest : public GuiTest {
  protected:
   void SetUp() override { openRelief(); }
   bool seenFrom(const std::string& name) {
-    return waitFor([&] { return !document().busy() && document().surface()->view_name == name; });
+    return waitFor(
+        [&] { return !document().loader().busy() && document().surface()->view_name == name; });
   }
 };
 
@@ -124,7 +125,7 @@ TEST_F(ViewTest, BothViewsDrawByThemselvesInTheirTurns) {
 TEST_F(ViewTest, TheAnaglyphSwitchesOnAndOffInBothViewsAndChangesTheirPixels) {
   auto& detail = window().detailView();
   // A steep flank, so that the eyes see different pictures.
-  document().setRect({60, 60, 100, 100});
+  document().region().setRect({60, 60, 100, 100});
   const QImage mono = detail.shot();
   QTest::keyClick(&detail, Qt::Key_3, Qt::ControlModifier);
   EXPECT_TRUE(child<QCheckBox>("stereo_on")->isChecked());
@@ -156,7 +157,7 @@ double share(const QImage& a, const QImage& b) {
 
 TEST_F(ViewTest, SideBySideShowsEachEyeItsHalfAndThePointerReachesBoth) {
   auto& detail = window().detailView();
-  document().setRect({60, 60, 100, 100});
+  document().region().setRect({60, 60, 100, 100});
   window().runCommand("relief_height");
   ASSERT_TRUE(waitFor([this] { return child<QWidget>("colour_bar")->isVisible(); }));
   const QImage mono = detail.shot();
@@ -210,7 +211,7 @@ TEST_F(ViewTest, OnAFullScreenAPairHasTheScreenToItself) {
 
 TEST_F(ViewTest, InterlacedGivesEachEyeItsRows) {
   auto& detail = window().detailView();
-  document().setRect({60, 60, 100, 100});
+  document().region().setRect({60, 60, 100, 100});
   const QImage mono = detail.shot();
   child<QComboBox>("stereo_kind")->setCurrentIndex(5);
   child<QCheckBox>("stereo_on")->setChecked(true);
@@ -275,7 +276,7 @@ TEST_F(ViewTest, AViewThatHasItsSizeBeforeItIsWarmDrawsThatManyPixels) {
 }
 
 TEST_F(ViewTest, AutomaticDepthGivesEachViewTheParallaxThatFillsTheComfortableRange) {
-  document().setRect({60, 60, 100, 100});
+  document().region().setRect({60, 60, 100, 100});
   action("stereo")->trigger();
   ASSERT_TRUE(child<QCheckBox>("stereo_automatic")->isChecked());
   const auto range = [&](SurfaceView& view, double low, double high) {
@@ -293,7 +294,7 @@ TEST_F(ViewTest, AutomaticDepthGivesEachViewTheParallaxThatFillsTheComfortableRa
   EXPECT_NEAR(range(window().detailView(), shown->min_mm, shown->max_mm), kComfortDeg, 1e-6);
   // Nobody chose an angle: what is shown is not a step, and nothing to be saved.
   const int steps = document().history().count();
-  document().setRect({20, 20, 60, 60});
+  document().region().setRect({20, 20, 60, 60});
   EXPECT_EQ(document().history().count(), steps + 1);
 }
 
@@ -317,7 +318,7 @@ TEST_F(ViewTest, InterpolatedCellsLookLikeMeasuredOnesUntilTheyAreAskedFor) {
     request.unit = LengthUnit::mm;
     request.view = ViewChoice{"top", {}};
     window().open(request);
-    ASSERT_TRUE(waitFor([&] { return document().file() == file && !document().busy(); }));
+    ASSERT_TRUE(waitFor([&] { return document().file() == file && !document().loader().busy(); }));
   };
   QFile points(path("gaps.xyz")), whole(path("whole.xyz"));
   ASSERT_TRUE(points.open(QIODevice::WriteOnly) && whole.open(QIODevice::WriteOnly));
@@ -355,7 +356,7 @@ TEST_F(ViewTest, InterpolatedCellsLookLikeMeasuredOnesUntilTheyAreAskedFor) {
 }
 
 TEST_F(ViewTest, OneValueHasOneColourInBothViewsAndTheBarsEndsAreRound) {
-  document().setRect({60, 60, 60, 60});
+  document().region().setRect({60, 60, 60, 60});
   action("relief_height")->trigger();
   const auto whole = window().referenceView().shownRange();
   ASSERT_TRUE(whole.has_value());
@@ -363,7 +364,7 @@ TEST_F(ViewTest, OneValueHasOneColourInBothViewsAndTheBarsEndsAreRound) {
   EXPECT_EQ(window().detailView().shownRange(), whole);
   const auto* bar = window().referenceView().findChild<ColourBar*>("colour_bar");
   EXPECT_EQ(bar->accessibleDescription(), "height (mm) from 0 to 19");
-  document().setGain(2);  // Twice the heights are other values.
+  document().region().setGain(2);  // Twice the heights are other values.
   EXPECT_NE(window().detailView().shownRange(), whole);
   document().history().undo();
   EXPECT_EQ(window().detailView().shownRange(), whole);
@@ -388,7 +389,7 @@ TEST_F(ViewTest, TheDepthBufferGivesTheSameReliefAsTheProcessor) {
   const auto cpu = document().surface();
   action("engine_depthbuffer")->trigger();
   ASSERT_TRUE(waitFor([this] {
-    return !document().busy() &&
+    return !document().loader().busy() &&
            (document().surface()->engine == "depthbuffer" || !window().message().isEmpty());
   })) << "depth buffer";
   ASSERT_EQ(document().surface()->engine, "depthbuffer") << window().message().toStdString();

@@ -414,7 +414,7 @@ TEST_F(WindowTest, TheIntroductionIsShownWhole) {
 
 TEST_F(WindowTest, AStepThatIsUndoneIsNotSaidAnyLonger) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   ASSERT_TRUE(window().runCommand("move_right"));
   const auto* said = child<QLabel>("status_message");
   ASSERT_TRUE(said->text().startsWith("Right. Window at")) << said->text().toStdString();

@@ -90,7 +90,7 @@ OpenController::OpenController(const ControllerParts& parts, SaveController& sav
 
 void OpenController::cancel() {
   restoring_.reset();
-  document_.cancel();
+  document_.loader().cancel();
 }
 
 void OpenController::forgetState() {
@@ -184,7 +184,7 @@ bool OpenController::finish() {
   const Project stored = *std::exchange(restoring_, std::nullopt)->project;
   if (!recovered_copy_.isEmpty()) {
     AutosaveController::discard(std::exchange(recovered_copy_, QString()));
-    document_.noteUnsaved();
+    document_.saved().noteUnsaved();
     saving_.keeper().changed();
     saving_.showTitle();
   }
@@ -199,7 +199,7 @@ void OpenController::tellChanged(const Project& stored) {
                     "is now; results may differ. (E501)")
                      .arg(shownName(document_.file())),
                  {{tr("&Find it\u2026"), [this, stored] {
-                     const QString& project = document_.projectFile();
+                     const QString& project = document_.saved().projectFile();
                      relink(stored, project.isEmpty() ? document_.file() : project);
                    }}});
 }
@@ -275,7 +275,7 @@ void OpenController::showFailure(const QString& message, const QString& code, co
                          open(request);
                        }});
   }
-  if (const auto every = document_.offeredEvery(); every && !file.isEmpty()) {
+  if (const auto every = document_.loader().offeredEvery(); every && !file.isEmpty()) {
     buttons.push_back({tr("&Load one point in %1").arg(*every), [this, file, every] {
                          OpenRequest request;
                          if (restoring_ && restoring_->file == file) request = *restoring_;
@@ -412,7 +412,7 @@ void OpenController::openTogether(const QStringList& files) {
 }
 
 void OpenController::choosePrepare() {
-  if (document_.busy() || !document_.canRemake() || !document_.source().scan) return;
+  if (document_.loader().busy() || !document_.canRemake() || !document_.source().scan) return;
   const Project& opened = document_.project();
   PrepareInput input{
       .file = opened.file, .read = opened.scan, .accept_incomplete = opened.accept_incomplete};

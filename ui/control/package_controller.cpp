@@ -60,8 +60,8 @@ PackageController::PackageController(const ControllerParts& parts, const Foreign
 }
 
 void PackageController::choose() {
-  if (!document_.isOpen() || document_.busy() || work_.busy()) return;
-  const QString& project = document_.projectFile();
+  if (!document_.isOpen() || document_.loader().busy() || work_.busy()) return;
+  const QString& project = document_.saved().projectFile();
   const QFileInfo near(project.isEmpty() ? document_.file() : project);
   const QString more = QStringLiteral("-package.zip");
   const QString stem = stemOf(near.fileName().section('.', 0, 0) + '.', more);

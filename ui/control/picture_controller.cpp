@@ -127,7 +127,7 @@ PictureOrder PictureController::order(ImageSource source, const QSize& pixels,
 }
 
 void PictureController::chooseFigure() {
-  if (!document_.isOpen() || document_.busy()) return;
+  if (!document_.isOpen() || document_.loader().busy()) return;
   Project now = document_.stored();
   const std::string plotted = foreign_.isWithheld(now.figure.recording) ? now.figure.recording : "";
   if (!plotted.empty()) now.figure.recording.clear();

@@ -136,7 +136,7 @@ void PlaceController::goTo(const NamedRegion& place) {
     return;
   }
   if (place.view) look_.showView(*place.view, tr("Go to %1").arg(name));
-  document_.goTo(place.region, place.gain, tr("Go to %1").arg(name));
+  document_.region().goTo(place.region, place.gain, tr("Go to %1").arg(name));
   announce(tr("%1. Detail %2 of %3").arg(name).arg(document_.detail()).arg(document_.details()));
 }
 
@@ -147,7 +147,8 @@ void PlaceController::goToPoint(const NamedRegion& marker) {
   to.x_mm = marker.region.centreX() - 0.5 * to.side_mm;
   to.y_mm = marker.region.centreY() - 0.5 * to.side_mm;
   to = moved(document_.surface()->ladder, to, 0, 0).value_or(to);
-  const bool is_other = document_.goTo(to, document_.project().gain, tr("Go to %1").arg(name));
+  const bool is_other =
+      document_.region().goTo(to, document_.project().gain, tr("Go to %1").arg(name));
   Q_EMIT wentToMarker(marker.region.centreX(), marker.region.centreY());
   if (!is_other) {
     announce(tr("%1 is in the window already.").arg(name));
@@ -175,7 +176,7 @@ void PlaceController::pasteView() {
       return;
     }
     look_.showView(view, tr("Paste view"));
-    document_.goTo(view.region, view.gain, tr("Paste view"));
+    document_.region().goTo(view.region, view.gain, tr("Paste view"));
     announce(tr("The copied view is shown. Detail %1 of %2")
                  .arg(document_.detail())
                  .arg(document_.details()));

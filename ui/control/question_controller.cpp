@@ -67,14 +67,14 @@ void QuestionController::begin(bool restored, std::size_t withheld) {
 }
 
 void QuestionController::askNext() {
-  if (questions_.empty() || document_.busy() || !messages_.shown().isEmpty()) return;
+  if (questions_.empty() || document_.loader().busy() || !messages_.shown().isEmpty()) return;
   const std::function<void()> ask = questions_.front();
   questions_.erase(questions_.begin());
   ask();
 }
 
 void QuestionController::answerStrays(StrayRule rule) {
-  document_.setStrays(rule);
+  document_.choices().setStrays(rule);
   askNext();  // If that was the answer already.
 }
 
@@ -120,7 +120,7 @@ void QuestionController::askGroups() {
 
 void QuestionController::askNodata() {
   const SuspectHeight suspect = *document_.surface()->suspect_height;
-  const auto answer = [this](const NodataChoice& nodata) { document_.setNodata(nodata); };
+  const auto answer = [this](const NodataChoice& nodata) { document_.choices().setNodata(nodata); };
   messages_.show(
       tr("%1 of %2 heights are %3, which often stands for a missing one. They are shown as "
          "heights.")
@@ -182,7 +182,7 @@ void QuestionController::askFace(const std::vector<std::pair<std::string, QImage
                                         if (name == document_.surface()->view_name) {
                                           askNext();
                                         } else {
-                                          document_.setView({name, {}});
+                                          document_.choices().setView({name, {}});
                                         }
                                       },
                                       QIcon(pixels)};
@@ -257,7 +257,7 @@ void QuestionController::askScale() {
   messages_.show(QStringLiteral("%1 %2").arg(shown, why),
                  {{tr("&Say how large\u2026"), [this] { chooseScale(); }},
                   {tr("&Keep it so"), [this, scale] {
-                     document_.setRasterScale(
+                     document_.choices().setRasterScale(
                          {.pixel_mm = scale.pixel_mm, .height_mm = scale.height_mm, .zero = {}});
                    }}});
 }
@@ -270,7 +270,7 @@ void QuestionController::chooseScale() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &RasterScaleDialog::chosen, this, [this](const RasterScale& chosen) {
     messages_.close();
-    document_.setRasterScale(chosen);
+    document_.choices().setRasterScale(chosen);
   });
   dialog->open();
 }
@@ -278,7 +278,7 @@ void QuestionController::chooseScale() {
 void QuestionController::chooseUnit(LengthUnit unit) {
   settings_.rememberUnit(document_.file(), unit);
   messages_.close();
-  document_.setUnit(unit);
+  document_.choices().setUnit(unit);
 }
 
 void QuestionController::tellWithheld(int count) {

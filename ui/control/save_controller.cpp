@@ -58,7 +58,7 @@ void SaveController::watch(const Writers& writers) {
 }
 
 bool SaveController::mayClose() {
-  if (!closes_anyway_ && document_.hasUnsavedWork()) {
+  if (!closes_anyway_ && document_.saved().hasUnsaved()) {
     whenNothingIsUnsaved([this] {
       closes_anyway_ = true;
       window_.close();
@@ -69,7 +69,7 @@ bool SaveController::mayClose() {
 }
 
 void SaveController::whenNothingIsUnsaved(const std::function<void()>& then) {
-  if (!document_.hasUnsavedWork()) {
+  if (!document_.saved().hasUnsaved()) {
     then();
     return;
   }
@@ -77,7 +77,7 @@ void SaveController::whenNothingIsUnsaved(const std::function<void()>& then) {
     asked->raise();
     return;
   }
-  const QString& project = document_.projectFile();
+  const QString& project = document_.saved().projectFile();
   const QString name = shownName(project.isEmpty() ? document_.file() : project);
   auto* box = new QMessageBox(
       QMessageBox::Warning, tr("Unsaved work"),
@@ -94,11 +94,11 @@ void SaveController::whenNothingIsUnsaved(const std::function<void()>& then) {
   connect(box, &QDialog::finished, this, [this, then](int answer) {
     if (answer == QMessageBox::Discard) then();
     if (answer != QMessageBox::Save) return;
-    if (document_.projectFile().isEmpty()) {
+    if (document_.saved().projectFile().isEmpty()) {
       saveAs(then);
     } else {
-      save(document_.projectFile());
-      if (!document_.hasUnsavedWork()) then();
+      save(document_.saved().projectFile());
+      if (!document_.saved().hasUnsaved()) then();
     }
   });
   box->open();
@@ -110,7 +110,7 @@ void SaveController::restartWhenNothingIsUnsaved() {
 
 // The new one reads the settings, so it speaks the language that was chosen.
 void SaveController::restart() {
-  const QString& project = document_.projectFile();
+  const QString& project = document_.saved().projectFile();
   const QString shown = project.isEmpty() ? document_.file() : project;
   if (!QProcess::startDetached(QCoreApplication::applicationFilePath(),
                                shown.isEmpty() ? QStringList() : QStringList{shown})) {
@@ -125,7 +125,7 @@ void SaveController::restart() {
 
 void SaveController::endAtOnce() {
   if (std::exchange(ends_at_once_, true)) return;
-  if (document_.hasUnsavedWork()) keeper_.leave();
+  if (document_.saved().hasUnsaved()) keeper_.leave();
   if (writers_) {
     VideoControl& video = writers_->videos.control();
     video.cancel();
@@ -168,10 +168,10 @@ void SaveController::closeIfAwaited(bool written) {
 }
 
 void SaveController::saveNow() {
-  if (document_.projectFile().isEmpty()) {
+  if (document_.saved().projectFile().isEmpty()) {
     saveAs();
   } else {
-    save(document_.projectFile());
+    save(document_.saved().projectFile());
   }
 }
 
@@ -188,7 +188,7 @@ void SaveController::saveAs(const std::function<void()>& then) {
     save(file.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)
              ? file
              : file + QLatin1String(".relievo.json"));
-    if (then && !document_.hasUnsavedWork()) then();
+    if (then && !document_.saved().hasUnsaved()) then();
   });
   dialog->open();
 }
@@ -196,7 +196,7 @@ void SaveController::saveAs(const std::function<void()>& then) {
 void SaveController::save(const QString& file) {
   try {
     writeProject(pathOf(file), document_.stored());
-    document_.noteSaved(file);
+    document_.saved().noteSaved(file);
     showTitle();
     keeper_.forget();
     settings_.addRecentFile(file);
@@ -209,7 +209,7 @@ void SaveController::save(const QString& file) {
 
 Project SaveController::autosavedProject() const {
   Project p = document_.stored();
-  const QString& file = document_.projectFile();
+  const QString& file = document_.saved().projectFile();
   if (!file.isEmpty()) p.saved_as = bytesOfPath(QFileInfo(file).absoluteFilePath());
   return p;
 }
@@ -227,12 +227,12 @@ void SaveController::keepWork() {
 
 void SaveController::showTitle() {
   if (!document_.isOpen()) return;
-  const QString& project = document_.projectFile();
+  const QString& project = document_.saved().projectFile();
   const QString shown = project.isEmpty() ? document_.file() : project;
   // Qt puts a star at the first [*] where something is unsaved.
   const QString name = shownName(shown).replace(QLatin1String("[*]"), QLatin1String("[*][*]"));
   window_.setWindowTitle(tr("%1[*] \u2013 relievo").arg(name));
-  window_.setWindowModified(document_.hasUnsavedWork());
+  window_.setWindowModified(document_.saved().hasUnsaved());
 }
 
 }  // namespace relievo

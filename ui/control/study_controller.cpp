@@ -113,7 +113,7 @@ void StudyController::showTrial() {
   const QString words = tr("Condition %1").arg(QString::fromStdString(trial.blinded));
   const NamedRegion& place = s.places[trial.condition];
   if (place.view) look_.showView(*place.view, words);
-  document_.goTo(place.region, place.gain, words);
+  document_.region().goTo(place.region, place.gain, words);
   enableCommands();
   announce(tr("Condition %1, %2 of %3.")
                .arg(QString::fromStdString(trial.blinded))

@@ -46,7 +46,7 @@ void SurfaceController::makeCommands() {
   commands_.on(Command::finer, this, [this] { stepDetail(true); });
   commands_.on(Command::coarser, this, [this] { stepDetail(false); });
   commands_.on(Command::whole, this, [this] {
-    if (document_.whole()) announce(tr("Whole object"));
+    if (document_.region().whole()) announce(tr("Whole object"));
   });
   commands_.on(Command::move_left, this, [this] { moveWindow(-kMoveStep, 0, tr("Left")); });
   commands_.on(Command::move_right, this, [this] { moveWindow(kMoveStep, 0, tr("Right")); });
@@ -56,7 +56,7 @@ void SurfaceController::makeCommands() {
   for (const Command side : {Command::front, Command::back, Command::left, Command::right,
                              Command::top, Command::bottom, Command::automatic}) {
     const std::string view = commands_[side].objectName().toStdString();
-    commands_.on(side, this, [this, view] { document_.setView({view, {}}); });
+    commands_.on(side, this, [this, view] { document_.choices().setView({view, {}}); });
   }
   // Named after where the near side goes, as under a middle drag.
   commands_.on(Command::turn_left, this, [this] { detail_.turnBy(kTurnStepDeg, 0); });
@@ -64,13 +64,15 @@ void SurfaceController::makeCommands() {
   commands_.on(Command::turn_up, this, [this] { detail_.turnBy(0, -kTurnStepDeg); });
   commands_.on(Command::turn_down, this, [this] { detail_.turnBy(0, kTurnStepDeg); });
   commands_.on(Command::use_view, this, [this] { useThisView(); });
-  commands_.on(Command::engine_cpu, this, [this] { document_.setEngine(QStringLiteral("cpu")); });
+  commands_.on(Command::engine_cpu, this,
+               [this] { document_.choices().setEngine(QStringLiteral("cpu")); });
   commands_.on(Command::engine_depthbuffer, this,
-               [this] { document_.setEngine(QStringLiteral("depthbuffer")); });
+               [this] { document_.choices().setEngine(QStringLiteral("depthbuffer")); });
 }
 
 void SurfaceController::stepDetail(bool finer) {
-  const bool done = finer ? document_.finer(touch_.about()) : document_.coarser(touch_.about());
+  const bool done =
+      finer ? document_.region().finer(touch_.about()) : document_.region().coarser(touch_.about());
   if (done) {
     announce(tr("Detail %1 of %2").arg(document_.detail()).arg(document_.details()));
   } else {
@@ -79,7 +81,7 @@ void SurfaceController::stepDetail(bool finer) {
 }
 
 void SurfaceController::moveWindow(double dx, double dy, const QString& moved) {
-  if (!document_.move(dx, dy)) {
+  if (!document_.region().move(dx, dy)) {
     announce(tr("Edge"));
     return;
   }
@@ -103,11 +105,11 @@ void SurfaceController::useThisView() {
       }
     }
   }
-  document_.setView({"free", turned});
+  document_.choices().setView({"free", turned});
 }
 
 void SurfaceController::chooseDepthMap() {
-  if (document_.busy() || !document_.canRemake()) return;
+  if (document_.loader().busy() || !document_.canRemake()) return;
   auto* dialog = new DepthMapDialog(document_, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &DepthMapDialog::unitChosen, this, [this](LengthUnit unit) {

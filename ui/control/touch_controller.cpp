@@ -91,7 +91,7 @@ StepAbout TouchController::about() const {
   if (probe_ && window && probe_->window_id == window->id) {
     return {probe_->proxy.x, probe_->proxy.y, false};
   }
-  return document_.aboutCentre();
+  return document_.region().aboutCentre();
 }
 
 void TouchController::showProbe(const Probe& probe) {

@@ -56,7 +56,7 @@ VideoController::VideoController(const ControllerParts& parts, DetailView& detai
   connect(&replay_, &ReplayControl::shownChanged, this, &VideoController::enable);
   connect(&preview_, &PathPreview::viewChanged, this, &VideoController::showPathView);
   connect(&preview_, &PathPreview::ended, this, [this] {
-    document_.revert();
+    document_.region().revert();
     detail_.straighten();
     announce(tr("End of the camera path"));
   });
@@ -231,8 +231,8 @@ void VideoController::previewPath() {
 }
 
 void VideoController::showPathView(const ViewState& view) {
-  document_.preview(view.region);
-  document_.previewGain(view.gain);
+  document_.region().preview(view.region);
+  document_.region().previewGain(view.gain);
   document_.setTurn(view.azimuth_deg, view.elevation_deg);
 }
 

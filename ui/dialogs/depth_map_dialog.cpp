@@ -161,7 +161,7 @@ DepthMapDialog::~DepthMapDialog() {
   worker_.disconnect();
 }
 
-void DepthMapDialog::layOut() {
+void DepthMapDialog::nameControls() {
   recompute_->setObjectName(QStringLiteral("depth_recompute"));
   recompute_->setAccessibleName(tr("Recompute"));
   recompute_->setToolTip(tr("Make the preview of the choices shown"));
@@ -182,14 +182,9 @@ void DepthMapDialog::layOut() {
   bar_->setAccessibleName(tr("Progress"));
   bar_->setRange(0, 100);
   step_->setAccessibleName(tr("What is being done"));
+}
 
-  auto* left = new QScrollArea;
-  left->setFocusPolicy(Qt::NoFocus);  // What stands in it has the keyboard.
-  left->setWidget(form_);
-  left->setWidgetResizable(true);
-  left->setFrameShape(QFrame::NoFrame);
-  left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  left->setMinimumWidth(form_->minimumSizeHint().width() + 24);
+QScrollArea* DepthMapDialog::wordArea() {
   auto* words = new QWidget;
   auto* word_column = new QVBoxLayout(words);
   word_column->setContentsMargins(0, 0, 0, 0);
@@ -205,6 +200,17 @@ void DepthMapDialog::layOut() {
   word_area->setWidgetResizable(true);
   word_area->setFrameShape(QFrame::NoFrame);
   word_area->setMinimumHeight(4 * fontMetrics().height());
+  return word_area;
+}
+
+QBoxLayout* DepthMapDialog::columns() {
+  auto* left = new QScrollArea;
+  left->setFocusPolicy(Qt::NoFocus);  // What stands in it has the keyboard.
+  left->setWidget(form_);
+  left->setWidgetResizable(true);
+  left->setFrameShape(QFrame::NoFrame);
+  left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  left->setMinimumWidth(form_->minimumSizeHint().width() + 24);
 
   auto* switches = new QHBoxLayout;
   switches->addWidget(mask_);
@@ -215,11 +221,14 @@ void DepthMapDialog::layOut() {
   right->addWidget(preview_, 4);
   right->addLayout(switches);
   right->addWidget(histogram_);
-  right->addWidget(word_area, 1);
+  right->addWidget(wordArea(), 1);
   auto* columns = new QHBoxLayout;
   columns->addWidget(left, 0);
   columns->addLayout(right, 1);
+  return columns;
+}
 
+QBoxLayout* DepthMapDialog::bottomRow() {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
   nameButtons(*buttons);
   ok_ = buttons->button(QDialogButtonBox::Ok);
@@ -232,9 +241,14 @@ void DepthMapDialog::layOut() {
   bottom->addWidget(cancel_work_);
   bottom->addStretch(1);
   bottom->addWidget(buttons);
+  return bottom;
+}
+
+void DepthMapDialog::layOut() {
+  nameControls();
   auto* all = new QVBoxLayout(this);
-  all->addLayout(columns, 1);
-  all->addLayout(bottom);
+  all->addLayout(columns(), 1);
+  all->addLayout(bottomRow());
   resizeToText(*this, {134, 36});
 }
 
@@ -256,7 +270,8 @@ void DepthMapDialog::compute() {
   stale_ = true;
   preview_->setStale(true);
   worker_.start(
-      [made, source = document_.source(), engine = document_.depthBuffer()](const Task& task) {
+      [made, source = document_.source(),
+       engine = document_.loader().depthBuffer()](const Task& task) {
         made->outcome = outcomeOf([&] {
           auto surface = makeSurface(source, made->options, engine, task);
           made->picture = pictureOf(*surface, task);

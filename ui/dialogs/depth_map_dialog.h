@@ -6,10 +6,12 @@
 #include "ui/dialogs/depth_map_preview.h"
 #include "ui/work/document.h"
 
+class QBoxLayout;
 class QCheckBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 class QTimer;
 
 namespace relievo {
@@ -36,6 +38,10 @@ class DepthMapDialog : public QDialog {
  private:
   struct Made;
 
+  void nameControls();
+  QScrollArea* wordArea();
+  QBoxLayout* columns();
+  QBoxLayout* bottomRow();
   void layOut();
   void choicesChanged();
   void compute();

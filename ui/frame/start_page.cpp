@@ -147,6 +147,18 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(24, 48, 24, 32);
   column->setSpacing(14);
+  addBeginning(column);
+  addLists(column);
+  setRecent({});
+  later_.setSingleShot(true);
+  later_.setInterval(kPicturesAfterMs);
+  connect(&later_, &QTimer::timeout, this, [this] {
+    if (isVisible()) pictures_.make(sampleFiles());
+  });
+  connect(&pictures_, &ReliefPictures::made, this, &StartPage::showPicture);
+}
+
+void StartPage::addBeginning(QBoxLayout* column) {
   auto* title = new QLabel(tr("Open a scan to see and touch it"));
   QFont font = title->font();
   font.setPointSizeF(font.pointSizeF() * 1.7);
@@ -170,7 +182,9 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   setFocusProxy(open);
   column->addWidget(open);
   column->addSpacing(8);
+}
 
+void StartPage::addLists(QBoxLayout* column) {
   auto* lists = new QHBoxLayout;
   lists->setSpacing(20);
   auto* samples_box = new QWidget;
@@ -198,13 +212,6 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
       Q_EMIT fileChosen(item->data(Qt::UserRole).toString());
     });
   }
-  setRecent({});
-  later_.setSingleShot(true);
-  later_.setInterval(kPicturesAfterMs);
-  connect(&later_, &QTimer::timeout, this, [this] {
-    if (isVisible()) pictures_.make(sampleFiles());
-  });
-  connect(&pictures_, &ReliefPictures::made, this, &StartPage::showPicture);
 }
 
 void StartPage::showEvent(QShowEvent* event) {

@@ -6,6 +6,7 @@
 
 #include "ui/views/relief_picture.h"
 
+class QBoxLayout;
 class QListWidget;
 
 namespace relievo {
@@ -25,6 +26,8 @@ class StartPage : public QWidget {
   void fileChosen(const QString& file);
 
  private:
+  void addBeginning(QBoxLayout* column);
+  void addLists(QBoxLayout* column);
   void showPicture(const QString& file, const QImage& picture);
 
   QListWidget *samples_, *recent_;

@@ -128,7 +128,7 @@ void ReplayControl::show(std::shared_ptr<const TouchRecording> recording, const 
 void ReplayControl::close() {
   if (!showing()) return;
   player_.unload();
-  document_.revert();  // The window from before.
+  document_.region().revert();  // The window from before.
   Q_EMIT shownChanged(false);
   Q_EMIT said(tr("Replay closed"));
 }
@@ -152,8 +152,8 @@ void ReplayControl::showRow() {
     // A level of another pyramid cannot be shown; the hand is drawn all the same.
     if (window != nullptr && window->region.level.value >= 0 &&
         window->region.level.value < document_.details()) {
-      document_.preview(window->region);
-      document_.previewGain(window->gain);
+      document_.region().preview(window->region);
+      document_.region().previewGain(window->gain);
     }
   }
   if (const auto shown = document_.window()) Q_EMIT probeMoved(probeOf(row, shown->id));

@@ -178,7 +178,7 @@ void SuggestPanel::go() {
   if (row < 0 || row >= static_cast<int>(windows_.size())) return;
   const auto place = static_cast<std::size_t>(row);
   // It was looked for with this gain: with another one it would feel otherwise.
-  document_.goTo(windows_[place].region, gain_, tr("Suggested window %1").arg(row + 1));
+  document_.region().goTo(windows_[place].region, gain_, tr("Suggested window %1").arg(row + 1));
   Q_EMIT said(rowText(place));
 }
 

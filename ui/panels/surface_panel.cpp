@@ -140,14 +140,14 @@ SurfacePanel::SurfacePanel(Document& document, QWidget* parent)
           [this] { Q_EMIT unitChosen(static_cast<LengthUnit>(unit_->currentData().toInt())); });
   connect(&document_, &Document::surfaceChanged, this, &SurfacePanel::showSurface);
   // A choice that was not carried out must not stay on show.
-  connect(&document_, &Document::busyChanged, this, &SurfacePanel::showSurface);
+  connect(&document_.loader(), &SurfaceLoader::busyChanged, this, &SurfacePanel::showSurface);
   connect(&document_, &Document::failed, this, &SurfacePanel::showSurface);
   showSurface();
 }
 
 void SurfacePanel::showSurface() {
   setEnabled(document_.isOpen());
-  if (!document_.isOpen() || document_.busy()) return;
+  if (!document_.isOpen() || document_.loader().busy()) return;
   const Surface& s = *document_.surface();
   const HeightRange z = mapFacts(s).heights;
   const GridFrame& grid = mapFrame(s);
@@ -222,20 +222,20 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
     connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &RegionPanel::typed);
   }
   connect(level_, QOverload<int>::of(&QComboBox::activated), this,
-          [this] { document_.setLevel({level_->currentData().toInt()}); });
+          [this] { document_.region().setLevel({level_->currentData().toInt()}); });
   connect(gain_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double gain) {
-    if (!showing_) document_.setGain(gain);
+    if (!showing_) document_.region().setGain(gain);
   });
   connect(gain_slider_, &QSlider::valueChanged, this, [this](int value) {
     if (showing_) return;
     if (gain_slider_->isSliderDown()) {
-      document_.previewGain(gainOf(value));
+      document_.region().previewGain(gainOf(value));
     } else {
-      document_.setGain(gainOf(value));
+      document_.region().setGain(gainOf(value));
     }
   });
   connect(gain_slider_, &QSlider::sliderReleased, this,
-          [this] { document_.commit(tr("Vertical exaggeration")); });
+          [this] { document_.region().commit(tr("Vertical exaggeration")); });
   connect(&document_, &Document::windowChanged, this, &RegionPanel::showWindow);
   showWindow();
 }
@@ -249,7 +249,7 @@ void RegionPanel::typed() {
   };
   const Region& r = document_.project().region;
   const double side = meant(side_, r.side_mm);
-  if (!document_.setRect({meant(x_, r.x_mm), meant(y_, r.y_mm), side, side})) showWindow();
+  if (!document_.region().setRect({meant(x_, r.x_mm), meant(y_, r.y_mm), side, side})) showWindow();
 }
 
 void RegionPanel::showWindow() {

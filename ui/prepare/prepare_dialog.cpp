@@ -1,48 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/prepare/prepare_dialog.h"
 
-#include <algorithm>
-#include <QCheckBox>
 #include <QClipboard>
-#include <QComboBox>
-#include <QDir>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QLabel>
-#include <QLineEdit>
-#include <QProgressBar>
-#include <QPushButton>
-#include <QTimer>
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QVBoxLayout>
 
-#include "ui/language/core_text.h"
-#include "ui/language/error_text.h"
-#include "ui/prepare/step_form.h"
-#include "ui/prepare/step_words.h"
+#include "ui/prepare/pair_picking.h"
+#include "ui/prepare/prepare_report.h"
+#include "ui/prepare/prepare_rows.h"
+#include "ui/prepare/prepare_views.h"
+#include "ui/prepare/prepare_widgets.h"
+#include "ui/prepare/scan_list.h"
+#include "ui/prepare/step_list.h"
+#include "ui/style/dialog_size.h"
 #include "ui/work/file_names.h"
-#include "ui/work/surface_work.h"
 
 namespace relievo {
 namespace {
-
-constexpr int kDelayMs = 250;  // Between the last change and the work.
-
-/// What was read of a file does not depend on its unit, nor on whether it is used.
-bool sameRead(const PrepareInput& a, const PrepareInput& b) {
-  return a.file == b.file && a.read == b.read && a.accept_incomplete == b.accept_incomplete;
-}
-
-/// NAME-prepared.ply, NAME-prepared-2.ply, ... beside the scan: the first that is free.
-QString freeName(const QFileInfo& scan) {
-  const QString base = scan.absolutePath() + '/' +
-                       stemOf(scan.filePath(), QStringLiteral("-prepared-9999.recipe.json"));
-  QString file = base + QLatin1String("-prepared.ply");
-  for (int n = 2; QFileInfo::exists(file); ++n) {
-    file = QStringLiteral("%1-prepared-%2.ply").arg(base).arg(n);
-  }
-  return file;
-}
 
 std::filesystem::path pathOf(const QString& file) {
   return QFile::encodeName(file).toStdString();
@@ -56,285 +35,271 @@ QString quoted(const QString& word) {
 }  // namespace
 
 PrepareDialog::PrepareDialog(const PrepareStart& start, QWidget* parent)
-    : QDialog(parent), state_({.inputs = start.inputs, .steps = {}}), delay_(new QTimer(this)) {
+    : QDialog(parent), state_({.inputs = start.inputs, .steps = {}}), runner_(state_) {
   setObjectName(QStringLiteral("prepare_dialog"));
   setWindowTitle(tr("Prepare"));
   setWindowFlag(Qt::WindowMaximizeButtonHint);
+  scans_ = new ScanList(state_, runner_.reads());
+  steps_ = new StepList(state_, runner_);
+  report_ = new PrepareReport;
+  views_ = new PrepareViews(report_);
+  file_ = new PreparedFileRow;
+  work_ = new PrepareWorkRow;
   layOut();
-  view_->look(start.view);
-  other_view_->look(start.view);
-  side_->setCurrentIndex(side_->findData(QString::fromStdString(relievo::nameOf(start.view))));
-  const QFileInfo first(QFile::decodeName(start.inputs.front().file.c_str()));
-  file_->setText(QDir::toNativeSeparators(freeName(first)));
-  delay_->setSingleShot(true);
-  delay_->setInterval(kDelayMs);
-  connect(delay_, &QTimer::timeout, this, &PrepareDialog::compute);
-  connect(&worker_, &LatestWorker::busyChanged, this, &PrepareDialog::showBusy);
-  connect(&worker_, &LatestWorker::progressed, this, [this](const QString& step, double fraction) {
-    step_name_->setText(wordsOfWork(step));
-    bar_->setValue(static_cast<int>(100 * fraction));
-  });
+  picking_ = std::make_unique<PairPicking>(state_, runner_.reads(), *scans_, *views_, *report_);
+  connectLists();
+  connectViews();
+  connectRunner();
+  connectWork();
+  views_->look(start.view);
+  file_->suggestBeside(QFile::decodeName(start.inputs.front().file.c_str()));
   showLists();
-  showBusy(false);
-  if (!start.scan) {
-    compute();
-    return;
+  work_->showBusy(false);
+  if (start.scan) {
+    runner_.begin(start.scan, start.sha256);
+  } else {
+    runner_.compute();
   }
-  // What is drawn of it is chosen in the worker, too.
-  reading_ = true;
-  const auto read = std::make_shared<std::shared_ptr<const ReadScan>>();
-  worker_.start(
-      [read, start](const Task& task) {
-        outcomeOf([&] {
-          *read = shownOf(start.scan, start.sha256, kMostShownPoints, task);
-          return std::shared_ptr<const Surface>();
-        });
-      },
-      [this, read, input = start.inputs.front()] {
-        reading_ = false;
-        if (*read) reads_.emplace_back(input, *read);
-        compute();
-      });
 }
 
-PrepareDialog::~PrepareDialog() {
-  worker_.disconnect();
-  painter_.disconnect();
+PrepareDialog::~PrepareDialog() = default;
+
+void PrepareDialog::layOut() {
+  auto* left = new QWidget;
+  auto* column = new QVBoxLayout(left);
+  column->setContentsMargins(0, 0, 6, 0);
+  column->addWidget(scans_, 2);
+  column->addWidget(steps_, 3);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(left);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(left->minimumSizeHint().width() + 24);
+  auto* columns = new QHBoxLayout;
+  columns->addWidget(scroll, 1);
+  columns->addWidget(views_, 2);
+  auto* all = new QVBoxLayout(this);
+  all->addLayout(columns, 1);
+  all->addWidget(file_);
+  all->addWidget(work_);
+  resizeToText(*this, {150, 44});
 }
 
-// The child reports the kind of the step that it does.
-QString PrepareDialog::wordsOfWork(const QString& step) const {
-  for (const PrepareStep& known : state_.now().steps) {
-    if (step == QLatin1String(kindOf(known.step).data())) return nameOfStep(known.step);
-  }
-  return coreText(step);
+void PrepareDialog::connectLists() {
+  connect(scans_, &ScanList::changed, this, &PrepareDialog::choicesChanged);
+  connect(scans_, &ScanList::chosenChanged, this, &PrepareDialog::showNumbers);
+  connect(steps_, &StepList::changed, this, &PrepareDialog::choicesChanged);
+  connect(steps_, &StepList::chosenChanged, this, &PrepareDialog::showChosenStep);
+  connect(steps_, &StepList::outlineAsked, this, &PrepareDialog::drawOutline);
+  connect(steps_, &StepList::undoAsked, this, &PrepareDialog::undo);
+  connect(steps_, &StepList::redoAsked, this, &PrepareDialog::redo);
+  addKeys("Ctrl+Z", this, Qt::WindowShortcut, [this] { undo(); });
+  addKeys("Ctrl+Y", this, Qt::WindowShortcut, [this] { redo(); });
+  addKeys("Ctrl+Shift+Z", this, Qt::WindowShortcut, [this] { redo(); });
+}
+
+void PrepareDialog::connectViews() {
+  connect(views_, &PrepareViews::said, this, &PrepareDialog::said);
+  connect(views_, &PrepareViews::pictureShown, this, &PrepareDialog::showOutline);
+  connect(views_, &PrepareViews::looksChanged, this, [this] {
+    views_->showResult(runner_.result());
+    showReport();
+  });
+  connect(views_, &PrepareViews::toolLeft, this, [this] {
+    picking_->end();
+    showOutline();
+  });
+  connect(views_, &PrepareViews::outlineDrawn, this, [this](const CloudView::Outline& outline) {
+    takeOutline(outline.view, outline.corners);
+  });
+  connect(picking_.get(), &PairPicking::said, this, &PrepareDialog::said);
+  connect(picking_.get(), &PairPicking::began, this, &PrepareDialog::showNumbers);
+  connect(picking_.get(), &PairPicking::ended, this, [this] {
+    views_->showResult(runner_.result());
+    views_->scan().fit();
+    choicesChanged();
+  });
+}
+
+void PrepareDialog::connectRunner() {
+  connect(&runner_, &PrepareRunner::busyChanged, work_, &PrepareWorkRow::showBusy);
+  connect(&runner_, &PrepareRunner::progressed, work_, &PrepareWorkRow::showProgress);
+  connect(&runner_, &PrepareRunner::scanRead, this, &PrepareDialog::showLists);
+  connect(&runner_, &PrepareRunner::scansShown, this,
+          [this] { views_->showResult(runner_.result()); });
+  connect(&runner_, &PrepareRunner::made, this, &PrepareDialog::showMade);
+  connect(&runner_, &PrepareRunner::refused, this, &PrepareDialog::refuse);
+  connect(&runner_, &PrepareRunner::writeRefused, this, [this](const QString& sentence) {
+    refuse(sentence);
+    work_->setCanTake(true);  // Another name may do.
+  });
+}
+
+void PrepareDialog::connectWork() {
+  connect(work_, &PrepareWorkRow::madeLive, this, [this] {
+    if (isStale()) runner_.compute();
+  });
+  connect(work_, &PrepareWorkRow::computeAsked, &runner_, &PrepareRunner::compute);
+  connect(work_, &PrepareWorkRow::stopAsked, this, [this] {
+    take_when_made_ = false;
+    runner_.stop();
+  });
+  connect(work_, &PrepareWorkRow::recipeAsked, this, &PrepareDialog::saveRecipe);
+  connect(work_, &PrepareWorkRow::commandAsked, this, &PrepareDialog::copyCommand);
+  connect(work_, &PrepareWorkRow::accepted, this, &PrepareDialog::take);
+  connect(work_, &PrepareWorkRow::rejected, this, &QDialog::reject);
+}
+
+bool PrepareDialog::isBusy() const {
+  return runner_.isBusy() || views_->isBusy();
 }
 
 void PrepareDialog::choicesChanged() {
-  stale_ = true;
+  runner_.noteChange();
   recipe_file_.clear();
-  recompute_->setText(tr("Recom&pute *"));
+  work_->setStale(true);
   showLists();
-  if (pick_) return;  // After all pairs are picked.
-  if (live_->isChecked()) delay_->start();
+  if (picking_->isOn()) return;  // After all pairs are picked.
+  if (work_->isLive()) runner_.computeSoon();
 }
 
-std::shared_ptr<const ReadScan> PrepareDialog::heldReadOf(const PrepareInput& input) const {
-  const auto found = std::find_if(reads_.begin(), reads_.end(),
-                                  [&](const auto& known) { return sameRead(known.first, input); });
-  return found == reads_.end() ? nullptr : found->second;
+void PrepareDialog::undo() {
+  if (picking_->isOn() || !state_.undo()) return;
+  choicesChanged();
+  Q_EMIT said(tr("Undone"));
 }
 
-const ReadScan* PrepareDialog::readOf(const PrepareInput& input) const {
-  return heldReadOf(input).get();
+void PrepareDialog::redo() {
+  if (picking_->isOn() || !state_.redo()) return;
+  choicesChanged();
+  Q_EMIT said(tr("Redone"));
 }
 
-LengthUnit PrepareDialog::unitOf(const PrepareInput& input) const {
-  if (input.unit) return *input.unit;
-  const ReadScan* const read = readOf(input);
-  return read != nullptr ? read->scan->info.unit.value_or(LengthUnit::mm) : LengthUnit::mm;
+void PrepareDialog::showLists() {
+  scans_->showInputs();
+  steps_->showSteps();
+  steps_->showForm();
+  showNumbers();
+  showReport();
+  showOutline();
+}
+
+// What the work gave, beside what it was given for; nothing beside what is newer.
+void PrepareDialog::showNumbers() {
+  steps_->showResults();
+  scans_->showPoses();
+  work_->setCanSave(runner_.fitsChoices() && !isStale(), !recipe_file_.isEmpty());
+}
+
+void PrepareDialog::showReport() {
+  if (picking_->isOn()) return;  // It says what to pick.
+  if (const PrepareResult* const shown = result()) {
+    report_->showResult(*shown, state_.foundAlign(), views_->colour(), runner_.reads());
+  } else {
+    report_->clear();
+  }
+}
+
+void PrepareDialog::showChosenStep() {
+  const auto* const box = steps_->chosenAs<CropBox>();
+  views_->scan().setBox(box == nullptr ? std::nullopt
+                                       : std::optional(CloudBox{box->min, box->max, box->axes}));
+  showOutline();
+}
+
+void PrepareDialog::showOutline() {
+  const auto* const outline = picking_->isOn() ? nullptr : steps_->chosenAs<CropOutline>();
+  if (outline == nullptr || outline->outline.empty()) {
+    views_->scan().setOutline(std::nullopt);
+  } else {
+    views_->scan().setOutline(CloudView::Outline{outline->view, outline->outline});
+  }
+}
+
+void PrepareDialog::drawOutline() {
+  if (picking_->isOn()) return;
+  views_->scan().setTool(CloudView::Tool::outline);
+  views_->scan().setFocus();
+  Q_EMIT said(tr("Arrow keys carry the cross, Enter sets a corner, Ctrl+Enter closes the outline"));
+  report_->showAdvice(
+      tr("Drag the mouse round what is meant, or set corners with Enter; Ctrl+Enter closes."));
+}
+
+void PrepareDialog::takeOutline(const Rotation& view,
+                                const std::vector<std::array<double, 2>>& corners) {
+  views_->scan().setTool(CloudView::Tool::turn);
+  if (steps_->chosenAs<CropOutline>() == nullptr) return;
+  PrepareChoices next = state_.now();
+  auto& step = std::get<CropOutline>(next.steps[*steps_->chosen()].step);
+  step.view = view;
+  step.outline = corners;
+  state_.change(std::move(next));
+  choicesChanged();
 }
 
 void PrepareDialog::refuse(const QString& sentence) {
-  problem_->setText(sentence);
-  problem_->setVisible(!sentence.isEmpty());
-  ok_->setEnabled(sentence.isEmpty());
+  report_->showProblem(sentence);
+  work_->setCanTake(sentence.isEmpty());
   if (sentence.isEmpty()) return;
   take_when_made_ = false;
   Q_EMIT said(sentence);
 }
 
-void PrepareDialog::compute() {
-  delay_->stop();
-  if (reading_) return;  // What is read then is prepared as it is chosen then.
-  stale_ = true;
-  const std::vector<std::size_t> used = state_.usedInputs();
-  if (used.empty()) {
-    refuse(tr("No scan is chosen. Tick one in the list of scans."));
-    return;
-  }
-  for (const std::size_t i : used) {
-    if (readOf(state_.now().inputs[i]) != nullptr) continue;
-    readNext(i);
-    return;
-  }
-  prepareNow();
-}
-
-void PrepareDialog::readNext(std::size_t i) {
-  struct Reading {
-    std::shared_ptr<const ReadScan> scan;
-    SurfaceOutcome outcome;
-  };
-  reading_ = true;
-  const PrepareInput input = state_.now().inputs[i];
-  const std::size_t most = kMostShownPoints / std::max<std::size_t>(1, state_.now().inputs.size());
-  const auto reading = std::make_shared<Reading>();
-  worker_.start(
-      [reading, input, most](const Task& task) {
-        reading->outcome = outcomeOf([&] {
-          reading->scan = readScan(input, most, task);
-          return std::shared_ptr<const Surface>();
-        });
-      },
-      [this, reading, input] {
-        reading_ = false;
-        if (reading->scan) {
-          reads_.emplace_back(input, reading->scan);
-          showLists();
-          compute();
-        } else if (!reading->outcome.cancelled) {
-          refuse(shownError(reading->outcome.error, reading->outcome.code));
-        }
-      });
-}
-
-void PrepareDialog::prepareNow() {
-  struct Making {
-    PrepareResult result;
-    SurfaceOutcome outcome;
-  };
-  const auto making = std::make_shared<Making>();
-  PrepareResult& r = making->result;
-  r.choices = state_.now();
-  r.recipe = state_.recipe();
-  r.used = state_.usedInputs();
-  for (const std::size_t i : r.used) r.scans.push_back(heldReadOf(r.choices.inputs[i]));
-  if (!result_) {  // Something to see while the steps are done.
-    auto stored = std::make_shared<PrepareResult>(r);
-    stored->prepared.answer.poses.resize(r.scans.size());
-    result_ = stored;
-    showPicture();
-  }
-  worker_.start(
-      [making](const Task& task) {
-        making->outcome = outcomeOf([&] {
-          std::vector<const Scan*> scans;
-          for (const auto& scan : making->result.scans) scans.push_back(scan->scan.get());
-          making->result.prepared = prepare(scans, making->result.recipe, {}, task);
-          return std::shared_ptr<const Surface>();
-        });
-      },
-      [this, making] {
-        if (making->outcome.cancelled) return;
-        if (!making->outcome.error.isEmpty()) {
-          refuse(shownError(making->outcome.error, making->outcome.code));
-          return;
-        }
-        showMade(std::shared_ptr<const PrepareResult>(making, &making->result));
-      });
-}
-
-void PrepareDialog::showMade(const std::shared_ptr<const PrepareResult>& made) {
-  result_ = made;
-  if (made->prepared.answer.align) {
-    state_.keepPoses(made->choices, made->recipe, *made->prepared.answer.align);
-  }
+void PrepareDialog::showMade() {
   refuse({});
-  stale_ = delay_->isActive();
-  if (!stale_) recompute_->setText(tr("Recom&pute"));
+  if (!isStale()) work_->setStale(false);
   showNumbers();
-  showWords();
-  showPicture();
-  showPicks();
-  Q_EMIT said(total_->text());
+  showReport();
+  views_->showResult(runner_.result());
+  picking_->show();
+  Q_EMIT said(report_->total());
   if (take_when_made_) take();
 }
 
-void PrepareDialog::showPicture() {
-  if (!result_ || pick_) return;
-  const CloudWish wish{static_cast<CloudStage>(stage_->currentIndex()),
-                       static_cast<CloudColour>(colour_->currentIndex())};
-  const auto cloud = std::make_shared<CloudPoints>();
-  painter_.start(
-      [cloud, wish, result = result_](const Task& task) {
-        outcomeOf([&] {
-          *cloud = cloudOf(*result, wish, task);
-          return std::shared_ptr<const Surface>();
-        });
-      },
-      [this, cloud] {
-        if (!pick_) view_->setCloud(cloud);
-        showOutline();
-      });
-}
-
 void PrepareDialog::done(int result) {
-  painter_.cancel();
-  worker_.outliveJob(*this);
+  views_->cancel();
+  runner_.outliveJob(*this);
   QDialog::done(result);
-}
-
-void PrepareDialog::showBusy(bool busy) {
-  bar_->setVisible(busy);
-  step_name_->setVisible(busy);
-  stop_->setVisible(busy);
-  if (!busy) return;
-  bar_->setValue(0);
-  ok_->setEnabled(true);  // May be pressed before the work is done.
-}
-
-QString PrepareDialog::outputFile() const {
-  QString file = QDir::fromNativeSeparators(file_->text().trimmed());
-  if (!file.endsWith(QLatin1String(".ply"), Qt::CaseInsensitive)) file += QLatin1String(".ply");
-  return QFileInfo(file).absoluteFilePath();
 }
 
 // What is on show is written; if the choices are newer than that, after they were computed.
 void PrepareDialog::take() {
-  if (pick_) endPicking();
-  if (stale_) {
+  picking_->end();
+  if (isStale()) {
     take_when_made_ = true;
-    if (!worker_.busy() || delay_->isActive()) compute();
+    if (!runner_.isBusy() || runner_.isWaiting()) runner_.compute();
     return;
   }
   take_when_made_ = false;
-  const QString file = outputFile();
-  write([result = result_, file](const Task& task) { writePrepared(*result, pathOf(file), task); },
-        [this, file] {
-          Q_EMIT prepared(file);
-          accept();
-        });
-}
-
-void PrepareDialog::write(const std::function<void(const Task&)>& work,
-                          const std::function<void()>& then) {
-  const auto outcome = std::make_shared<SurfaceOutcome>();
-  worker_.start(
-      [outcome, work](const Task& task) {
-        *outcome = outcomeOf([&] {
-          task.report("Writing the scan", 0);
-          work(task);
-          return std::shared_ptr<const Surface>();
-        });
-      },
-      [this, outcome, then] {
-        if (outcome->cancelled) return;
-        if (outcome->error.isEmpty()) {
-          then();
-        } else {
-          refuse(shownError(outcome->error, outcome->code));
-          ok_->setEnabled(true);  // Another name may do.
-        }
-      });
+  const QString file = file_->file();
+  runner_.write([result = runner_.result(),
+                 file](const Task& task) { writePrepared(*result, pathOf(file), task); },
+                [this, file] {
+                  Q_EMIT prepared(file);
+                  accept();
+                });
 }
 
 void PrepareDialog::saveRecipe() {
-  if (stale_) return;
-  auto* dialog = new QFileDialog(this, tr("Save recipe"), QFileInfo(outputFile()).absolutePath(),
-                                 tr("Recipes (*.json)"));
+  if (isStale()) return;
+  const QFileInfo output(file_->file());
+  auto* dialog =
+      new QFileDialog(this, tr("Save recipe"), output.absolutePath(), tr("Recipes (*.json)"));
   dialog->setObjectName(QStringLiteral("recipe_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("json"));
-  dialog->selectFile(QFileInfo(outputFile()).completeBaseName() + QLatin1String(".json"));
+  dialog->selectFile(output.completeBaseName() + QLatin1String(".json"));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-    write([result = result_, file](const Task& task) { writeRecipe(*result, pathOf(file), task); },
-          [this, file] {
-            recipe_file_ = file;
-            showNumbers();
-            Q_EMIT said(tr("%1 is saved").arg(shownName(file)));
-          });
+    runner_.write([result = runner_.result(),
+                   file](const Task& task) { writeRecipe(*result, pathOf(file), task); },
+                  [this, file] {
+                    recipe_file_ = file;
+                    showNumbers();
+                    Q_EMIT said(tr("%1 is saved").arg(shownName(file)));
+                  });
   });
   dialog->open();
 }
@@ -342,21 +307,8 @@ void PrepareDialog::saveRecipe() {
 void PrepareDialog::copyCommand() {
   if (recipe_file_.isEmpty()) return;
   QGuiApplication::clipboard()->setText(QStringLiteral("relievo prepare --recipe %1 -o %2")
-                                            .arg(quoted(recipe_file_), quoted(outputFile())));
+                                            .arg(quoted(recipe_file_), quoted(file_->file())));
   Q_EMIT said(tr("The command is in the clipboard"));
-}
-
-void PrepareDialog::chooseFile() {
-  auto* dialog = new QFileDialog(this, tr("Prepared scan"), QFileInfo(outputFile()).absolutePath(),
-                                 tr("Scans (*.ply)"));
-  dialog->setObjectName(QStringLiteral("prepared_file_dialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("ply"));
-  dialog->selectFile(QFileInfo(outputFile()).fileName());
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& file) { file_->setText(QDir::toNativeSeparators(file)); });
-  dialog->open();
 }
 
 }  // namespace relievo

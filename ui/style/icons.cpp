@@ -33,6 +33,24 @@ QPainterPath magnifier() {
   return path;
 }
 
+QPainterPath eye() {
+  QPainterPath path;
+  path.moveTo(2.5, 12);
+  path.quadTo(12, 2.5, 21.5, 12);
+  path.quadTo(12, 21.5, 2.5, 12);
+  path.addEllipse(QPointF(12, 12), 3.2, 3.2);
+  return path;
+}
+
+QPainterPath fingerOnSurface() {
+  QPainterPath path = lines({{{9, 16.5}, {9, 6}}, {{14, 6}, {14, 16.5}}, {{3, 20}, {21, 20}}});
+  path.moveTo(9, 6);
+  path.arcTo(QRectF(9, 3.5, 5, 5), 180, -180);
+  path.moveTo(9, 16.5);
+  path.arcTo(QRectF(9, 14, 5, 5), 180, 180);
+  return path;
+}
+
 /// Stroked outline on the 24 px grid.
 QPainterPath shape(Icon which) {
   QPainterPath path;
@@ -83,18 +101,11 @@ QPainterPath shape(Icon which) {
       path.addRoundedRect(13.5, 8, 8, 7.5, 2, 2);
       path.addPath(lines({{{10.5, 10.5}, {13.5, 10.5}}}));
       break;
-    case Icon::look:  // An eye.
-      path.moveTo(2.5, 12);
-      path.quadTo(12, 2.5, 21.5, 12);
-      path.quadTo(12, 21.5, 2.5, 12);
-      path.addEllipse(QPointF(12, 12), 3.2, 3.2);
+    case Icon::look:
+      path = eye();
       break;
-    case Icon::touch:  // A finger on a surface.
-      path = lines({{{9, 16.5}, {9, 6}}, {{14, 6}, {14, 16.5}}, {{3, 20}, {21, 20}}});
-      path.moveTo(9, 6);
-      path.arcTo(QRectF(9, 3.5, 5, 5), 180, -180);
-      path.moveTo(9, 16.5);
-      path.arcTo(QRectF(9, 14, 5, 5), 180, 180);
+    case Icon::touch:
+      path = fingerOnSurface();
       break;
   }
   return path;

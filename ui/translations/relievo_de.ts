@@ -2559,78 +2559,8 @@
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>&amp;Retry</source>
-        <translation>&amp;Noch einmal</translation>
-    </message>
-    <message>
-        <source>Retry</source>
-        <translation>Noch einmal</translation>
-    </message>
-    <message>
-        <source>&amp;Firmware file…</source>
-        <translation>&amp;Firmware-Datei…</translation>
-    </message>
-    <message>
-        <source>Firmware file</source>
-        <translation>Firmware-Datei</translation>
-    </message>
-    <message>
-        <source>&amp;Copy rule</source>
-        <translation>&amp;Regel kopieren</translation>
-    </message>
-    <message>
-        <source>Copy rule</source>
-        <translation>Regel kopieren</translation>
-    </message>
-    <message>
-        <source>Firmware loaded</source>
-        <translation>Firmware geladen</translation>
-    </message>
-    <message>
-        <source>not loaded yet</source>
-        <translation>noch nicht geladen</translation>
-    </message>
-    <message>
-        <source>Rule that gives access</source>
-        <translation>Regel, die Zugang gibt</translation>
-    </message>
-    <message>
-        <source># As an administrator, write this into /etc/udev/rules.d/60-relievo-falcon.rules, then replug:
-</source>
-        <translation># Als Verwalter in /etc/udev/rules.d/60-relievo-falcon.rules schreiben, dann neu einstecken:
-</translation>
-    </message>
-    <message>
         <source>The rule is copied.</source>
         <translation>Die Regel ist kopiert.</translation>
-    </message>
-    <message>
-        <source>Homing</source>
-        <translation>Referenzfahrt</translation>
-    </message>
-    <message>
-        <source>Top arm</source>
-        <translation>Oberer Arm</translation>
-    </message>
-    <message>
-        <source>Right arm</source>
-        <translation>Rechter Arm</translation>
-    </message>
-    <message>
-        <source>Left arm</source>
-        <translation>Linker Arm</translation>
-    </message>
-    <message>
-        <source>Place of the hand</source>
-        <translation>Ort der Hand</translation>
-    </message>
-    <message>
-        <source>Hand</source>
-        <translation>Hand</translation>
     </message>
     <message>
         <source>Test and calibration</source>
@@ -2673,30 +2603,6 @@
         <translation>Ergebnisse</translation>
     </message>
     <message>
-        <source>attempt %1 of %2, %p %</source>
-        <translation>Versuch %1 von %2, %p %</translation>
-    </message>
-    <message>
-        <source>was running already</source>
-        <translation>lief schon</translation>
-    </message>
-    <message>
-        <source>✓ found</source>
-        <translation>✓ gefunden</translation>
-    </message>
-    <message>
-        <source>– missing</source>
-        <translation>– fehlt</translation>
-    </message>
-    <message>
-        <source>%1 right, %2 up, %3 out, in millimetres; %4 answers per second</source>
-        <translation>%1 nach rechts, %2 nach oben, %3 nach vorn, in Millimetern; %4 Antworten je Sekunde</translation>
-    </message>
-    <message>
-        <source>not known before homing</source>
-        <translation>vor der Referenzfahrt nicht bekannt</translation>
-    </message>
-    <message>
         <source>%1 counts per N mm</source>
         <translation>%1 Zählschritte je N mm</translation>
     </message>
@@ -2717,28 +2623,8 @@
         <translation>Die Datei hat die Form eines Startabbilds, aber niemand kennt es (sha256 %1). Trotzdem in den Falcon laden?</translation>
     </message>
     <message>
-        <source>Firmware file in use</source>
-        <translation>Benutzte Firmware-Datei</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Firmware: %1, accepted by you</source>
-        <translation>Firmware: %1, von Ihnen angenommen</translation>
-    </message>
-    <message>
-        <source>Firmware: %1, %2</source>
-        <translation>Firmware: %1, %2</translation>
-    </message>
-    <message>
-        <source>Firmware: no file found yet</source>
-        <translation>Firmware: noch keine Datei gefunden</translation>
-    </message>
-    <message>
-        <source>Firmware: %1 cannot be used</source>
-        <translation>Firmware: %1 ist nicht verwendbar</translation>
     </message>
     <message>
         <source>Contin&amp;ue</source>
@@ -2752,84 +2638,8 @@
 <context>
     <name>relievo::Document</name>
     <message>
-        <source>Detail %1 → %2</source>
-        <translation>Detail %1 → %2</translation>
-    </message>
-    <message>
-        <source>View %1 → %2</source>
-        <translation>Ansicht %1 → %2</translation>
-    </message>
-    <message>
-        <source>Unit %1 → %2</source>
-        <translation>Einheit %1 → %2</translation>
-    </message>
-    <message>
-        <source>Whole object</source>
-        <translation>Ganzes Objekt</translation>
-    </message>
-    <message>
-        <source>Move window</source>
-        <translation>Ausschnitt verschieben</translation>
-    </message>
-    <message>
-        <source>Choose window</source>
-        <translation>Ausschnitt wählen</translation>
-    </message>
-    <message>
-        <source>Zoom</source>
-        <translation>Vergrößern</translation>
-    </message>
-    <message>
         <source>This map is read by tiles, as it was made; nothing was changed. To make it otherwise, run relievo depthmap --memory on its scan, with the choices you want.</source>
         <translation>Diese Karte wird in Kacheln gelesen, so wie sie gemacht wurde; nichts wurde geändert. Um sie anders zu machen, rufen Sie relievo depthmap --memory mit ihrem Scan und der gewünschten Auswahl auf.</translation>
-    </message>
-    <message>
-        <source>Keep far-off points</source>
-        <translation>Weit entfernte Punkte behalten</translation>
-    </message>
-    <message>
-        <source>Leave out far-off points</source>
-        <translation>Weit entfernte Punkte weglassen</translation>
-    </message>
-    <message>
-        <source>Take heights as missing</source>
-        <translation>Höhen als fehlend nehmen</translation>
-    </message>
-    <message>
-        <source>Keep all heights</source>
-        <translation>Alle Höhen behalten</translation>
-    </message>
-    <message>
-        <source>Leave out far-off groups</source>
-        <translation>Weit entfernte Gruppen weglassen</translation>
-    </message>
-    <message>
-        <source>Larger window</source>
-        <translation>Größeres Fenster</translation>
-    </message>
-    <message>
-        <source>Smaller window</source>
-        <translation>Kleineres Fenster</translation>
-    </message>
-    <message>
-        <source>Depth method → %1</source>
-        <translation>Verfahren → %1</translation>
-    </message>
-    <message>
-        <source>CPU</source>
-        <translation>CPU</translation>
-    </message>
-    <message>
-        <source>OpenGL</source>
-        <translation>OpenGL</translation>
-    </message>
-    <message>
-        <source>Vertical exaggeration</source>
-        <translation>Überhöhung</translation>
-    </message>
-    <message>
-        <source>Size of the samples</source>
-        <translation>Größe der Abtastwerte</translation>
     </message>
 </context>
 <context>
@@ -8555,6 +8365,44 @@
     </message>
 </context>
 <context>
+    <name>relievo::PairPicking</name>
+    <message>
+        <source>The scans are still being read</source>
+        <translation>Die Scans werden noch gelesen</translation>
+    </message>
+    <message>
+        <source>Scan %1: %2</source>
+        <translation>Scan %1: %2</translation>
+    </message>
+    <message>
+        <source>Reference: %1</source>
+        <translation>Referenz: %1</translation>
+    </message>
+    <message>
+        <source>Now place %1 on the reference</source>
+        <translation>Jetzt Stelle %1 auf der Referenz</translation>
+    </message>
+    <message>
+        <source>Now place %1 on the scan</source>
+        <translation>Jetzt Stelle %1 auf dem Scan</translation>
+    </message>
+    <message>
+        <source>Choose place %1 on the scan, then the same on the reference</source>
+        <translation>Stelle %1 auf dem Scan wählen, dann dieselbe auf der Referenz</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s). Escape or the button ends; more pairs do no harm.</source>
+        <translation>
+            <numerusform>%n Paar. Escape oder die Schaltfläche beendet; mehr Paare schaden nicht.</numerusform>
+            <numerusform>%n Paare. Escape oder die Schaltfläche beendet; mehr Paare schaden nicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They fit to %1 mm; pair %2 fits worst, %3 mm.</source>
+        <translation>Sie passen auf %1 mm; Paar %2 passt am schlechtesten, %3 mm.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::PictureController</name>
     <message>
         <source>Cancelled. No picture was saved.</source>
@@ -9115,37 +8963,6 @@
 <context>
     <name>relievo::PrepareDialog</name>
     <message>
-        <source>The scans are still being read</source>
-        <translation>Die Scans werden noch gelesen</translation>
-    </message>
-    <message>
-        <source>Scan %1: %2</source>
-        <translation>Scan %1: %2</translation>
-    </message>
-    <message>
-        <source>Reference: %1</source>
-        <translation>Referenz: %1</translation>
-    </message>
-    <message>
-        <source>Now place %1 on the reference</source>
-        <translation>Jetzt Stelle %1 auf der Referenz</translation>
-    </message>
-    <message>
-        <source>Now place %1 on the scan</source>
-        <translation>Jetzt Stelle %1 auf dem Scan</translation>
-    </message>
-    <message>
-        <source>Choose place %1 on the scan, then the same on the reference</source>
-        <translation>Stelle %1 auf dem Scan wählen, dann dieselbe auf der Referenz</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pair(s). Escape or the button ends; more pairs do no harm.</source>
-        <translation>
-            <numerusform>%n Paar. Escape oder die Schaltfläche beendet; mehr Paare schaden nicht.</numerusform>
-            <numerusform>%n Paare. Escape oder die Schaltfläche beendet; mehr Paare schaden nicht.</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Arrow keys carry the cross, Enter sets a corner, Ctrl+Enter closes the outline</source>
         <translation>Pfeiltasten tragen das Kreuz, Eingabe setzt eine Ecke, Strg+Eingabe schließt den Umriss</translation>
     </message>
@@ -9154,132 +8971,106 @@
         <translation>Mit der Maus umfahren, was gemeint ist, oder Ecken mit Eingabe setzen; Strg+Eingabe schließt.</translation>
     </message>
     <message>
-        <source>Scans</source>
-        <translation>Scans</translation>
+        <source>Prepare</source>
+        <translation>Aufbereiten</translation>
     </message>
     <message>
-        <source>Scan</source>
-        <translation>Scan</translation>
+        <source>Save recipe</source>
+        <translation>Rezept sichern</translation>
     </message>
     <message>
-        <source>Lies</source>
-        <translation>Lage</translation>
+        <source>Recipes (*.json)</source>
+        <translation>Rezepte (*.json)</translation>
     </message>
     <message>
-        <source>&amp;Add…</source>
-        <translation>&amp;Hinzufügen…</translation>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
     </message>
     <message>
-        <source>Further scans of the same object</source>
-        <translation>Weitere Scans desselben Objekts</translation>
+        <source>The command is in the clipboard</source>
+        <translation>Der Befehl ist in der Zwischenablage</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
+        <source>Undone</source>
+        <translation>Zurückgenommen</translation>
     </message>
     <message>
-        <source>Take the chosen scan off the list</source>
-        <translation>Den gewählten Scan aus der Liste nehmen</translation>
+        <source>Redone</source>
+        <translation>Wiederholt</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PrepareReport</name>
+    <message>
+        <source>The chain of scans %1 misses its beginning by %2 mm.</source>
+        <translation>Die Kette der Scans %1 verfehlt ihren Anfang um %2 mm.</translation>
     </message>
     <message>
-        <source>Reference</source>
-        <translation>Referenz</translation>
+        <source>%1 % of its points lie within one spacing.</source>
+        <translation>%1 % seiner Punkte liegen innerhalb eines Punktabstands.</translation>
     </message>
     <message>
-        <source>The chosen scan stays where it is; the others are laid on it</source>
-        <translation>Der gewählte Scan bleibt, wo er ist; die anderen werden auf ihn gelegt</translation>
+        <source>It may be off by %1 mm.</source>
+        <translation>Er kann um %1 mm daneben liegen.</translation>
     </message>
     <message>
-        <source>Pic&amp;k pairs…</source>
-        <translation>&amp;Paare wählen…</translation>
+        <source>How many points stay</source>
+        <translation>Wie viele Punkte bleiben</translation>
     </message>
     <message>
-        <source>Show the same three places on the chosen scan and on the reference</source>
-        <translation>Dieselben drei Stellen auf dem gewählten Scan und auf der Referenz zeigen</translation>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
     </message>
     <message>
-        <source>Take back</source>
-        <translation>Zurücknehmen</translation>
+        <source>Problem</source>
+        <translation>Problem</translation>
     </message>
     <message>
-        <source>Forget the place picked last</source>
-        <translation>Die zuletzt gewählte Stelle vergessen</translation>
+        <source>%1: %2</source>
+        <comment>scan, words</comment>
+        <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Split</source>
-        <translation>Aufteilen</translation>
+        <source>%1 of %2 points stay.</source>
+        <translation>%1 von %2 Punkten bleiben.</translation>
     </message>
     <message>
-        <source>Each of the file&apos;s scans for itself, to leave some out or align them</source>
-        <translation>Jeder Scan der Datei für sich, um einige wegzulassen oder auszurichten</translation>
+        <source>%1 points.</source>
+        <translation>%1 Punkte.</translation>
     </message>
     <message>
-        <source>With withheld points</source>
-        <translation>Mit zurückgehaltenen Punkten</translation>
+        <source>%1 of them are drawn.</source>
+        <translation>%1 davon sind gezeichnet.</translation>
     </message>
     <message>
-        <source>Points of the chosen scan that its file marks as not to be used</source>
-        <translation>Punkte des gewählten Scans, die seine Datei als nicht zu verwenden kennzeichnet</translation>
+        <source>Blue lies on the surface of the other scans, red three spacings from it; grey: no other scan is near.</source>
+        <translation>Blau liegt auf der Fläche der anderen Scans, Rot drei Punktabstände davon entfernt; grau: kein anderer Scan ist nah.</translation>
     </message>
     <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
+        <source>%1 points that the file marks as withheld are left out.</source>
+        <translation>%1 Punkte, die die Datei als zurückgehalten kennzeichnet, sind weggelassen.</translation>
     </message>
+</context>
+<context>
+    <name>relievo::PrepareRunner</name>
     <message>
-        <source>Step</source>
-        <translation>Schritt</translation>
+        <source>No scan is chosen. Tick one in the list of scans.</source>
+        <translation>Kein Scan ist gewählt. Haken Sie einen in der Liste der Scans an.</translation>
     </message>
+</context>
+<context>
+    <name>relievo::PrepareViews</name>
     <message>
         <source>Points</source>
         <translation>Punkte</translation>
     </message>
     <message>
-        <source>Add s&amp;tep</source>
-        <translation>Schritt h&amp;inzufügen</translation>
+        <source>Drag or arrow keys turn, the right button moves, the wheel or + and - bring it nearer, Home shows all</source>
+        <translation>Ziehen oder Pfeiltasten drehen, die rechte Taste schiebt, Rad oder + und - holen heran, Pos1 zeigt alles</translation>
     </message>
     <message>
-        <source>Choose what is done next</source>
-        <translation>Wählen, was als Nächstes geschieht</translation>
-    </message>
-    <message>
-        <source>Leave the chosen step out (Delete)</source>
-        <translation>Den gewählten Schritt weglassen (Entf)</translation>
-    </message>
-    <message>
-        <source>Remove step</source>
-        <translation>Schritt entfernen</translation>
-    </message>
-    <message>
-        <source>Earlier</source>
-        <translation>Früher</translation>
-    </message>
-    <message>
-        <source>Do the chosen step earlier (Ctrl+Up)</source>
-        <translation>Den gewählten Schritt früher tun (Strg+Auf)</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>Später</translation>
-    </message>
-    <message>
-        <source>Do the chosen step later (Ctrl+Down)</source>
-        <translation>Den gewählten Schritt später tun (Strg+Ab)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>Undo the last change (Ctrl+Z)</source>
-        <translation>Die letzte Änderung zurücknehmen (Strg+Z)</translation>
-    </message>
-    <message>
-        <source>R&amp;edo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>Redo it (Ctrl+Y)</source>
-        <translation>Sie wiederholen (Strg+Y)</translation>
+        <source>Points of the reference</source>
+        <translation>Punkte der Referenz</translation>
     </message>
     <message>
         <source>Seen &amp;from:</source>
@@ -9333,26 +9124,9 @@
         <source>From the surface of the other scans: blue at 0, red at three spacings, grey where there is none</source>
         <translation>Von der Fläche der anderen Scans: blau bei 0, rot bei drei Punktabständen, grau, wo keiner ist</translation>
     </message>
-    <message>
-        <source>Drag or arrow keys turn, the right button moves, the wheel or + and - bring it nearer, Home shows all</source>
-        <translation>Ziehen oder Pfeiltasten drehen, die rechte Taste schiebt, Rad oder + und - holen heran, Pos1 zeigt alles</translation>
-    </message>
-    <message>
-        <source>Points of the reference</source>
-        <translation>Punkte der Referenz</translation>
-    </message>
-    <message>
-        <source>How many points stay</source>
-        <translation>Wie viele Punkte bleiben</translation>
-    </message>
-    <message>
-        <source>What was done</source>
-        <translation>Was getan wurde</translation>
-    </message>
-    <message>
-        <source>Problem</source>
-        <translation>Problem</translation>
-    </message>
+</context>
+<context>
+    <name>relievo::PrepareWorkRow</name>
     <message>
         <source>L&amp;ive</source>
         <translation>&amp;Laufend</translation>
@@ -9410,6 +9184,17 @@
         <translation>Der Befehl, der dasselbe tut, sobald das Rezept gesichert ist</translation>
     </message>
     <message>
+        <source>Write the prepared scan and open it</source>
+        <translation>Den aufbereiteten Scan schreiben und öffnen</translation>
+    </message>
+    <message>
+        <source>Recom&amp;pute *</source>
+        <translation>Neu &amp;berechnen *</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PreparedFileRow</name>
+    <message>
         <source>Prepared scan</source>
         <translation>Aufbereiteter Scan</translation>
     </message>
@@ -9438,162 +9223,8 @@
         <translation>Aufbereiteter S&amp;can:</translation>
     </message>
     <message>
-        <source>Write the prepared scan and open it</source>
-        <translation>Den aufbereiteten Scan schreiben und öffnen</translation>
-    </message>
-    <message>
-        <source>Prepare</source>
-        <translation>Aufbereiten</translation>
-    </message>
-    <message>
-        <source>Recom&amp;pute *</source>
-        <translation>Neu &amp;berechnen *</translation>
-    </message>
-    <message>
-        <source>No scan is chosen. Tick one in the list of scans.</source>
-        <translation>Kein Scan ist gewählt. Haken Sie einen in der Liste der Scans an.</translation>
-    </message>
-    <message>
-        <source>Save recipe</source>
-        <translation>Rezept sichern</translation>
-    </message>
-    <message>
-        <source>Recipes (*.json)</source>
-        <translation>Rezepte (*.json)</translation>
-    </message>
-    <message>
-        <source>%1 is saved</source>
-        <translation>%1 ist gespeichert</translation>
-    </message>
-    <message>
-        <source>The command is in the clipboard</source>
-        <translation>Der Befehl ist in der Zwischenablage</translation>
-    </message>
-    <message>
         <source>Scans (*.ply)</source>
         <translation>Scans (*.ply)</translation>
-    </message>
-    <message>
-        <source>The chain of scans %1 misses its beginning by %2 mm.</source>
-        <translation>Die Kette der Scans %1 verfehlt ihren Anfang um %2 mm.</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <comment>number, scan</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>not done</source>
-        <translation>nicht getan</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>Referenz</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>as stored</source>
-        <translation>wie gespeichert</translation>
-    </message>
-    <message>
-        <source>not yet</source>
-        <translation>noch nicht</translation>
-    </message>
-    <message>
-        <source>Pairs are pic&amp;ked</source>
-        <translation>&amp;Paare sind gewählt</translation>
-    </message>
-    <message>
-        <source>Pairs are picked</source>
-        <translation>Paare sind gewählt</translation>
-    </message>
-    <message>
-        <source>Pick pairs</source>
-        <translation>Paare wählen</translation>
-    </message>
-    <message>
-        <source>%1 % of its points lie within one spacing.</source>
-        <translation>%1 % seiner Punkte liegen innerhalb eines Punktabstands.</translation>
-    </message>
-    <message>
-        <source>It may be off by %1 mm.</source>
-        <translation>Er kann um %1 mm daneben liegen.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>scan, words</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points stay.</source>
-        <translation>%1 von %2 Punkten bleiben.</translation>
-    </message>
-    <message>
-        <source>%1 points.</source>
-        <translation>%1 Punkte.</translation>
-    </message>
-    <message>
-        <source>%1 of them are drawn.</source>
-        <translation>%1 davon sind gezeichnet.</translation>
-    </message>
-    <message>
-        <source>Blue lies on the surface of the other scans, red three spacings from it; grey: no other scan is near.</source>
-        <translation>Blau liegt auf der Fläche der anderen Scans, Rot drei Punktabstände davon entfernt; grau: kein anderer Scan ist nah.</translation>
-    </message>
-    <message>
-        <source>%1 points that the file marks as withheld are left out.</source>
-        <translation>%1 Punkte, die die Datei als zurückgehalten kennzeichnet, sind weggelassen.</translation>
-    </message>
-    <message>
-        <source>Add scans</source>
-        <translation>Scans hinzufügen</translation>
-    </message>
-    <message>
-        <source>Undone</source>
-        <translation>Zurückgenommen</translation>
-    </message>
-    <message>
-        <source>Redone</source>
-        <translation>Wiederholt</translation>
-    </message>
-    <message>
-        <source>They fit to %1 mm; pair %2 fits worst, %3 mm.</source>
-        <translation>Sie passen auf %1 mm; Paar %2 passt am schlechtesten, %3 mm.</translation>
-    </message>
-    <message>
-        <source>Pair %1</source>
-        <translation>Paar %1</translation>
-    </message>
-    <message>
-        <source>%1 mm, worst</source>
-        <translation>%1 mm, am größten</translation>
-    </message>
-    <message>
-        <source>Remove pair</source>
-        <translation>Paar entfernen</translation>
-    </message>
-    <message>
-        <source>Forget the chosen pair, such as the one that fits worst (Delete)</source>
-        <translation>Das ausgewählte Paar vergessen, etwa das am schlechtesten passende (Entf)</translation>
-    </message>
-    <message>
-        <source>Picked pairs</source>
-        <translation>Gewählte Paare</translation>
-    </message>
-    <message>
-        <source>Pair</source>
-        <translation>Paar</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Fehler</translation>
-    </message>
-    <message>
-        <source>How far apart each pair&apos;s places are left where all pairs fit best; from three on</source>
-        <translation>Wie weit die Stellen jedes Paares auseinander bleiben, wo alle Paare am besten passen; ab drei Paaren</translation>
     </message>
 </context>
 <context>
@@ -9875,6 +9506,41 @@
     <message>
         <source>Overview</source>
         <translation>Übersicht</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::RegionEditor</name>
+    <message>
+        <source>Larger window</source>
+        <translation>Größeres Fenster</translation>
+    </message>
+    <message>
+        <source>Smaller window</source>
+        <translation>Kleineres Fenster</translation>
+    </message>
+    <message>
+        <source>Detail %1 → %2</source>
+        <translation>Detail %1 → %2</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>Ganzes Objekt</translation>
+    </message>
+    <message>
+        <source>Move window</source>
+        <translation>Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>Choose window</source>
+        <translation>Ausschnitt wählen</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration</source>
+        <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Vergrößern</translation>
     </message>
 </context>
 <context>
@@ -10232,6 +9898,146 @@
     </message>
 </context>
 <context>
+    <name>relievo::ScanList</name>
+    <message>
+        <source>Scans</source>
+        <translation>Scans</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Lies</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Further scans of the same object</source>
+        <translation>Weitere Scans desselben Objekts</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the chosen scan off the list</source>
+        <translation>Den gewählten Scan aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>The chosen scan stays where it is; the others are laid on it</source>
+        <translation>Der gewählte Scan bleibt, wo er ist; die anderen werden auf ihn gelegt</translation>
+    </message>
+    <message>
+        <source>Pic&amp;k pairs…</source>
+        <translation>&amp;Paare wählen…</translation>
+    </message>
+    <message>
+        <source>Show the same three places on the chosen scan and on the reference</source>
+        <translation>Dieselben drei Stellen auf dem gewählten Scan und auf der Referenz zeigen</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Forget the place picked last</source>
+        <translation>Die zuletzt gewählte Stelle vergessen</translation>
+    </message>
+    <message>
+        <source>Remove pair</source>
+        <translation>Paar entfernen</translation>
+    </message>
+    <message>
+        <source>Forget the chosen pair, such as the one that fits worst (Delete)</source>
+        <translation>Das ausgewählte Paar vergessen, etwa das am schlechtesten passende (Entf)</translation>
+    </message>
+    <message>
+        <source>Picked pairs</source>
+        <translation>Gewählte Paare</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>Paar</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>How far apart each pair&apos;s places are left where all pairs fit best; from three on</source>
+        <translation>Wie weit die Stellen jedes Paares auseinander bleiben, wo alle Paare am besten passen; ab drei Paaren</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Aufteilen</translation>
+    </message>
+    <message>
+        <source>Each of the file&apos;s scans for itself, to leave some out or align them</source>
+        <translation>Jeder Scan der Datei für sich, um einige wegzulassen oder auszurichten</translation>
+    </message>
+    <message>
+        <source>With withheld points</source>
+        <translation>Mit zurückgehaltenen Punkten</translation>
+    </message>
+    <message>
+        <source>Points of the chosen scan that its file marks as not to be used</source>
+        <translation>Punkte des gewählten Scans, die seine Datei als nicht zu verwenden kennzeichnet</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>number, scan</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>as stored</source>
+        <translation>wie gespeichert</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
+    </message>
+    <message>
+        <source>Pairs are pic&amp;ked</source>
+        <translation>&amp;Paare sind gewählt</translation>
+    </message>
+    <message>
+        <source>Pairs are picked</source>
+        <translation>Paare sind gewählt</translation>
+    </message>
+    <message>
+        <source>Pick pairs</source>
+        <translation>Paare wählen</translation>
+    </message>
+    <message>
+        <source>Pair %1</source>
+        <translation>Paar %1</translation>
+    </message>
+    <message>
+        <source>%1 mm, worst</source>
+        <translation>%1 mm, am größten</translation>
+    </message>
+    <message>
+        <source>Add scans</source>
+        <translation>Scans hinzufügen</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ScopeDialog</name>
     <message>
         <source>Force and height against time</source>
@@ -10315,6 +10121,126 @@
     <message>
         <source>At %1 s: hand %2 mm, proxy %3 mm, force %4 N</source>
         <translation>Bei %1 s: Hand %2 mm, Proxy %3 mm, Kraft %4 N</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SetupHomingBox</name>
+    <message>
+        <source>Homing</source>
+        <translation>Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Top arm</source>
+        <translation>Oberer Arm</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>Rechter Arm</translation>
+    </message>
+    <message>
+        <source>Left arm</source>
+        <translation>Linker Arm</translation>
+    </message>
+    <message>
+        <source>Place of the hand</source>
+        <translation>Ort der Hand</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>✓ found</source>
+        <translation>✓ gefunden</translation>
+    </message>
+    <message>
+        <source>– missing</source>
+        <translation>– fehlt</translation>
+    </message>
+    <message>
+        <source>%1 right, %2 up, %3 out, in millimetres; %4 answers per second</source>
+        <translation>%1 nach rechts, %2 nach oben, %3 nach vorn, in Millimetern; %4 Antworten je Sekunde</translation>
+    </message>
+    <message>
+        <source>not known before homing</source>
+        <translation>vor der Referenzfahrt nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SetupStartBox</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>&amp;Retry</source>
+        <translation>&amp;Noch einmal</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>&amp;Firmware file…</source>
+        <translation>&amp;Firmware-Datei…</translation>
+    </message>
+    <message>
+        <source>Firmware file</source>
+        <translation>Firmware-Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Copy rule</source>
+        <translation>&amp;Regel kopieren</translation>
+    </message>
+    <message>
+        <source>Copy rule</source>
+        <translation>Regel kopieren</translation>
+    </message>
+    <message>
+        <source>Firmware file in use</source>
+        <translation>Benutzte Firmware-Datei</translation>
+    </message>
+    <message>
+        <source>Firmware loaded</source>
+        <translation>Firmware geladen</translation>
+    </message>
+    <message>
+        <source>not loaded yet</source>
+        <translation>noch nicht geladen</translation>
+    </message>
+    <message>
+        <source>Rule that gives access</source>
+        <translation>Regel, die Zugang gibt</translation>
+    </message>
+    <message>
+        <source># As an administrator, write this into /etc/udev/rules.d/60-relievo-falcon.rules, then replug:
+</source>
+        <translation># Als Verwalter in /etc/udev/rules.d/60-relievo-falcon.rules schreiben, dann neu einstecken:
+</translation>
+    </message>
+    <message>
+        <source>attempt %1 of %2, %p %</source>
+        <translation>Versuch %1 von %2, %p %</translation>
+    </message>
+    <message>
+        <source>was running already</source>
+        <translation>lief schon</translation>
+    </message>
+    <message>
+        <source>Firmware: %1, %2</source>
+        <translation>Firmware: %1, %2</translation>
+    </message>
+    <message>
+        <source>Firmware: %1, accepted by you</source>
+        <translation>Firmware: %1, von Ihnen angenommen</translation>
+    </message>
+    <message>
+        <source>Firmware: no file found yet</source>
+        <translation>Firmware: noch keine Datei gefunden</translation>
+    </message>
+    <message>
+        <source>Firmware: %1 cannot be used</source>
+        <translation>Firmware: %1 ist nicht verwendbar</translation>
     </message>
 </context>
 <context>
@@ -10702,6 +10628,77 @@
     </message>
 </context>
 <context>
+    <name>relievo::StepList</name>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Add s&amp;tep</source>
+        <translation>Schritt h&amp;inzufügen</translation>
+    </message>
+    <message>
+        <source>Choose what is done next</source>
+        <translation>Wählen, was als Nächstes geschieht</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Leave the chosen step out (Delete)</source>
+        <translation>Den gewählten Schritt weglassen (Entf)</translation>
+    </message>
+    <message>
+        <source>Remove step</source>
+        <translation>Schritt entfernen</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Do the chosen step earlier (Ctrl+Up)</source>
+        <translation>Den gewählten Schritt früher tun (Strg+Auf)</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>Do the chosen step later (Ctrl+Down)</source>
+        <translation>Den gewählten Schritt später tun (Strg+Ab)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo the last change (Ctrl+Z)</source>
+        <translation>Die letzte Änderung zurücknehmen (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>R&amp;edo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo it (Ctrl+Y)</source>
+        <translation>Sie wiederholen (Strg+Y)</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>nicht getan</translation>
+    </message>
+</context>
+<context>
     <name>relievo::StereoPanel</name>
     <message>
         <source>At mi&amp;d height</source>
@@ -11055,6 +11052,53 @@
     <message>
         <source>Cancelled. Nothing was suggested.</source>
         <translation>Abgebrochen. Nichts wurde vorgeschlagen.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SurfaceChoices</name>
+    <message>
+        <source>View %1 → %2</source>
+        <translation>Ansicht %1 → %2</translation>
+    </message>
+    <message>
+        <source>Depth method → %1</source>
+        <translation>Verfahren → %1</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Unit %1 → %2</source>
+        <translation>Einheit %1 → %2</translation>
+    </message>
+    <message>
+        <source>Keep far-off points</source>
+        <translation>Weit entfernte Punkte behalten</translation>
+    </message>
+    <message>
+        <source>Leave out far-off groups</source>
+        <translation>Weit entfernte Gruppen weglassen</translation>
+    </message>
+    <message>
+        <source>Leave out far-off points</source>
+        <translation>Weit entfernte Punkte weglassen</translation>
+    </message>
+    <message>
+        <source>Take heights as missing</source>
+        <translation>Höhen als fehlend nehmen</translation>
+    </message>
+    <message>
+        <source>Keep all heights</source>
+        <translation>Alle Höhen behalten</translation>
+    </message>
+    <message>
+        <source>Size of the samples</source>
+        <translation>Größe der Abtastwerte</translation>
     </message>
 </context>
 <context>

@@ -66,7 +66,7 @@
     </message>
 </context>
 <context>
-    <name>relievo::PrepareDialog</name>
+    <name>relievo::PairPicking</name>
     <message numerus="yes">
         <source>%n pair(s). Escape or the button ends; more pairs do no harm.</source>
         <translation>

@@ -2559,78 +2559,8 @@
         <translation>बंद करें</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>शुरू</translation>
-    </message>
-    <message>
-        <source>&amp;Retry</source>
-        <translation>फिर कोशिश (&amp;R)</translation>
-    </message>
-    <message>
-        <source>Retry</source>
-        <translation>फिर कोशिश</translation>
-    </message>
-    <message>
-        <source>&amp;Firmware file…</source>
-        <translation>फ़र्मवेयर फ़ाइल (&amp;F)…</translation>
-    </message>
-    <message>
-        <source>Firmware file</source>
-        <translation>फ़र्मवेयर फ़ाइल</translation>
-    </message>
-    <message>
-        <source>&amp;Copy rule</source>
-        <translation>नियम की प्रति (&amp;C)</translation>
-    </message>
-    <message>
-        <source>Copy rule</source>
-        <translation>नियम की प्रति</translation>
-    </message>
-    <message>
-        <source>Firmware loaded</source>
-        <translation>फ़र्मवेयर लोड हुआ</translation>
-    </message>
-    <message>
-        <source>not loaded yet</source>
-        <translation>अभी लोड नहीं</translation>
-    </message>
-    <message>
-        <source>Rule that gives access</source>
-        <translation>पहुँच देने वाला नियम</translation>
-    </message>
-    <message>
-        <source># As an administrator, write this into /etc/udev/rules.d/60-relievo-falcon.rules, then replug:
-</source>
-        <translation># प्रशासक के रूप में इसे /etc/udev/rules.d/60-relievo-falcon.rules में लिखें, फिर दोबारा जोड़ें:
-</translation>
-    </message>
-    <message>
         <source>The rule is copied.</source>
         <translation>नियम की प्रति बन गई।</translation>
-    </message>
-    <message>
-        <source>Homing</source>
-        <translation>आरंभ स्थिति</translation>
-    </message>
-    <message>
-        <source>Top arm</source>
-        <translation>ऊपरी भुजा</translation>
-    </message>
-    <message>
-        <source>Right arm</source>
-        <translation>दाईं भुजा</translation>
-    </message>
-    <message>
-        <source>Left arm</source>
-        <translation>बाईं भुजा</translation>
-    </message>
-    <message>
-        <source>Place of the hand</source>
-        <translation>हाथ का स्थान</translation>
-    </message>
-    <message>
-        <source>Hand</source>
-        <translation>हाथ</translation>
     </message>
     <message>
         <source>Test and calibration</source>
@@ -2673,30 +2603,6 @@
         <translation>परिणाम</translation>
     </message>
     <message>
-        <source>attempt %1 of %2, %p %</source>
-        <translation>प्रयास %2 में से %1, %p %</translation>
-    </message>
-    <message>
-        <source>was running already</source>
-        <translation>पहले से चल रहा था</translation>
-    </message>
-    <message>
-        <source>✓ found</source>
-        <translation>✓ मिला</translation>
-    </message>
-    <message>
-        <source>– missing</source>
-        <translation>– नहीं मिला</translation>
-    </message>
-    <message>
-        <source>%1 right, %2 up, %3 out, in millimetres; %4 answers per second</source>
-        <translation>दाएँ %1, ऊपर %2, बाहर %3, मिलीमीटर में; प्रति सेकंड %4 उत्तर</translation>
-    </message>
-    <message>
-        <source>not known before homing</source>
-        <translation>आरंभ स्थिति से पहले ज्ञात नहीं</translation>
-    </message>
-    <message>
         <source>%1 counts per N mm</source>
         <translation>%1 गणना प्रति N mm</translation>
     </message>
@@ -2717,28 +2623,8 @@
         <translation>फ़ाइल बूट इमेज के रूप की है, पर इसे कोई नहीं जानता (sha256 %1)। फिर भी Falcon में लोड करें?</translation>
     </message>
     <message>
-        <source>Firmware file in use</source>
-        <translation>उपयोग में फ़र्मवेयर फ़ाइल</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>रद्द करें</translation>
-    </message>
-    <message>
-        <source>Firmware: %1, accepted by you</source>
-        <translation>फ़र्मवेयर: %1, आपने स्वीकार किया</translation>
-    </message>
-    <message>
-        <source>Firmware: %1, %2</source>
-        <translation>फ़र्मवेयर: %1, %2</translation>
-    </message>
-    <message>
-        <source>Firmware: no file found yet</source>
-        <translation>फ़र्मवेयर: अभी कोई फ़ाइल नहीं मिली</translation>
-    </message>
-    <message>
-        <source>Firmware: %1 cannot be used</source>
-        <translation>फ़र्मवेयर: %1 उपयोग योग्य नहीं</translation>
     </message>
     <message>
         <source>Contin&amp;ue</source>
@@ -2752,84 +2638,8 @@
 <context>
     <name>relievo::Document</name>
     <message>
-        <source>Detail %1 → %2</source>
-        <translation>विवरण %1 → %2</translation>
-    </message>
-    <message>
-        <source>View %1 → %2</source>
-        <translation>दृश्य %1 → %2</translation>
-    </message>
-    <message>
-        <source>Unit %1 → %2</source>
-        <translation>इकाई %1 → %2</translation>
-    </message>
-    <message>
-        <source>Whole object</source>
-        <translation>पूरी वस्तु</translation>
-    </message>
-    <message>
-        <source>Move window</source>
-        <translation>विंडो खिसकाएँ</translation>
-    </message>
-    <message>
-        <source>Choose window</source>
-        <translation>विंडो चुनें</translation>
-    </message>
-    <message>
-        <source>Zoom</source>
-        <translation>पास लाएँ</translation>
-    </message>
-    <message>
         <source>This map is read by tiles, as it was made; nothing was changed. To make it otherwise, run relievo depthmap --memory on its scan, with the choices you want.</source>
         <translation>यह मानचित्र टाइलों में, जैसा बना था वैसा ही पढ़ा जाता है; कुछ नहीं बदला गया। इसे दूसरे ढंग से बनाने के लिए इसके स्कैन पर अपने विकल्पों के साथ relievo depthmap --memory चलाएँ।</translation>
-    </message>
-    <message>
-        <source>Keep far-off points</source>
-        <translation>दूर के बिंदु रखें</translation>
-    </message>
-    <message>
-        <source>Leave out far-off points</source>
-        <translation>दूर के बिंदु छोड़ दें</translation>
-    </message>
-    <message>
-        <source>Take heights as missing</source>
-        <translation>ऊँचाइयों को अनुपस्थित मानें</translation>
-    </message>
-    <message>
-        <source>Keep all heights</source>
-        <translation>सभी ऊँचाइयाँ रखें</translation>
-    </message>
-    <message>
-        <source>Leave out far-off groups</source>
-        <translation>दूर के समूह छोड़ दें</translation>
-    </message>
-    <message>
-        <source>Larger window</source>
-        <translation>बड़ी खिड़की</translation>
-    </message>
-    <message>
-        <source>Smaller window</source>
-        <translation>छोटी खिड़की</translation>
-    </message>
-    <message>
-        <source>Depth method → %1</source>
-        <translation>विधि → %1</translation>
-    </message>
-    <message>
-        <source>CPU</source>
-        <translation>CPU</translation>
-    </message>
-    <message>
-        <source>OpenGL</source>
-        <translation>OpenGL</translation>
-    </message>
-    <message>
-        <source>Vertical exaggeration</source>
-        <translation>ऊर्ध्व अतिरंजन</translation>
-    </message>
-    <message>
-        <source>Size of the samples</source>
-        <translation>नमूनों का आकार</translation>
     </message>
 </context>
 <context>
@@ -8555,6 +8365,44 @@
     </message>
 </context>
 <context>
+    <name>relievo::PairPicking</name>
+    <message>
+        <source>The scans are still being read</source>
+        <translation>स्कैन अभी पढ़े जा रहे हैं</translation>
+    </message>
+    <message>
+        <source>Scan %1: %2</source>
+        <translation>स्कैन %1: %2</translation>
+    </message>
+    <message>
+        <source>Reference: %1</source>
+        <translation>संदर्भ: %1</translation>
+    </message>
+    <message>
+        <source>Now place %1 on the reference</source>
+        <translation>अब संदर्भ पर जगह %1</translation>
+    </message>
+    <message>
+        <source>Now place %1 on the scan</source>
+        <translation>अब स्कैन पर जगह %1</translation>
+    </message>
+    <message>
+        <source>Choose place %1 on the scan, then the same on the reference</source>
+        <translation>स्कैन पर जगह %1 चुनें, फिर वही संदर्भ पर</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s). Escape or the button ends; more pairs do no harm.</source>
+        <translation>
+            <numerusform>%n जोड़ा। Escape या बटन से समाप्त; अधिक जोड़ों से हानि नहीं।</numerusform>
+            <numerusform>%n जोड़े। Escape या बटन से समाप्त; अधिक जोड़ों से हानि नहीं।</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They fit to %1 mm; pair %2 fits worst, %3 mm.</source>
+        <translation>वे %1 mm तक मेल खाते हैं; जोड़ा %2 सबसे कम मेल खाता है, %3 mm।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::PictureController</name>
     <message>
         <source>Cancelled. No picture was saved.</source>
@@ -9115,37 +8963,6 @@
 <context>
     <name>relievo::PrepareDialog</name>
     <message>
-        <source>The scans are still being read</source>
-        <translation>स्कैन अभी पढ़े जा रहे हैं</translation>
-    </message>
-    <message>
-        <source>Scan %1: %2</source>
-        <translation>स्कैन %1: %2</translation>
-    </message>
-    <message>
-        <source>Reference: %1</source>
-        <translation>संदर्भ: %1</translation>
-    </message>
-    <message>
-        <source>Now place %1 on the reference</source>
-        <translation>अब संदर्भ पर जगह %1</translation>
-    </message>
-    <message>
-        <source>Now place %1 on the scan</source>
-        <translation>अब स्कैन पर जगह %1</translation>
-    </message>
-    <message>
-        <source>Choose place %1 on the scan, then the same on the reference</source>
-        <translation>स्कैन पर जगह %1 चुनें, फिर वही संदर्भ पर</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pair(s). Escape or the button ends; more pairs do no harm.</source>
-        <translation>
-            <numerusform>%n जोड़ा। Escape या बटन से समाप्त; अधिक जोड़ों से हानि नहीं।</numerusform>
-            <numerusform>%n जोड़े। Escape या बटन से समाप्त; अधिक जोड़ों से हानि नहीं।</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Arrow keys carry the cross, Enter sets a corner, Ctrl+Enter closes the outline</source>
         <translation>तीर कुंजियाँ क्रॉस ले जाती हैं, Enter कोना रखता है, Ctrl+Enter रूपरेखा बंद करता है</translation>
     </message>
@@ -9154,132 +8971,106 @@
         <translation>माउस से चारों ओर खींचें, या Enter से कोने रखें; Ctrl+Enter बंद करता है।</translation>
     </message>
     <message>
-        <source>Scans</source>
-        <translation>स्कैन</translation>
+        <source>Prepare</source>
+        <translation>तैयार करें</translation>
     </message>
     <message>
-        <source>Scan</source>
-        <translation>स्कैन</translation>
+        <source>Save recipe</source>
+        <translation>विधि सहेजें</translation>
     </message>
     <message>
-        <source>Lies</source>
-        <translation>स्थिति</translation>
+        <source>Recipes (*.json)</source>
+        <translation>विधियाँ (*.json)</translation>
     </message>
     <message>
-        <source>&amp;Add…</source>
-        <translation>जोड़ें (&amp;A)…</translation>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजा गया</translation>
     </message>
     <message>
-        <source>Further scans of the same object</source>
-        <translation>उसी वस्तु के और स्कैन</translation>
+        <source>The command is in the clipboard</source>
+        <translation>आदेश क्लिपबोर्ड में है</translation>
     </message>
     <message>
-        <source>Remove</source>
-        <translation>हटाएँ</translation>
+        <source>Undone</source>
+        <translation>पूर्ववत किया</translation>
     </message>
     <message>
-        <source>Take the chosen scan off the list</source>
-        <translation>चुना स्कैन सूची से हटाएँ</translation>
+        <source>Redone</source>
+        <translation>फिर किया</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PrepareReport</name>
+    <message>
+        <source>The chain of scans %1 misses its beginning by %2 mm.</source>
+        <translation>स्कैनों %1 की शृंखला अपने आरंभ से %2 mm चूकती है।</translation>
     </message>
     <message>
-        <source>Reference</source>
-        <translation>संदर्भ</translation>
+        <source>%1 % of its points lie within one spacing.</source>
+        <translation>इसके %1 % बिंदु एक अंतराल के भीतर हैं।</translation>
     </message>
     <message>
-        <source>The chosen scan stays where it is; the others are laid on it</source>
-        <translation>चुना स्कैन जहाँ है वहीं रहता है; बाकी उस पर रखे जाते हैं</translation>
+        <source>It may be off by %1 mm.</source>
+        <translation>यह %1 mm हटा हो सकता है।</translation>
     </message>
     <message>
-        <source>Pic&amp;k pairs…</source>
-        <translation>जोड़े चुनें (&amp;K)…</translation>
+        <source>How many points stay</source>
+        <translation>कितने बिंदु रहते हैं</translation>
     </message>
     <message>
-        <source>Show the same three places on the chosen scan and on the reference</source>
-        <translation>चुने स्कैन और संदर्भ पर वही तीन जगहें दिखाएँ</translation>
+        <source>What was done</source>
+        <translation>क्या किया गया</translation>
     </message>
     <message>
-        <source>Take back</source>
-        <translation>वापस लें</translation>
+        <source>Problem</source>
+        <translation>समस्या</translation>
     </message>
     <message>
-        <source>Forget the place picked last</source>
-        <translation>अंतिम चुनी जगह भूलें</translation>
+        <source>%1: %2</source>
+        <comment>scan, words</comment>
+        <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Split</source>
-        <translation>अलग करें</translation>
+        <source>%1 of %2 points stay.</source>
+        <translation>%2 में से %1 बिंदु रहते हैं।</translation>
     </message>
     <message>
-        <source>Each of the file&apos;s scans for itself, to leave some out or align them</source>
-        <translation>फ़ाइल का हर स्कैन अलग, ताकि कुछ छोड़े या संरेखित किए जा सकें</translation>
+        <source>%1 points.</source>
+        <translation>%1 बिंदु।</translation>
     </message>
     <message>
-        <source>With withheld points</source>
-        <translation>रोके गए बिंदुओं सहित</translation>
+        <source>%1 of them are drawn.</source>
+        <translation>इनमें से %1 खींचे गए हैं।</translation>
     </message>
     <message>
-        <source>Points of the chosen scan that its file marks as not to be used</source>
-        <translation>चुने स्कैन के वे बिंदु जिन्हें फ़ाइल काम में न लेने को चिह्नित करती है</translation>
+        <source>Blue lies on the surface of the other scans, red three spacings from it; grey: no other scan is near.</source>
+        <translation>नीला दूसरे स्कैनों की सतह पर है, लाल उससे तीन अंतराल दूर; धूसर: पास में कोई दूसरा स्कैन नहीं।</translation>
     </message>
     <message>
-        <source>Steps</source>
-        <translation>चरण</translation>
+        <source>%1 points that the file marks as withheld are left out.</source>
+        <translation>%1 बिंदु जिन्हें फ़ाइल रोका हुआ बताती है, छोड़े गए हैं।</translation>
     </message>
+</context>
+<context>
+    <name>relievo::PrepareRunner</name>
     <message>
-        <source>Step</source>
-        <translation>चरण</translation>
+        <source>No scan is chosen. Tick one in the list of scans.</source>
+        <translation>कोई स्कैन नहीं चुना गया। स्कैन सूची में एक पर निशान लगाएँ।</translation>
     </message>
+</context>
+<context>
+    <name>relievo::PrepareViews</name>
     <message>
         <source>Points</source>
         <translation>बिंदु</translation>
     </message>
     <message>
-        <source>Add s&amp;tep</source>
-        <translation>चरण जोड़ें (&amp;T)</translation>
+        <source>Drag or arrow keys turn, the right button moves, the wheel or + and - bring it nearer, Home shows all</source>
+        <translation>खींचने या तीर कुंजियों से घूमता है, दायाँ बटन खिसकाता है, पहिया या + और - पास लाते हैं, Home सब दिखाता है</translation>
     </message>
     <message>
-        <source>Choose what is done next</source>
-        <translation>चुनें कि आगे क्या हो</translation>
-    </message>
-    <message>
-        <source>Leave the chosen step out (Delete)</source>
-        <translation>चुना चरण छोड़ें (Delete)</translation>
-    </message>
-    <message>
-        <source>Remove step</source>
-        <translation>चरण हटाएँ</translation>
-    </message>
-    <message>
-        <source>Earlier</source>
-        <translation>पहले</translation>
-    </message>
-    <message>
-        <source>Do the chosen step earlier (Ctrl+Up)</source>
-        <translation>चुना चरण पहले करें (Ctrl+Up)</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>बाद में</translation>
-    </message>
-    <message>
-        <source>Do the chosen step later (Ctrl+Down)</source>
-        <translation>चुना चरण बाद में करें (Ctrl+Down)</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>पूर्ववत (&amp;U)</translation>
-    </message>
-    <message>
-        <source>Undo the last change (Ctrl+Z)</source>
-        <translation>अंतिम बदलाव पूर्ववत करें (Ctrl+Z)</translation>
-    </message>
-    <message>
-        <source>R&amp;edo</source>
-        <translation>फिर करें (&amp;E)</translation>
-    </message>
-    <message>
-        <source>Redo it (Ctrl+Y)</source>
-        <translation>उसे फिर करें (Ctrl+Y)</translation>
+        <source>Points of the reference</source>
+        <translation>संदर्भ के बिंदु</translation>
     </message>
     <message>
         <source>Seen &amp;from:</source>
@@ -9333,26 +9124,9 @@
         <source>From the surface of the other scans: blue at 0, red at three spacings, grey where there is none</source>
         <translation>दूसरे स्कैनों की सतह से: 0 पर नीला, तीन अंतराल पर लाल, जहाँ कोई नहीं वहाँ धूसर</translation>
     </message>
-    <message>
-        <source>Drag or arrow keys turn, the right button moves, the wheel or + and - bring it nearer, Home shows all</source>
-        <translation>खींचने या तीर कुंजियों से घूमता है, दायाँ बटन खिसकाता है, पहिया या + और - पास लाते हैं, Home सब दिखाता है</translation>
-    </message>
-    <message>
-        <source>Points of the reference</source>
-        <translation>संदर्भ के बिंदु</translation>
-    </message>
-    <message>
-        <source>How many points stay</source>
-        <translation>कितने बिंदु रहते हैं</translation>
-    </message>
-    <message>
-        <source>What was done</source>
-        <translation>क्या किया गया</translation>
-    </message>
-    <message>
-        <source>Problem</source>
-        <translation>समस्या</translation>
-    </message>
+</context>
+<context>
+    <name>relievo::PrepareWorkRow</name>
     <message>
         <source>L&amp;ive</source>
         <translation>साथ-साथ (&amp;I)</translation>
@@ -9410,6 +9184,17 @@
         <translation>विधि सहेजने के बाद वही करने वाला आदेश</translation>
     </message>
     <message>
+        <source>Write the prepared scan and open it</source>
+        <translation>तैयार स्कैन लिखें और खोलें</translation>
+    </message>
+    <message>
+        <source>Recom&amp;pute *</source>
+        <translation>फिर गणना (&amp;P) *</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PreparedFileRow</name>
+    <message>
         <source>Prepared scan</source>
         <translation>तैयार स्कैन</translation>
     </message>
@@ -9438,162 +9223,8 @@
         <translation>तैयार स्कैन (&amp;R):</translation>
     </message>
     <message>
-        <source>Write the prepared scan and open it</source>
-        <translation>तैयार स्कैन लिखें और खोलें</translation>
-    </message>
-    <message>
-        <source>Prepare</source>
-        <translation>तैयार करें</translation>
-    </message>
-    <message>
-        <source>Recom&amp;pute *</source>
-        <translation>फिर गणना (&amp;P) *</translation>
-    </message>
-    <message>
-        <source>No scan is chosen. Tick one in the list of scans.</source>
-        <translation>कोई स्कैन नहीं चुना गया। स्कैन सूची में एक पर निशान लगाएँ।</translation>
-    </message>
-    <message>
-        <source>Save recipe</source>
-        <translation>विधि सहेजें</translation>
-    </message>
-    <message>
-        <source>Recipes (*.json)</source>
-        <translation>विधियाँ (*.json)</translation>
-    </message>
-    <message>
-        <source>%1 is saved</source>
-        <translation>%1 सहेजा गया</translation>
-    </message>
-    <message>
-        <source>The command is in the clipboard</source>
-        <translation>आदेश क्लिपबोर्ड में है</translation>
-    </message>
-    <message>
         <source>Scans (*.ply)</source>
         <translation>स्कैन (*.ply)</translation>
-    </message>
-    <message>
-        <source>The chain of scans %1 misses its beginning by %2 mm.</source>
-        <translation>स्कैनों %1 की शृंखला अपने आरंभ से %2 mm चूकती है।</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <comment>number, scan</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>not done</source>
-        <translation>नहीं हुआ</translation>
-    </message>
-    <message>
-        <source>reference</source>
-        <translation>संदर्भ</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>as stored</source>
-        <translation>जैसा सहेजा गया</translation>
-    </message>
-    <message>
-        <source>not yet</source>
-        <translation>अभी नहीं</translation>
-    </message>
-    <message>
-        <source>Pairs are pic&amp;ked</source>
-        <translation>जोड़े चुन लिए (&amp;K)</translation>
-    </message>
-    <message>
-        <source>Pairs are picked</source>
-        <translation>जोड़े चुन लिए</translation>
-    </message>
-    <message>
-        <source>Pick pairs</source>
-        <translation>जोड़े चुनें</translation>
-    </message>
-    <message>
-        <source>%1 % of its points lie within one spacing.</source>
-        <translation>इसके %1 % बिंदु एक अंतराल के भीतर हैं।</translation>
-    </message>
-    <message>
-        <source>It may be off by %1 mm.</source>
-        <translation>यह %1 mm हटा हो सकता है।</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>scan, words</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 points stay.</source>
-        <translation>%2 में से %1 बिंदु रहते हैं।</translation>
-    </message>
-    <message>
-        <source>%1 points.</source>
-        <translation>%1 बिंदु।</translation>
-    </message>
-    <message>
-        <source>%1 of them are drawn.</source>
-        <translation>इनमें से %1 खींचे गए हैं।</translation>
-    </message>
-    <message>
-        <source>Blue lies on the surface of the other scans, red three spacings from it; grey: no other scan is near.</source>
-        <translation>नीला दूसरे स्कैनों की सतह पर है, लाल उससे तीन अंतराल दूर; धूसर: पास में कोई दूसरा स्कैन नहीं।</translation>
-    </message>
-    <message>
-        <source>%1 points that the file marks as withheld are left out.</source>
-        <translation>%1 बिंदु जिन्हें फ़ाइल रोका हुआ बताती है, छोड़े गए हैं।</translation>
-    </message>
-    <message>
-        <source>Add scans</source>
-        <translation>स्कैन जोड़ें</translation>
-    </message>
-    <message>
-        <source>Undone</source>
-        <translation>पूर्ववत किया</translation>
-    </message>
-    <message>
-        <source>Redone</source>
-        <translation>फिर किया</translation>
-    </message>
-    <message>
-        <source>They fit to %1 mm; pair %2 fits worst, %3 mm.</source>
-        <translation>वे %1 mm तक मेल खाते हैं; जोड़ा %2 सबसे कम मेल खाता है, %3 mm।</translation>
-    </message>
-    <message>
-        <source>Pair %1</source>
-        <translation>जोड़ा %1</translation>
-    </message>
-    <message>
-        <source>%1 mm, worst</source>
-        <translation>%1 mm, सबसे अधिक</translation>
-    </message>
-    <message>
-        <source>Remove pair</source>
-        <translation>जोड़ा हटाएँ</translation>
-    </message>
-    <message>
-        <source>Forget the chosen pair, such as the one that fits worst (Delete)</source>
-        <translation>चुना हुआ जोड़ा भूलें, जैसे वह जो सबसे कम मेल खाता है (Delete)</translation>
-    </message>
-    <message>
-        <source>Picked pairs</source>
-        <translation>चुने हुए जोड़े</translation>
-    </message>
-    <message>
-        <source>Pair</source>
-        <translation>जोड़ा</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>त्रुटि</translation>
-    </message>
-    <message>
-        <source>How far apart each pair&apos;s places are left where all pairs fit best; from three on</source>
-        <translation>सभी जोड़े जहाँ सबसे अच्छे मेल खाते हैं वहाँ हर जोड़े की जगहें कितनी दूर रह जाती हैं; तीन जोड़ों से</translation>
     </message>
 </context>
 <context>
@@ -9875,6 +9506,41 @@
     <message>
         <source>Overview</source>
         <translation>अवलोकन</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::RegionEditor</name>
+    <message>
+        <source>Larger window</source>
+        <translation>बड़ी खिड़की</translation>
+    </message>
+    <message>
+        <source>Smaller window</source>
+        <translation>छोटी खिड़की</translation>
+    </message>
+    <message>
+        <source>Detail %1 → %2</source>
+        <translation>विवरण %1 → %2</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>पूरी वस्तु</translation>
+    </message>
+    <message>
+        <source>Move window</source>
+        <translation>विंडो खिसकाएँ</translation>
+    </message>
+    <message>
+        <source>Choose window</source>
+        <translation>विंडो चुनें</translation>
+    </message>
+    <message>
+        <source>Vertical exaggeration</source>
+        <translation>ऊर्ध्व अतिरंजन</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>पास लाएँ</translation>
     </message>
 </context>
 <context>
@@ -10232,6 +9898,146 @@
     </message>
 </context>
 <context>
+    <name>relievo::ScanList</name>
+    <message>
+        <source>Scans</source>
+        <translation>स्कैन</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>स्कैन</translation>
+    </message>
+    <message>
+        <source>Lies</source>
+        <translation>स्थिति</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>जोड़ें (&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Further scans of the same object</source>
+        <translation>उसी वस्तु के और स्कैन</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>हटाएँ</translation>
+    </message>
+    <message>
+        <source>Take the chosen scan off the list</source>
+        <translation>चुना स्कैन सूची से हटाएँ</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>संदर्भ</translation>
+    </message>
+    <message>
+        <source>The chosen scan stays where it is; the others are laid on it</source>
+        <translation>चुना स्कैन जहाँ है वहीं रहता है; बाकी उस पर रखे जाते हैं</translation>
+    </message>
+    <message>
+        <source>Pic&amp;k pairs…</source>
+        <translation>जोड़े चुनें (&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Show the same three places on the chosen scan and on the reference</source>
+        <translation>चुने स्कैन और संदर्भ पर वही तीन जगहें दिखाएँ</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>वापस लें</translation>
+    </message>
+    <message>
+        <source>Forget the place picked last</source>
+        <translation>अंतिम चुनी जगह भूलें</translation>
+    </message>
+    <message>
+        <source>Remove pair</source>
+        <translation>जोड़ा हटाएँ</translation>
+    </message>
+    <message>
+        <source>Forget the chosen pair, such as the one that fits worst (Delete)</source>
+        <translation>चुना हुआ जोड़ा भूलें, जैसे वह जो सबसे कम मेल खाता है (Delete)</translation>
+    </message>
+    <message>
+        <source>Picked pairs</source>
+        <translation>चुने हुए जोड़े</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>जोड़ा</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>त्रुटि</translation>
+    </message>
+    <message>
+        <source>How far apart each pair&apos;s places are left where all pairs fit best; from three on</source>
+        <translation>सभी जोड़े जहाँ सबसे अच्छे मेल खाते हैं वहाँ हर जोड़े की जगहें कितनी दूर रह जाती हैं; तीन जोड़ों से</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>अलग करें</translation>
+    </message>
+    <message>
+        <source>Each of the file&apos;s scans for itself, to leave some out or align them</source>
+        <translation>फ़ाइल का हर स्कैन अलग, ताकि कुछ छोड़े या संरेखित किए जा सकें</translation>
+    </message>
+    <message>
+        <source>With withheld points</source>
+        <translation>रोके गए बिंदुओं सहित</translation>
+    </message>
+    <message>
+        <source>Points of the chosen scan that its file marks as not to be used</source>
+        <translation>चुने स्कैन के वे बिंदु जिन्हें फ़ाइल काम में न लेने को चिह्नित करती है</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>number, scan</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>संदर्भ</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>as stored</source>
+        <translation>जैसा सहेजा गया</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>अभी नहीं</translation>
+    </message>
+    <message>
+        <source>Pairs are pic&amp;ked</source>
+        <translation>जोड़े चुन लिए (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Pairs are picked</source>
+        <translation>जोड़े चुन लिए</translation>
+    </message>
+    <message>
+        <source>Pick pairs</source>
+        <translation>जोड़े चुनें</translation>
+    </message>
+    <message>
+        <source>Pair %1</source>
+        <translation>जोड़ा %1</translation>
+    </message>
+    <message>
+        <source>%1 mm, worst</source>
+        <translation>%1 mm, सबसे अधिक</translation>
+    </message>
+    <message>
+        <source>Add scans</source>
+        <translation>स्कैन जोड़ें</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ScopeDialog</name>
     <message>
         <source>Force and height against time</source>
@@ -10315,6 +10121,126 @@
     <message>
         <source>At %1 s: hand %2 mm, proxy %3 mm, force %4 N</source>
         <translation>%1 s पर: हाथ %2 mm, प्रॉक्सी %3 mm, बल %4 N</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SetupHomingBox</name>
+    <message>
+        <source>Homing</source>
+        <translation>आरंभ स्थिति</translation>
+    </message>
+    <message>
+        <source>Top arm</source>
+        <translation>ऊपरी भुजा</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>दाईं भुजा</translation>
+    </message>
+    <message>
+        <source>Left arm</source>
+        <translation>बाईं भुजा</translation>
+    </message>
+    <message>
+        <source>Place of the hand</source>
+        <translation>हाथ का स्थान</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>हाथ</translation>
+    </message>
+    <message>
+        <source>✓ found</source>
+        <translation>✓ मिला</translation>
+    </message>
+    <message>
+        <source>– missing</source>
+        <translation>– नहीं मिला</translation>
+    </message>
+    <message>
+        <source>%1 right, %2 up, %3 out, in millimetres; %4 answers per second</source>
+        <translation>दाएँ %1, ऊपर %2, बाहर %3, मिलीमीटर में; प्रति सेकंड %4 उत्तर</translation>
+    </message>
+    <message>
+        <source>not known before homing</source>
+        <translation>आरंभ स्थिति से पहले ज्ञात नहीं</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SetupStartBox</name>
+    <message>
+        <source>Start</source>
+        <translation>शुरू</translation>
+    </message>
+    <message>
+        <source>&amp;Retry</source>
+        <translation>फिर कोशिश (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>फिर कोशिश</translation>
+    </message>
+    <message>
+        <source>&amp;Firmware file…</source>
+        <translation>फ़र्मवेयर फ़ाइल (&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Firmware file</source>
+        <translation>फ़र्मवेयर फ़ाइल</translation>
+    </message>
+    <message>
+        <source>&amp;Copy rule</source>
+        <translation>नियम की प्रति (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy rule</source>
+        <translation>नियम की प्रति</translation>
+    </message>
+    <message>
+        <source>Firmware file in use</source>
+        <translation>उपयोग में फ़र्मवेयर फ़ाइल</translation>
+    </message>
+    <message>
+        <source>Firmware loaded</source>
+        <translation>फ़र्मवेयर लोड हुआ</translation>
+    </message>
+    <message>
+        <source>not loaded yet</source>
+        <translation>अभी लोड नहीं</translation>
+    </message>
+    <message>
+        <source>Rule that gives access</source>
+        <translation>पहुँच देने वाला नियम</translation>
+    </message>
+    <message>
+        <source># As an administrator, write this into /etc/udev/rules.d/60-relievo-falcon.rules, then replug:
+</source>
+        <translation># प्रशासक के रूप में इसे /etc/udev/rules.d/60-relievo-falcon.rules में लिखें, फिर दोबारा जोड़ें:
+</translation>
+    </message>
+    <message>
+        <source>attempt %1 of %2, %p %</source>
+        <translation>प्रयास %2 में से %1, %p %</translation>
+    </message>
+    <message>
+        <source>was running already</source>
+        <translation>पहले से चल रहा था</translation>
+    </message>
+    <message>
+        <source>Firmware: %1, %2</source>
+        <translation>फ़र्मवेयर: %1, %2</translation>
+    </message>
+    <message>
+        <source>Firmware: %1, accepted by you</source>
+        <translation>फ़र्मवेयर: %1, आपने स्वीकार किया</translation>
+    </message>
+    <message>
+        <source>Firmware: no file found yet</source>
+        <translation>फ़र्मवेयर: अभी कोई फ़ाइल नहीं मिली</translation>
+    </message>
+    <message>
+        <source>Firmware: %1 cannot be used</source>
+        <translation>फ़र्मवेयर: %1 उपयोग योग्य नहीं</translation>
     </message>
 </context>
 <context>
@@ -10702,6 +10628,77 @@
     </message>
 </context>
 <context>
+    <name>relievo::StepList</name>
+    <message>
+        <source>Steps</source>
+        <translation>चरण</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>चरण</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>बिंदु</translation>
+    </message>
+    <message>
+        <source>Add s&amp;tep</source>
+        <translation>चरण जोड़ें (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Choose what is done next</source>
+        <translation>चुनें कि आगे क्या हो</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>हटाएँ</translation>
+    </message>
+    <message>
+        <source>Leave the chosen step out (Delete)</source>
+        <translation>चुना चरण छोड़ें (Delete)</translation>
+    </message>
+    <message>
+        <source>Remove step</source>
+        <translation>चरण हटाएँ</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>पहले</translation>
+    </message>
+    <message>
+        <source>Do the chosen step earlier (Ctrl+Up)</source>
+        <translation>चुना चरण पहले करें (Ctrl+Up)</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>बाद में</translation>
+    </message>
+    <message>
+        <source>Do the chosen step later (Ctrl+Down)</source>
+        <translation>चुना चरण बाद में करें (Ctrl+Down)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>पूर्ववत (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Undo the last change (Ctrl+Z)</source>
+        <translation>अंतिम बदलाव पूर्ववत करें (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>R&amp;edo</source>
+        <translation>फिर करें (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Redo it (Ctrl+Y)</source>
+        <translation>उसे फिर करें (Ctrl+Y)</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>नहीं हुआ</translation>
+    </message>
+</context>
+<context>
     <name>relievo::StereoPanel</name>
     <message>
         <source>At mi&amp;d height</source>
@@ -11055,6 +11052,53 @@
     <message>
         <source>Cancelled. Nothing was suggested.</source>
         <translation>रद्द। कुछ सुझाया नहीं गया।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SurfaceChoices</name>
+    <message>
+        <source>View %1 → %2</source>
+        <translation>दृश्य %1 → %2</translation>
+    </message>
+    <message>
+        <source>Depth method → %1</source>
+        <translation>विधि → %1</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Unit %1 → %2</source>
+        <translation>इकाई %1 → %2</translation>
+    </message>
+    <message>
+        <source>Keep far-off points</source>
+        <translation>दूर के बिंदु रखें</translation>
+    </message>
+    <message>
+        <source>Leave out far-off groups</source>
+        <translation>दूर के समूह छोड़ दें</translation>
+    </message>
+    <message>
+        <source>Leave out far-off points</source>
+        <translation>दूर के बिंदु छोड़ दें</translation>
+    </message>
+    <message>
+        <source>Take heights as missing</source>
+        <translation>ऊँचाइयों को अनुपस्थित मानें</translation>
+    </message>
+    <message>
+        <source>Keep all heights</source>
+        <translation>सभी ऊँचाइयाँ रखें</translation>
+    </message>
+    <message>
+        <source>Size of the samples</source>
+        <translation>नमूनों का आकार</translation>
     </message>
 </context>
 <context>

@@ -297,7 +297,7 @@ void DetailView::pan(const QPointF& point) {
   const double mm = mmPerPixel() / drag_start_.side_mm;
   const QPointF way = point - drag_point_;
   const auto next = moved(document_.surface()->ladder, drag_start_, -way.x() * mm, way.y() * mm);
-  document_.preview(next.value_or(drag_start_));
+  document_.region().preview(next.value_or(drag_start_));
 }
 
 void DetailView::turnTo(const QPointF& point) {
@@ -318,7 +318,7 @@ void DetailView::mouseReleaseEvent(QMouseEvent* event) {
   if (drag_ == Drag::turn) turnTo(event->localPos());
   drag_ = Drag::none;
   showCursor();
-  if (moved_window) document_.commit(tr("Move window"));
+  if (moved_window) document_.region().commit(tr("Move window"));
 }
 
 // A hand that keys pressed in stays: no button is held that could be let go of.
@@ -328,7 +328,7 @@ void DetailView::letGo() {
   if (ended == Drag::none) return;
   forgetNewest();
   showCursor();
-  if (ended == Drag::pan) document_.commit(tr("Move window"));
+  if (ended == Drag::pan) document_.region().commit(tr("Move window"));
 }
 
 void DetailView::leaveEvent(QEvent* event) {
@@ -361,13 +361,13 @@ void DetailView::zoomAbout(const QPointF& point, int notches) {
   const double least = std::min(kLeastCells * ladder.spacings_mm.front(), from.side_mm);
   const double side = std::max(from.side_mm * std::pow(kZoomStep, -notches), least);
   if (side >= ladder.sideMm(1)) {
-    document_.whole();
+    document_.region().whole();
     return;
   }
   const double keep = side / from.side_mm;
   const Region wanted = regionFromRect(
       ladder, {p.x - (p.x - from.x_mm) * keep, p.y - (p.y - from.y_mm) * keep, side, side});
-  document_.zoomTo(moved(ladder, wanted, 0, 0).value_or(wanted));
+  document_.region().zoomTo(moved(ladder, wanted, 0, 0).value_or(wanted));
 }
 
 bool DetailView::moveHandByKey(int key, double cells) {
@@ -409,7 +409,7 @@ void DetailView::keyPressEvent(QKeyEvent* event) {
       document_.isOpen() && (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0;
   if (event->key() == Qt::Key_Escape && drag_ == Drag::pan) {
     forgetNewest();
-    document_.revert();
+    document_.region().revert();
     drag_ = Drag::none;
     showCursor();
     return;

@@ -167,7 +167,7 @@ double ReferenceView::toleranceMm() const {
 
 void ReferenceView::mousePressEvent(QMouseEvent* event) {
   if (!document_.isOpen() || event->button() != Qt::LeftButton) return;
-  if (key_draw_) document_.revert();
+  if (key_draw_) document_.region().revert();
   key_draw_.reset();
   const ViewMm p = at(event->localPos(), 0);
   const Region& region = document_.project().region;
@@ -194,7 +194,7 @@ void ReferenceView::mouseReleaseEvent(QMouseEvent* event) {
   if (!drag_ || event->button() != Qt::LeftButton) return;
   forgetNewest();
   dragTo(event->localPos());  // The last place counts, and may be the only one.
-  document_.commit(nameOf(drag_->part));
+  document_.region().commit(nameOf(drag_->part));
   drag_.reset();
   showCursor(event->localPos());
 }
@@ -202,7 +202,7 @@ void ReferenceView::mouseReleaseEvent(QMouseEvent* event) {
 void ReferenceView::letGo() {
   if (!drag_) return;
   forgetNewest();
-  document_.commit(nameOf(drag_->part));
+  document_.region().commit(nameOf(drag_->part));
   drag_.reset();
 }
 
@@ -217,21 +217,22 @@ void ReferenceView::dragTo(const QPointF& point) {
   if (drag_->part == PinkPart::inside) {
     const double dx = (p.x - drag_->x_mm) / start.side_mm;
     const double dy = (p.y - drag_->y_mm) / start.side_mm;
-    document_.preview(moved(ladder, start, dx, dy).value_or(start));
+    document_.region().preview(moved(ladder, start, dx, dy).value_or(start));
     return;
   }
   if (drag_->part == PinkPart::outside) {
     previewDrawn(drag_->x_mm, drag_->y_mm, p.x, p.y);
     return;
   }
-  document_.preview(regionFromRect(ladder, resizedSquare(start, drag_->part, p.x, p.y, least)));
+  document_.region().preview(
+      regionFromRect(ladder, resizedSquare(start, drag_->part, p.x, p.y, least)));
 }
 
 void ReferenceView::previewDrawn(double x_mm, double y_mm, double to_x_mm, double to_y_mm) {
   const DetailLadder& ladder = document_.surface()->ladder;
   const RectMm rect = drawnSquare(x_mm, y_mm, to_x_mm, to_y_mm);
   if (rect.width_mm < kLeastCells * ladder.spacings_mm.front()) return;
-  document_.preview(regionFromRect(ladder, rect));
+  document_.region().preview(regionFromRect(ladder, rect));
 }
 
 bool ReferenceView::drawByKey(int key, bool both_corners) {
@@ -245,7 +246,7 @@ bool ReferenceView::drawByKey(int key, bool both_corners) {
   }
   if (!key_draw_) return false;
   if (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter) {
-    document_.commit(nameOf(PinkPart::outside));
+    document_.region().commit(nameOf(PinkPart::outside));
     key_draw_.reset();
     return true;
   }
@@ -280,12 +281,13 @@ void ReferenceView::showCursor(const QPointF& point) {
 
 void ReferenceView::wheelEvent(QWheelEvent* event) {
   event->accept();
-  if (!document_.isOpen() || document_.inGesture()) return;
+  if (!document_.isOpen() || document_.region().inGesture()) return;
   wheel_rest_ += event->angleDelta().y();
   const ViewMm p = at(event->position(), 0);
-  for (; wheel_rest_ >= kWheelStep; wheel_rest_ -= kWheelStep) document_.finer({p.x, p.y, false});
+  for (; wheel_rest_ >= kWheelStep; wheel_rest_ -= kWheelStep)
+    document_.region().finer({p.x, p.y, false});
   for (; wheel_rest_ <= -kWheelStep; wheel_rest_ += kWheelStep) {
-    document_.coarser({p.x, p.y, false});
+    document_.region().coarser({p.x, p.y, false});
   }
 }
 
@@ -295,14 +297,14 @@ void ReferenceView::resizeBy(double factor) {
   const double least = kLeastCells * ladder.spacings_mm.front();
   const double side =
       std::clamp(r.side_mm * factor, std::min(least, ladder.sideMm(1)), ladder.sideMm(1));
-  document_.setRect({r.centreX() - 0.5 * side, r.centreY() - 0.5 * side, side, side});
+  document_.region().setRect({r.centreX() - 0.5 * side, r.centreY() - 0.5 * side, side, side});
 }
 
 void ReferenceView::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {
     if (drag_ || key_draw_) {
       forgetNewest();
-      document_.revert();
+      document_.region().revert();
       drag_.reset();
       key_draw_.reset();
     } else {
@@ -318,23 +320,23 @@ void ReferenceView::keyPressEvent(QKeyEvent* event) {
   if (drawByKey(event->key(), resize)) return;
   switch (event->key()) {
     case Qt::Key_Left:
-      resize ? resizeBy(1 / kResizeStep) : void(document_.move(-kArrowStep, 0));
+      resize ? resizeBy(1 / kResizeStep) : void(document_.region().move(-kArrowStep, 0));
       break;
     case Qt::Key_Right:
-      resize ? resizeBy(kResizeStep) : void(document_.move(kArrowStep, 0));
+      resize ? resizeBy(kResizeStep) : void(document_.region().move(kArrowStep, 0));
       break;
     case Qt::Key_Down:
-      resize ? resizeBy(1 / kResizeStep) : void(document_.move(0, -kArrowStep));
+      resize ? resizeBy(1 / kResizeStep) : void(document_.region().move(0, -kArrowStep));
       break;
     case Qt::Key_Up:
-      resize ? resizeBy(kResizeStep) : void(document_.move(0, kArrowStep));
+      resize ? resizeBy(kResizeStep) : void(document_.region().move(0, kArrowStep));
       break;
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-      document_.finer(document_.aboutCentre());
+      document_.region().finer(document_.region().aboutCentre());
       break;
     case Qt::Key_Minus:
-      document_.coarser(document_.aboutCentre());
+      document_.region().coarser(document_.region().aboutCentre());
       break;
     default:
       SurfaceView::keyPressEvent(event);

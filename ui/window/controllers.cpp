@@ -58,7 +58,7 @@ Controllers::Controllers(const ControllerParts& parts, WorkArea& area)
   ViewPanel* view = area.panels().view;
   QObject::connect(view, &ViewPanel::viewChosen, &surface,
                    [&document = parts.document](const QString& name) {
-                     document.setView({name.toStdString(), {}});
+                     document.choices().setView({name.toStdString(), {}});
                    });
   QObject::connect(view, &ViewPanel::useThisViewAsked, &surface, &SurfaceController::useThisView);
   QObject::connect(view, &ViewPanel::straightenAsked, &area.detail(), &DetailView::straighten);

@@ -28,9 +28,9 @@ FirstViewCard::FirstViewCard(Document& document, QWidget* place)
   setObjectName(QStringLiteral("first_view"));
   setAccessibleName(tr("First view of the file that is being read"));
   place->installEventFilter(this);
-  connect(&document_, &Document::firstView, this, &FirstViewCard::show);
-  connect(&document_, &Document::workStarted, this, &QWidget::hide);
-  connect(&document_, &Document::busyChanged, this, &QWidget::hide);
+  connect(&document_.loader(), &SurfaceLoader::firstView, this, &FirstViewCard::show);
+  connect(&document_.loader(), &SurfaceLoader::workStarted, this, &QWidget::hide);
+  connect(&document_.loader(), &SurfaceLoader::busyChanged, this, &QWidget::hide);
   QWidget::hide();
 }
 

@@ -130,15 +130,15 @@ void MainWindow::connectDocument() {
   connect(&document_, &Document::surfaceChanged, heard, [this] { showSurface(); });
   connect(&document_, &Document::windowChanged, heard, [this] { showWindow(); });
   connect(&document_, &Document::stereoChanged, heard, [this] { showAroundDetail(); });
-  messages_->follow(document_);
+  messages_->follow(document_.loader());
   connect(messages_.get(), &WindowMessages::workBegan, heard, [this] {
     area_->reference().warmUp();  // Pictures will be wanted.
     area_->detail().warmUp();
   });
-  connect(&document_, &Document::cancelled, heard,
+  connect(&document_.loader(), &SurfaceLoader::cancelled, heard,
           [this] { messages_->announce(tr("Cancelled. Nothing was changed.")); });
   // Said before the surface is made, while there is still time to stop.
-  connect(&document_, &Document::scanRead, heard,
+  connect(&document_.loader(), &SurfaceLoader::scanRead, heard,
           [this](const QString& file, double w, double h, double d, quint64 points) {
             messages_->announce(
                 tr("%1: %2, points: %3")
@@ -265,7 +265,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   saveLayout();
-  document_.cancel();
+  document_.loader().cancel();
   Q_EMIT closing();
   QMainWindow::closeEvent(event);
 }
@@ -314,7 +314,7 @@ bool MainWindow::escape() {
   }
   if (area_->panels().suggestions->cancel()) return true;
   if (c.foreign.cancel()) return true;
-  if (document_.busy()) {
+  if (document_.loader().busy()) {
     c.opening.cancel();
   } else if (video.writing() || (c.saving.closesWhenSaved() && video.live())) {
     c.saving.stayOpen();

@@ -49,7 +49,7 @@ class MainWindow : public QMainWindow {
   Project project() const { return document_.stored(); }
   void saveProject(const QString& file) { controllers_->saving.save(file); }
   /// Places, measurements, camera paths or, in a project, settings that no file holds.
-  bool hasUnsavedWork() const { return document_.hasUnsavedWork(); }
+  bool hasUnsavedWork() const { return document_.saved().hasUnsaved(); }
   void saveImage(ImageSource source, const QSize& pixels, const QString& file) {
     controllers_->pictures.save(source, pixels, file);
   }

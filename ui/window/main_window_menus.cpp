@@ -165,7 +165,7 @@ void MainWindow::makeDetailChoice() {
   detail_choice_->setAccessibleName(tr("Detail"));
   detail_choice_->setToolTip(tr("Which detail feeds the window"));
   connect(detail_choice_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
-    document_.setLevel({document_.details() - 1 - index});
+    document_.region().setLevel({document_.details() - 1 - index});
     detail_choice_->setCurrentIndex(document_.detail() - 1);
   });
   tools_->addWidget(detail_choice_);
@@ -206,7 +206,7 @@ void MainWindow::enableCommands() {
   if (!is_open || in_replay) return;
   const Region& region = document_.project().region;
   const DetailLadder& ladder = document_.surface()->ladder;
-  const StepAbout centre = document_.aboutCentre();
+  const StepAbout centre = document_.region().aboutCentre();
   commands_[Command::finer].setEnabled(finer(ladder, region, centre).has_value());
   commands_[Command::coarser].setEnabled(coarser(ladder, region, centre).has_value());
   commands_[Command::whole].setEnabled(!(region == wholeRegion(ladder)));

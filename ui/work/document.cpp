@@ -3,34 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QFile>
 #include <QFileInfo>
 
-#include "core/io/import.h"
 #include "core/provenance/program.h"
-#include "core/provenance/sha256.h"
 #include "core/session/colours/surface_colours.h"
 #include "core/session/large/tiled_surface.h"
-#include "core/session/source/unit_guess.h"
 #include "core/tiles/tiled_map.h"
-#include "ui/dialogs/depth_map_preview.h"
 #include "ui/language/error_text.h"
-#include "ui/views/relief_picture.h"
 #include "ui/work/file_names.h"
+#include "ui/work/opened_state.h"
 #include "ui/work/state_command.h"
 
 namespace relievo {
 namespace {
 
 constexpr int kUndoLimit = 250;
-constexpr int kMergeGain = 1;
-constexpr int kMergeZoom = 2;
-
-/// @param grows  the window, as it does beyond the coarsest detail and shrinks below the finest
-QString detailName(int from, int to, bool grows) {
-  if (from == to) return grows ? Document::tr("Larger window") : Document::tr("Smaller window");
-  return Document::tr("Detail %1 \u2192 %2").arg(from).arg(to);
-}
 
 /// Takes the names of steps that come back out of those that only have names, the last ones first.
 /// @return false: they are not all there
@@ -50,88 +37,48 @@ bool sameGrid(const Surface& a, const Surface& b) {
   return a.map.frame == b.map.frame && a.ladder.spacings_mm == b.ladder.spacings_mm;
 }
 
-double turnedBack(double azimuth_deg) {
-  return std::remainder(azimuth_deg, 360.0);
-}
-
-double tilted(double elevation_deg) {
-  return std::clamp(elevation_deg, -kMostTiltDeg, kMostTiltDeg);
-}
-
 }  // namespace
 
-struct Document::Work {
-  bool reads = false;  ///< Reads `open.file`; otherwise works on what is in memory.
-  std::uint64_t first_view_from = 0;
-  std::optional<std::uint64_t> free_bytes;
-  OpenRequest open;
-  OpenedInput source;
-  SurfaceOptions options;
-  QString name;  ///< In the history.
-  SurfaceOutcome outcome;
-  QString sha256;
-  std::optional<Project> kept;  ///< Whose view this file is shown with.
-
-  std::filesystem::path path() const { return QFile::encodeName(open.file).toStdString(); }
-  ImportOptions import() const {
-    ImportOptions import;
-    import.accept_incomplete = open.accept_incomplete;
-    import.scan = open.scan;
-    import.free_bytes = free_bytes;
-    return import;
-  }
-};
-
 Document::Document(DepthEngine depth_buffer, QObject* parent)
-    : QObject(parent), depth_buffer_(std::move(depth_buffer)) {
+    : QObject(parent),
+      region_(*this),
+      choices_(*this),
+      saved_(*this),
+      loader_(std::move(depth_buffer)) {
   history_.setUndoLimit(kUndoLimit);
   state_.project.version = programVersion();
   connect(&history_, &QUndoStack::indexChanged, this, &Document::noteSteps);
-  connect(&worker_, &LatestWorker::busyChanged, this, &Document::busyChanged);
-  connect(&worker_, &LatestWorker::progressed, this, &Document::progressed);
+  connect(&loader_, &SurfaceLoader::made, this, &Document::takeMade);
+  connect(&loader_, &SurfaceLoader::failed, this, &Document::failed);
 }
 
-// Nobody hears of work that ends with the document.
 Document::~Document() {
-  worker_.disconnect();
   history_.disconnect(this);
 }
 
 void Document::open(const OpenRequest& request) {
-  Work work;
-  work.reads = true;
-  work.open = request;
+  LoadJob job{.reads = true, .open = request};
   if (request.project) {
-    work.options = request.project->options;
-    work.open.accept_incomplete = request.project->accept_incomplete;
-    work.open.scan = request.project->scan;
+    job.options = request.project->options;
+    job.open.accept_incomplete = request.project->accept_incomplete;
+    job.open.scan = request.project->scan;
   } else if (request.options) {
-    work.options = *request.options;
+    job.options = *request.options;
   } else {
-    work.options.unit = request.unit;
-    work.options.view = request.view;
+    job.options.unit = request.unit;
+    job.options.view = request.view;
     if (request.keeps_view && isOpen()) {
-      work.kept = state_.project;
-      work.kept->options.view = shownView();
+      job.kept = state_.project;
+      job.kept->options.view = shownView(state_);
     }
   }
-  start(std::move(work));
-}
-
-/// Also where it was found automatically.
-std::optional<ViewChoice> Document::shownView() const {
-  const Surface& surface = *state_.surface;
-  const auto& chosen = state_.project.options.view;
-  if (surface.is_raster || !standardRotation(surface.view_name)) return chosen;
-  return ViewChoice{.name = surface.view_name,
-                    .rotation = std::nullopt,
-                    .turn_deg = chosen ? chosen->turn_deg : std::array<double, 3>{}};
+  loader_.start(std::move(job));
 }
 
 void Document::close() {
-  cancel();
+  loader_.cancel();
   if (!isOpen()) return;
-  revert();
+  region_.revert();
   const Project before = state_.project;
   DocumentState none;
   none.project.version = before.version;
@@ -142,17 +89,11 @@ void Document::close() {
   window_.reset();
   ahead_.reset();
   earlier_steps_.clear();
-  project_file_.clear();
-  saved_work_.reset();
-  is_in_no_file_ = false;
+  saved_.clear();
   history_.clear();
   Q_EMIT surfaceChanged();
   Q_EMIT windowChanged();
   tell(before);
-}
-
-void Document::cancel() {
-  if (worker_.cancel()) Q_EMIT cancelled();
 }
 
 const OpenedInput& Document::source() const {
@@ -180,18 +121,6 @@ Provenance Document::provenanceInFolder(const QString& folder) const {
   return provenanceOf(state_.project, *state_.surface, bytesOfPath(folder), made_);
 }
 
-void Document::noteSaved(const QString& project_file) {
-  project_file_ = project_file;
-  saved_work_ = workIn(state_.project, !project_file_.isEmpty());
-  is_in_no_file_ = false;
-}
-
-bool Document::hasUnsavedWork() const {
-  // While the first file is being opened nothing has been noted yet, and there is no work.
-  if (!isOpen() || !saved_work_) return false;
-  return is_in_no_file_ || !(workIn(state_.project, !project_file_.isEmpty()) == *saved_work_);
-}
-
 int Document::detail() const {
   return isOpen() ? state_.surface->ladder.detailOf(state_.project.region.level) : 0;
 }
@@ -200,94 +129,32 @@ int Document::details() const {
   return isOpen() ? state_.surface->ladder.levels() : 0;
 }
 
+bool Document::canRemake() {
+  if (!isOpen()) return false;
+  if (!state_.surface->tiles) return true;
+  Q_EMIT failed(tr("This map is read by tiles, as it was made; nothing was changed. To make it "
+                   "otherwise, run relievo depthmap --memory on its scan, with the choices you "
+                   "want."),
+                {}, {});
+  return false;
+}
+
 void Document::remake(const SurfaceOptions& options, const QString& name) {
   if (!canRemake()) return;
-  Work work;
-  work.source = source();
-  work.options = options;
-  work.name = name;
-  start(std::move(work));
+  loader_.start(LoadJob{.source = source(), .options = options, .name = name});
 }
 
-void Document::start(Work work) {
-  const auto shared = std::make_shared<Work>(std::move(work));
-  shared->first_view_from = first_view_from_;
-  shared->free_bytes = free_bytes_;
-  in_hand_ = shared;
-  offered_every_.reset();
-  Q_EMIT workStarted();
-  worker_.start(
-      [this, shared](const Task& task) {
-        Work& w = *shared;
-        w.outcome = outcomeOf([&] {
-          if (w.reads) showFirstViews(shared, task);
-          if (w.reads) read(w, task);
-          task.check();
-          auto surface = makeSurface(w.source, w.options, depth_buffer_, task);
-          // For the start page.
-          if (w.reads) ReliefPictures::keep(w.open.file, reliefPicture(*surface, kPicturePx));
-          return surface;
-        });
-      },
-      [this, shared] { finish(*shared); });
-}
-
-void Document::showFirstViews(const std::shared_ptr<Work>& work, const Task& task) {
-  FirstViewOptions views;
-  views.least_points = work->first_view_from;
-  views.on_view = [&](const FirstView& view) {
-    const QImage picture = pictureOf(view.surface, task).shaded;
-    const std::weak_ptr<Work> of = work;
-    QMetaObject::invokeMethod(
-        this,
-        [this, of, picture, used = view.used, all = view.all] {
-          const auto shown = of.lock();
-          // Work that was stopped may have told of a view that nobody waits for.
-          if (!busy() || !shown || shown != in_hand_.lock()) return;
-          Q_EMIT firstView(shown->open.file, picture, used, all);
-        },
-        Qt::QueuedConnection);
-  };
-  makeFirstViews(work->path(), work->options, work->import(), views, task);
-}
-
-void Document::read(Work& w, const Task& task) {
-  const std::filesystem::path file = w.path();
-  w.source = openInput(file, {.import = w.import()}, task);
-  const ScanInfo& info = w.source.info();
-  if (!w.options.unit && !info.unit && w.open.remembered_unit) {
-    w.options.unit = w.open.remembered_unit;
-    w.options.unit_source = UnitSource::remembered;
-  }
-  // A raster has its own.
-  if (w.kept && w.source.scan && !w.options.view) w.options.view = w.kept->options.view;
-  if (info.bounds) {
-    const FilePoint size = sizeMm(w.source, w.options);
-    Q_EMIT scanRead(w.open.file, size.x, size.y, size.z, info.points);
-  }
-  w.sha256 = QString::fromStdString(sha256OfFile(file, task));
-}
-
-void Document::finish(const Work& work) {
-  if (work.outcome.cancelled) {
-    Q_EMIT cancelled();
-    return;
-  }
-  if (!work.outcome.surface) {
-    offered_every_ = work.outcome.every;
-    Q_EMIT failed(work.outcome.error, work.outcome.code, work.open.file);
-    return;
-  }
-  if (work.reads) {
-    showOpened(work);
+void Document::takeMade(const LoadJob& job) {
+  if (job.reads) {
+    showOpened(job);
   } else {
-    adopt(work.outcome.surface, work.options, work.name);
+    adopt(job.outcome.surface, job.options, job.name);
   }
 }
 
 void Document::adopt(std::shared_ptr<const Surface> surface, const SurfaceOptions& options,
                      const QString& name) {
-  revert();
+  region_.revert();
   DocumentState next = state_;
   next.surface = std::move(surface);
   next.project.options = options;
@@ -298,104 +165,32 @@ void Document::adopt(std::shared_ptr<const Surface> surface, const SurfaceOption
   push(std::move(next), name);
 }
 
-DocumentState Document::stateOf(const Work& work) const {
-  const bool is_step = !work.open.step.isEmpty() && isOpen();
-  DocumentState next;
-  next.surface = work.outcome.surface;
-  next.source = std::make_shared<const OpenedInput>(work.source);
-  Project& p = next.project;
-  if (is_step) {
-    p = state_.project;
-  } else if (work.open.project) {
-    p = *work.open.project;
-    p.azimuth_deg = turnedBack(p.azimuth_deg);
-    p.elevation_deg = tilted(p.elevation_deg);
-    p.picture.reset();  // It belongs to what the state came from, as these do.
-    p.saved_as.clear();
-    p.made.clear();
-  } else {
-    // How things are looked at goes on from file to file.
-    p.look = state_.project.look;
-    p.stereo = state_.project.stereo;
-    p.chosen_eye_angle_deg = state_.project.chosen_eye_angle_deg;
-  }
-  if (is_step || !work.open.project) p.azimuth_deg = p.elevation_deg = 0;
-  if (work.kept) {
-    p.azimuth_deg = work.kept->azimuth_deg;
-    p.elevation_deg = work.kept->elevation_deg;
-    p.region = work.kept->region;
-    p.gain = work.kept->gain;
-  }
-  p.file = bytesOfPath(work.open.file);
-  p.sha256 = work.sha256.toStdString();
-  p.bytes = static_cast<std::uint64_t>(QFileInfo(work.open.file).size());
-  p.accept_incomplete = work.open.accept_incomplete;
-  p.scan = work.open.scan;
-  p.options = work.options;
-  p.version = programVersion();
-  return next;
-}
-
-namespace {
-
-/// The same square of view millimetres, as finely as this map can show it, if it has such a place.
-void keepPlace(const Project& kept, const DetailLadder& ladder, Project& project) {
-  project.gain = kept.gain;
-  const Region& r = kept.region;
-  if (!onMap(ladder, r)) return;
-  if (r.side_mm >= wholeRegion(ladder).side_mm) return;  // All of it, here as there.
-  project.region = regionFromRect(
-      ladder, {.x_mm = r.x_mm, .y_mm = r.y_mm, .width_mm = r.side_mm, .height_mm = r.side_mm});
-}
-
-}  // namespace
-
-/// On the whole object, unless the request says otherwise and the map has it.
-void Document::placeWindow(const Work& work, DocumentState& next) {
-  const DetailLadder& ladder = next.surface->ladder;
-  Region& region = next.project.region;
-  const bool has_one = work.open.project && region.side_mm > 0;
-  if (!has_one || region.level.value >= ladder.levels()) {
-    region = wholeRegion(ladder);
-    next.project.gain = 1;
-  }
-  if (work.kept) keepPlace(*work.kept, ladder, next.project);
-  try {
-    if (work.open.region) region = regionFromRect(ladder, *work.open.region);
-    for (int d = 1; work.open.detail && d < *work.open.detail && !work.open.region; ++d) {
-      const StepAbout about{region.centreX(), region.centreY(), false};
-      region = relievo::finer(ladder, region, about).value_or(region);
-    }
-  } catch (const ArgumentError& error) {
-    Q_EMIT failed(spokenError(error), {}, work.open.file);
-  }
-}
-
-void Document::showOpened(const Work& work) {
-  revert();
-  DocumentState next = stateOf(work);
-  if (!work.open.step.isEmpty() && isOpen()) {
+void Document::showOpened(const LoadJob& job) {
+  region_.revert();
+  DocumentState next = openedState(job, state_);
+  if (!job.open.step.isEmpty() && isOpen()) {
     if (!sameGrid(*state_.surface, *next.surface)) {
       next.project.region = wholeRegion(next.surface->ladder);
     }
-    push(std::move(next), work.open.step);
+    push(std::move(next), job.open.step);
     return;
   }
-  placeWindow(work, next);
+  const QString problem = placeWindow(job, next);
+  if (!problem.isEmpty()) Q_EMIT failed(problem, {}, job.open.file);
   if (next.surface->tiles && !windowFor(next)) return;  // What was shown stays.
   history_.clear();
-  saved_work_.reset();
+  saved_.forget();
   ahead_ = next.surface->tiles ? std::make_unique<TilePrefetcher>(next.surface->tiles) : nullptr;
-  if (!restoreSteps(work, next)) return;
-  noteSaved(work.open.project_file);
+  if (!restoreSteps(job, next)) return;
+  saved_.noteSaved(job.open.project_file);
   Q_EMIT opened(file());
 }
 
 // Each step began where its record says, and ended where the next one began.
-bool Document::restoreSteps(const Work& work, DocumentState now) {
+bool Document::restoreSteps(const LoadJob& job, DocumentState now) {
   const std::vector<NamedRegion> undo = std::exchange(now.project.undo, {});
   earlier_steps_ = std::exchange(now.project.history, {});
-  const Region asked = work.open.project ? work.open.project->region : Region{};
+  const Region asked = job.open.project ? job.open.project->region : Region{};
   fitLook(now);
   const int levels = now.surface->ladder.levels();
   std::vector<std::string> earlier = earlier_steps_;
@@ -408,7 +203,7 @@ bool Document::restoreSteps(const Work& work, DocumentState now) {
     earlier_steps_ = std::move(earlier);
     // They end at what is shown already: of all the windows on the way none is needed.
     steps_come_back_ = true;
-    const Place end{state_.project.region, state_.project.gain};
+    const Project end = state_.project;
     const auto place = [&](DocumentState& state, std::size_t i) {
       state.project.region = i < undo.size() ? undo[i].region : end.region;
       state.project.gain = i < undo.size() ? undo[i].gain : end.gain;
@@ -447,10 +242,6 @@ std::vector<NamedRegion> Document::undoSteps() const {
   }
   std::reverse(steps.begin(), steps.end());
   return steps;
-}
-
-StepAbout Document::aboutCentre() const {
-  return {state_.project.region.centreX(), state_.project.region.centreY(), false};
 }
 
 bool Document::push(DocumentState after, const QString& name, int merge_id) {
@@ -500,123 +291,11 @@ void Document::setDrawnEyeAngle(double drawn_deg, const std::optional<double>& c
   Q_EMIT stereoChanged();
 }
 
-void Document::go(const std::optional<Region>& region, const QString& name) {
-  if (!region) return;
-  DocumentState after = state_;
-  after.project.region = *region;
-  push(std::move(after), name);
-}
-
-bool Document::finer(const StepAbout& about) {
-  if (!isOpen() || inGesture()) return false;
-  const auto next = relievo::finer(state_.surface->ladder, state_.project.region, about);
-  if (!next) return false;
-  go(next, detailName(detail(), state_.surface->ladder.detailOf(next->level), false));
-  return true;
-}
-
-bool Document::coarser(const StepAbout& about) {
-  if (!isOpen() || inGesture()) return false;
-  const auto next = relievo::coarser(state_.surface->ladder, state_.project.region, about);
-  if (!next) return false;
-  go(next, detailName(detail(), state_.surface->ladder.detailOf(next->level), true));
-  return true;
-}
-
-bool Document::whole() {
-  if (!isOpen() || inGesture()) return false;
-  const Region next = wholeRegion(state_.surface->ladder);
-  if (next == state_.project.region) return false;
-  go(next, tr("Whole object"));
-  return true;
-}
-
-bool Document::move(double dx, double dy) {
-  if (!isOpen() || inGesture()) return false;
-  const auto next = moved(state_.surface->ladder, state_.project.region, dx, dy);
-  if (!next || *next == state_.project.region) return false;
-  go(next, tr("Move window"));
-  return true;
-}
-
-bool Document::setLevel(Level level) {
-  if (!isOpen() || inGesture() || level == state_.project.region.level) return false;
-  const auto next = atLevel(state_.surface->ladder, state_.project.region, level);
-  if (!next) return false;
-  go(next, detailName(detail(), state_.surface->ladder.detailOf(level), false));
-  return true;
-}
-
-bool Document::setRect(const RectMm& rect) {
-  if (!isOpen() || inGesture()) return false;
-  try {
-    const Region next = regionFromRect(state_.surface->ladder, rect);
-    if (next == state_.project.region) return false;
-    go(next, tr("Choose window"));
-    return true;
-  } catch (const ArgumentError& error) {
-    Q_EMIT failed(spokenError(error), {}, {});
-    return false;
-  }
-}
-
-bool Document::setGain(double gain) {
-  if (!isOpen() || inGesture() || !(gain > 0) || gain == state_.project.gain) return false;
-  DocumentState after = state_;
-  after.project.gain = gain;
-  push(std::move(after), tr("Vertical exaggeration"), kMergeGain);
-  return true;
-}
-
-bool Document::goTo(const Region& region, double gain, const QString& name) {
-  if (!isOpen() || inGesture() || !(gain > 0)) return false;
-  DocumentState after = state_;
-  after.project.region = region;
-  after.project.gain = gain;
-  return push(std::move(after), name);
-}
-
-bool Document::zoomTo(const Region& region) {
-  if (!isOpen() || inGesture() || region == state_.project.region) return false;
-  DocumentState after = state_;
-  after.project.region = region;
-  push(std::move(after), tr("Zoom"), kMergeZoom);
-  return true;
-}
-
-void Document::preview(const Region& region) {
-  if (!isOpen() || !(region.side_mm > 0) || region == state_.project.region) return;
-  if (!gesture_start_) gesture_start_ = {state_.project.region, state_.project.gain};
+bool Document::showPlace(const Region& region, double gain) {
   DocumentState next = state_;
   next.project.region = region;
-  show(std::move(next));
-}
-
-void Document::previewGain(double gain) {
-  if (!isOpen() || !(gain > 0) || gain == state_.project.gain) return;
-  if (!gesture_start_) gesture_start_ = {state_.project.region, state_.project.gain};
-  DocumentState next = state_;
   next.project.gain = gain;
-  show(std::move(next));
-}
-
-void Document::commit(const QString& name) {
-  if (!gesture_start_) return;
-  const Place start = *std::exchange(gesture_start_, std::nullopt);
-  DocumentState before = state_;
-  before.project.region = start.region;
-  before.project.gain = start.gain;
-  if (before == state_) return;
-  history_.push(new StateCommand(*this, std::move(before), state_, name, -1));
-}
-
-void Document::revert() {
-  if (!gesture_start_) return;
-  const Place start = *std::exchange(gesture_start_, std::nullopt);
-  DocumentState next = state_;
-  next.project.region = start.region;
-  next.project.gain = start.gain;
-  show(std::move(next));
+  return show(std::move(next));
 }
 
 std::shared_ptr<const RegionWindow> Document::windowFor(const DocumentState& state) {
@@ -631,7 +310,7 @@ std::shared_ptr<const RegionWindow> Document::windowFor(const DocumentState& sta
 
 bool Document::change(const DocumentState& from, const DocumentState& to) {
   // A drag began on a map that is no longer shown, and has nothing to go back to.
-  if (from.surface != to.surface) gesture_start_.reset();
+  if (from.surface != to.surface) region_.forgetGesture();
   return show(withChange(state_, from, to));
 }
 

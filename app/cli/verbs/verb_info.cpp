@@ -263,29 +263,42 @@ CommandResult infoOfShown(const InfoArguments& a, const Shown& shown) {
   return outcome;
 }
 
-CommandResult runInfo(const InfoArguments& a, const Task& task) {
-  std::optional<LengthUnit> given;
-  if (!a.unit.empty()) {
-    given = lengthUnit(a.unit);
-    if (!given) {
-      throw failure<MessageId::option_none_of>("--unit", a.unit, "mm, cm, m, in, ft and us-ft");
-    }
-  }
-  const InputFacts facts = inputFacts(a.file, task);
-  if (const auto shown = shownBy(a.file, facts)) return infoOfShown(a, *shown);
-  const FileFacts found = readFacts(a, facts, task);
-  const ScanInfo& info = found.info;
-  ScanInfo without_strays = info;
-  without_strays.bounds = found.box;
-  const auto [unit, source] = unitInUse(without_strays, given, UnitSource::given);
-  for (const std::string& warning : info.warnings) tell(warning);
+std::optional<LengthUnit> givenUnit(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto unit = lengthUnit(text);
+  if (!unit)
+    throw failure<MessageId::option_none_of>("--unit", text, "mm, cm, m, in, ft and us-ft");
+  return unit;
+}
+
+/// The unit of a file, and who says so.
+struct UnitFacts {
+  ScanInfo without_strays;  ///< What a guess looks at.
+  LengthUnit unit = LengthUnit::mm;
+  UnitSource source = UnitSource::assumed;
+
+  bool isSaid() const { return source != UnitSource::assumed && source != UnitSource::guessed; }
+};
+
+UnitFacts unitFacts(const FileFacts& found, const std::optional<LengthUnit>& given) {
+  UnitFacts facts{.without_strays = found.info};
+  facts.without_strays.bounds = found.box;
+  const UnitInUse used = unitInUse(facts.without_strays, given, UnitSource::given);
+  facts.unit = used.unit;
+  facts.source = used.source;
+  return facts;
+}
+
+void tellDoubts(const FileFacts& found, const UnitFacts& unit) {
+  for (const std::string& warning : found.info.warnings) tell(warning);
   for (const std::string& text : strayTexts(found.strays)) tell(text);
   if (found.suspect_height) tell(suspectWords(*found.suspect_height));
-  if (const std::string words = unitWords(without_strays, {unit, source}); !words.empty()) {
-    tell(words);
-  }
-  const bool nobody_said = source == UnitSource::assumed || source == UnitSource::guessed;
+  const std::string words = unitWords(unit.without_strays, {unit.unit, unit.source});
+  if (!words.empty()) tell(words);
+}
 
+Json jsonOfFacts(const InfoArguments& a, const FileFacts& found, const UnitFacts& unit) {
+  const ScanInfo& info = found.info;
   Json json;
   json["file"] = a.file;
   json["format"] = info.format;
@@ -298,32 +311,49 @@ CommandResult runInfo(const InfoArguments& a, const Task& task) {
   }
   json["size_mm"] = nullptr;
   json["likely_unit"] = nullptr;
-  json["unit"] = name(unit);
-  json["unit_source"] = name(source);
+  json["unit"] = name(unit.unit);
+  json["unit_source"] = name(unit.source);
   json["dropped_faces"] = info.dropped_faces;
   if (info.bounds) {
-    json["size_mm"] = jsonOf(mmPer(unit) * (info.bounds->max - info.bounds->min));
-    if (nobody_said) json["likely_unit"] = name(guessUnit(without_strays).unit);
+    json["size_mm"] = jsonOf(mmPer(unit.unit) * (info.bounds->max - info.bounds->min));
+    if (!unit.isSaid()) json["likely_unit"] = name(guessUnit(unit.without_strays).unit);
   }
   json["strays"] = straysJson(found.strays);
   json["likely_nodata"] = suspectJson(found.suspect_height);
-
   addValues(found, json);
+  return json;
+}
 
+std::vector<std::string> linesOfFacts(const InfoArguments& a, const FileFacts& found,
+                                      const UnitFacts& unit, const Json& json) {
+  const ScanInfo& info = found.info;
+  const std::string unit_name(name(unit.unit));
   // Names of a file's scans need not be UTF-8; JSON must be.
-  CommandResult outcome;
-  outcome.lines = {a.file + ": " + info.format,
-                   std::to_string(info.points) + " points, " + std::to_string(info.finite_points) +
-                       " finite, " + std::to_string(info.faces) + " faces",
-                   "unit " + std::string(name(unit)) + " (" + std::string(name(source)) + ")"};
+  std::vector<std::string> lines{a.file + ": " + info.format,
+                                 std::to_string(info.points) + " points, " +
+                                     std::to_string(info.finite_points) + " finite, " +
+                                     std::to_string(info.faces) + " faces",
+                                 "unit " + unit_name + " (" + std::string(name(unit.source)) + ")"};
   if (info.bounds) {
-    outcome.lines.push_back("from " + json["bounds"]["min"].dump() + " to " +
-                            json["bounds"]["max"].dump());
-    const FilePoint size_mm = mmPer(unit) * (info.bounds->max - info.bounds->min);
-    outcome.lines.push_back("size " + sizeText(size_mm) +
-                            (nobody_said ? ", if one unit is 1 " + std::string(name(unit)) : ""));
+    lines.push_back("from " + json["bounds"]["min"].dump() + " to " + json["bounds"]["max"].dump());
+    const FilePoint size_mm = mmPer(unit.unit) * (info.bounds->max - info.bounds->min);
+    lines.push_back("size " + sizeText(size_mm) +
+                    (unit.isSaid() ? "" : ", if one unit is 1 " + unit_name));
   }
-  addValueLines(found, outcome.lines);
+  addValueLines(found, lines);
+  return lines;
+}
+
+CommandResult runInfo(const InfoArguments& a, const Task& task) {
+  const std::optional<LengthUnit> given = givenUnit(a.unit);
+  const InputFacts facts = inputFacts(a.file, task);
+  if (const auto shown = shownBy(a.file, facts)) return infoOfShown(a, *shown);
+  const FileFacts found = readFacts(a, facts, task);
+  const UnitFacts unit = unitFacts(found, given);
+  tellDoubts(found, unit);
+  Json json = jsonOfFacts(a, found, unit);
+  CommandResult outcome;
+  outcome.lines = linesOfFacts(a, found, unit, json);
   if (addSet(a, json, outcome.lines)) outcome.exit_code = 5;
   outcome.json = reportText(json);
   return outcome;

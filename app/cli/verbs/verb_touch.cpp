@@ -214,59 +214,36 @@ GuidedFindings touchGuided(const std::optional<Stroke>& stroke, const TouchSetup
       task);
 }
 
-CommandResult runTouch(const TouchArguments& a, const Task& task) {
-  if (a.stroke.empty() && a.guide.empty()) throw failure<MessageId::touch_needs_stroke>();
-  checkTouch(a);
-  std::optional<Stroke> stroke;
-  if (!a.stroke.empty()) stroke = readStroke(a.stroke);
-  TouchSetup setup = prepareTouch(a, task);
-  const RegionWindow& window = setup.window;
-  const Region& region = window.region;
-  OutputSet beside;  // What lies beside the recording, which takes its place first.
-  writeWindowIfAsked(a.region, setup.surface, window, beside);
-  std::unique_ptr<Device> device;
-  if (!a.device.empty()) {
-    device = makeDevice(a.device);
-    setup.options.device = dynamic_cast<SteeredDevice*>(device.get());
-    if (setup.options.device == nullptr) {
-      throw failure<MessageId::stroke_moves_no_hand>(a.device);
-    }
-    if (setup.guide && !(device->info().max_force_n > 0)) {
-      throw failure<MessageId::guide_needs_a_hand>();
-    }
-    device->open();
+/// The device that is to play the stroke's hand; null: none was named.
+std::unique_ptr<Device> openSteered(const TouchArguments& a, TouchSetup& setup) {
+  if (a.device.empty()) return nullptr;
+  std::unique_ptr<Device> device = makeDevice(a.device);
+  setup.options.device = dynamic_cast<SteeredDevice*>(device.get());
+  if (setup.options.device == nullptr) throw failure<MessageId::stroke_moves_no_hand>(a.device);
+  if (setup.guide && !(device->info().max_force_n > 0)) {
+    throw failure<MessageId::guide_needs_a_hand>();
   }
+  device->open();
+  return device;
+}
 
-  if (!setup.limited.empty()) tell(setup.limited);
-  const std::string header = touchHeader(a, setup, task);
-  const std::unique_ptr<SampleLog> log = openLog(a.out, header, setup.space.get());
-  const ForceLimit limit = limitOf(device.get());
-  StrokeFindings findings{window, *setup.space, limit.force_n};
-  std::vector<ForcePoint> plot;
-  const auto each = [&](const HapticSample& sample, double t_s) {
-    findings.add(sample);
-    if (!a.plot.empty()) plot.push_back(forcePoint(touchRow(sample, t_s)));
-  };
-  std::optional<GuidedFindings> led;
+/// What was touched, and what came of it.
+struct TouchReport {
+  const TouchSetup& setup;
+  const StrokeFindings& findings;
+  ForceLimit limit;
+  std::string device;  ///< Its id; empty: none.
   std::uint64_t ticks = 0;
-  if (setup.guide) {
-    led = touchGuided(stroke, setup, *log, each, task);
-    ticks = log->rows();
-  } else {
-    ticks = touchAlong(*stroke, setup, log.get(), each, task);
-  }
-  if (!a.plot.empty()) {
-    writeTextFile(beside.file(a.plot),
-                  withState(forcePlotSvg(plot, touchTitle(a, setup.surface), limit),
-                            headerLine(header, std::string(kStateKey) + " ")));
-  }
-  log->close(setup.guide ? guideLine(*setup.guide) : std::string());
-  beside.commit();
+  std::optional<GuidedFindings> led = std::nullopt;
+};
 
-  const HandMapping hand = handMapping(window);
+Json jsonOfTouch(const TouchArguments& a, const TouchReport& report) {
+  const TouchSetup& setup = report.setup;
+  const StrokeFindings& findings = report.findings;
+  const HandMapping hand = handMapping(setup.window);
   Json json;
-  json["level"] = region.level.value;
-  json["region_mm"] = jsonOf(region);
+  json["level"] = setup.window.region.level.value;
+  json["region_mm"] = jsonOf(setup.window.region);
   json["scale_device_per_view"] = hand.device_per_view;
   json["device_from_view"] = jsonOf(hand.device_from_view);
   json["stiffness_n_per_mm"] =
@@ -278,31 +255,77 @@ CommandResult runTouch(const TouchArguments& a, const Task& task) {
                             "softest_part", "texture_mm", "magnet_n", "contact_n", "crossing_n"}) {
     json[entry] = feel[entry];
   }
-  json["ticks"] = ticks;
+  json["ticks"] = report.ticks;
   json["view_from_file"] = jsonOf(setup.surface.view_from_file);
-  json["gain"] = window.gain;
+  json["gain"] = setup.window.gain;
   json["safety"] = safetyOf(a) ? "on" : "off";
   json["limited"] = setup.limited.empty() ? Json() : Json(setup.limited);
-  json["device"] = a.device.empty() ? Json() : Json(device->info().id);
+  json["device"] = report.device.empty() ? Json() : Json(report.device);
   json["largest_force_n"] = findings.largest_force_n;
-  json["device_limit"] = {{"device", limit.device}, {"force_n", limit.force_n}};
-  json["largest_device_force_n"] = std::min(findings.largest_force_n, limit.force_n);
+  json["device_limit"] = {{"device", report.limit.device}, {"force_n", report.limit.force_n}};
+  json["largest_device_force_n"] = std::min(findings.largest_force_n, report.limit.force_n);
   json["beyond_device_ticks"] = findings.beyond_ticks;
   json["contact_ticks"] = findings.contact_ticks;
   json["proxy_off_surface_mm"] = findings.off_surface_mm;
   json["force_to_normal_deg"] = findings.force_to_normal_deg;
-  json["guide"] = led ? jsonOfGuide(setup, *led) : Json();
-  CommandResult outcome{
-      .json = reportText(json),
-      .lines = {a.out + ": " + std::to_string(ticks) + " ticks, largest force " +
-                shortNumber(findings.largest_force_n) + " N" +
-                (findings.beyond_ticks > 0
-                     ? " (" + limit.device + ": " + shortNumber(limit.force_n) + " N at most, in " +
-                           std::to_string(findings.beyond_ticks) + " ticks less than the log says)"
-                     : std::string()) +
-                ", 1 mm of hand = " + shortNumber(hand.objectMmPerHandMm()) + " mm on the object"}};
-  if (led) outcome.lines.push_back(lineOfGuide(setup, *led));
-  return outcome;
+  json["guide"] = report.led ? jsonOfGuide(setup, *report.led) : Json();
+  return json;
+}
+
+std::vector<std::string> linesOfTouch(const TouchArguments& a, const TouchReport& report) {
+  const StrokeFindings& findings = report.findings;
+  const std::string beyond = findings.beyond_ticks > 0
+                                 ? " (" + report.limit.device + ": " +
+                                       shortNumber(report.limit.force_n) + " N at most, in " +
+                                       std::to_string(findings.beyond_ticks) +
+                                       " ticks less than the log says)"
+                                 : std::string();
+  std::vector<std::string> lines{
+      a.out + ": " + std::to_string(report.ticks) + " ticks, largest force " +
+      shortNumber(findings.largest_force_n) + " N" + beyond + ", 1 mm of hand = " +
+      shortNumber(handMapping(report.setup.window).objectMmPerHandMm()) + " mm on the object"};
+  if (report.led) lines.push_back(lineOfGuide(report.setup, *report.led));
+  return lines;
+}
+
+CommandResult runTouch(const TouchArguments& a, const Task& task) {
+  if (a.stroke.empty() && a.guide.empty()) throw failure<MessageId::touch_needs_stroke>();
+  checkTouch(a);
+  std::optional<Stroke> stroke;
+  if (!a.stroke.empty()) stroke = readStroke(a.stroke);
+  TouchSetup setup = prepareTouch(a, task);
+  OutputSet beside;  // What lies beside the recording, which takes its place first.
+  writeWindowIfAsked(a.region, setup.surface, setup.window, beside);
+  const std::unique_ptr<Device> device = openSteered(a, setup);
+
+  if (!setup.limited.empty()) tell(setup.limited);
+  const std::string header = touchHeader(a, setup, task);
+  const std::unique_ptr<SampleLog> log = openLog(a.out, header, setup.space.get());
+  const ForceLimit limit = limitOf(device.get());
+  StrokeFindings findings{setup.window, *setup.space, limit.force_n};
+  std::vector<ForcePoint> plot;
+  const auto each = [&](const HapticSample& sample, double t_s) {
+    findings.add(sample);
+    if (!a.plot.empty()) plot.push_back(forcePoint(touchRow(sample, t_s)));
+  };
+  TouchReport report{.setup = setup,
+                     .findings = findings,
+                     .limit = limit,
+                     .device = device ? device->info().id : std::string()};
+  if (setup.guide) {
+    report.led = touchGuided(stroke, setup, *log, each, task);
+    report.ticks = log->rows();
+  } else {
+    report.ticks = touchAlong(*stroke, setup, log.get(), each, task);
+  }
+  if (!a.plot.empty()) {
+    writeTextFile(beside.file(a.plot),
+                  withState(forcePlotSvg(plot, touchTitle(a, setup.surface), limit),
+                            headerLine(header, std::string(kStateKey) + " ")));
+  }
+  log->close(setup.guide ? guideLine(*setup.guide) : std::string());
+  beside.commit();
+  return {.json = reportText(jsonOfTouch(a, report)), .lines = linesOfTouch(a, report)};
 }
 
 }  // namespace

@@ -68,17 +68,7 @@ bool SelfTest::step(std::int64_t now_ns) {
     fault_ns_ = now_ns;
     force_ = {};
   }
-  if (fault_ != DeviceFault::none) {
-    // What the driver says of it may come a moment later than the reading.
-    constexpr std::int64_t kSayingNs = 200'000'000;
-    if (device_.status().state == LinkState::ready && now_ns - fault_ns_ < kSayingNs) return true;
-    lines_.push_back(
-        {SelfTestLine::Result::failed,
-         said<MessageId::self_test_ended>(messageOf(fault_), describe(device_.status()))});
-    device_.showStateLights();
-    next(Phase::done, now_ns);
-    return false;
-  }
+  if (fault_ != DeviceFault::none) return endByFault(now_ns);
   const double since_s = 1e-9 * static_cast<double>(now_ns - began_ns_);
   switch (phase_) {
     case Phase::rate:
@@ -87,46 +77,64 @@ bool SelfTest::step(std::int64_t now_ns) {
         next(Phase::lights, now_ns);
       }
       break;
-    case Phase::lights: {
-      const auto light = static_cast<std::size_t>(since_s / kLightSeconds);
-      if (light < kLights.size()) {
-        device_.showLights(kLights[light]);
-        break;
-      }
-      device_.showStateLights();
+    case Phase::lights:
+      if (showLight(since_s)) break;
       lines_.push_back({SelfTestLine::Result::not_seen, said<MessageId::self_test_lights>()});
       next(options_.nudges ? Phase::nudges : afterNudges(), now_ns);
       break;
-    }
     case Phase::nudges:
       force_ = nudge(reading, since_s);
       if (nudge_ >= static_cast<int>(kDirections.size())) next(afterNudges(), now_ns);
       break;
-    case Phase::person: {
-      pressed_ |= reading.buttons;
-      for (std::size_t i = 0; i < kDirections.size(); ++i) {
-        const DeviceN& d = kDirections[i];
-        const DeviceMm& p = reading.position;
-        reached_mm_[i] = std::max(reached_mm_[i], p.x * d.x + p.y * d.y + p.z * d.z);
-      }
-      const LinkStatus& status = device_.status();
-      bool moved = true;
-      for (std::size_t i = 0; i < kArms; ++i) {
-        least_[i] = std::min<int>(least_[i], status.encoders[i]);
-        most_[i] = std::max<int>(most_[i], status.encoders[i]);
-        moved = moved && most_[i] - least_[i] > kMovedCounts;
-      }
-      const bool all = moved && pressed_ == kAllButtons && missingSides().empty();
-      if (all || since_s > options_.wait_for_person_s) {
+    case Phase::person:
+      if (watchPerson(reading) || since_s > options_.wait_for_person_s) {
         judgePerson();
         next(Phase::done, now_ns);
       }
       break;
-    }
     case Phase::done:
       break;
   }
   return phase_ != Phase::done;
+}
+
+bool SelfTest::endByFault(std::int64_t now_ns) {
+  // What the driver says of it may come a moment later than the reading.
+  constexpr std::int64_t kSayingNs = 200'000'000;
+  if (device_.status().state == LinkState::ready && now_ns - fault_ns_ < kSayingNs) return true;
+  lines_.push_back(
+      {SelfTestLine::Result::failed,
+       said<MessageId::self_test_ended>(messageOf(fault_), describe(device_.status()))});
+  device_.showStateLights();
+  next(Phase::done, now_ns);
+  return false;
+}
+
+bool SelfTest::showLight(double since_s) {
+  const auto light = static_cast<std::size_t>(since_s / kLightSeconds);
+  if (light < kLights.size()) {
+    device_.showLights(kLights[light]);
+    return true;
+  }
+  device_.showStateLights();
+  return false;
+}
+
+bool SelfTest::watchPerson(const DeviceReading& reading) {
+  pressed_ |= reading.buttons;
+  for (std::size_t i = 0; i < kDirections.size(); ++i) {
+    const DeviceN& d = kDirections[i];
+    const DeviceMm& p = reading.position;
+    reached_mm_[i] = std::max(reached_mm_[i], p.x * d.x + p.y * d.y + p.z * d.z);
+  }
+  const LinkStatus& status = device_.status();
+  bool moved = true;
+  for (std::size_t i = 0; i < kArms; ++i) {
+    least_[i] = std::min<int>(least_[i], status.encoders[i]);
+    most_[i] = std::max<int>(most_[i], status.encoders[i]);
+    moved = moved && most_[i] - least_[i] > kMovedCounts;
+  }
+  return moved && pressed_ == kAllButtons && missingSides().empty();
 }
 
 DeviceN SelfTest::nudge(const DeviceReading& reading, double since_s) {

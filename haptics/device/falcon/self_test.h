@@ -43,6 +43,10 @@ class SelfTest {
  private:
   void next(Phase phase, std::int64_t now_ns);
   Phase afterNudges() const { return options_.wait_for_person_s > 0 ? Phase::person : Phase::done; }
+  bool endByFault(std::int64_t now_ns);  ///< As step().
+  bool showLight(double since_s);        ///< False: all were shown.
+  /// True: every arm, button and side was seen.
+  bool watchPerson(const DeviceReading& reading);
   void judgeRate(double measured_s);
   void judgeNudges();
   void judgePerson();

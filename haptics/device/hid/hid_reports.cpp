@@ -50,13 +50,51 @@ struct Globals {
   std::uint8_t id = 0;
 };
 
-std::int16_t signedAt(std::span<const std::uint8_t> bytes, std::size_t at) {
-  return static_cast<std::int16_t>(bytes[at] | static_cast<unsigned>(bytes[at + 1]) << 8U);
-}
-}  // namespace
+/// Collects the fields of buttons while the items of a report descriptor go by.
+class ButtonFieldFinder {
+ public:
+  /// @return false: the descriptor claims more than any device has; the rest is not read
+  bool take(const Item& item) {
+    switch (item.tag_and_type) {
+      case usage_page:
+        now_.page = item.value;
+        break;
+      case report_size:
+        now_.size = item.value;
+        break;
+      case report_count:
+        now_.count = item.value;
+        break;
+      case report_id:
+        now_.id = static_cast<std::uint8_t>(item.value);
+        break;
+      case push:
+        if (stack_.size() < kMostFields) stack_.push_back(now_);
+        break;
+      case pop:
+        restore();
+        break;
+      case usage:
+      case usage_minimum:
+        if (first_usage_ == kNoUsage) first_usage_ = item.value & 0xffffU;
+        break;
+      case input:
+        return takeInput(item.value);
+      case output:
+      case collection:
+      case feature:
+      case end_collection:
+        first_usage_ = kNoUsage;  // Local items end at each main item.
+        break;
+      default:
+        break;
+    }
+    return true;
+  }
+  const std::vector<ButtonField>& fields() const { return fields_; }
 
-std::vector<ButtonField> buttonFields(std::span<const std::uint8_t> descriptor) {
-  enum : std::uint8_t {
+ private:
+  enum Tag : std::uint8_t {
     input = 0x80,
     output = 0x90,
     collection = 0xa0,
@@ -71,65 +109,47 @@ std::vector<ButtonField> buttonFields(std::span<const std::uint8_t> descriptor) 
     usage = 0x08,
     usage_minimum = 0x18,
   };
-  std::vector<ButtonField> fields;
-  Items items(descriptor);
-  Globals now;
-  std::vector<Globals> stack;
-  std::array<std::size_t, 256> bits{};   // So far, of the input reports by id.
-  constexpr std::uint32_t kNoUsage = 0;  // Undefined on every page.
-  std::uint32_t first_usage = kNoUsage;
-  while (const std::optional<Item> item = items.next()) {
-    switch (item->tag_and_type) {
-      case usage_page:
-        now.page = item->value;
-        break;
-      case report_size:
-        now.size = item->value;
-        break;
-      case report_count:
-        now.count = item->value;
-        break;
-      case report_id:
-        now.id = static_cast<std::uint8_t>(item->value);
-        break;
-      case push:
-        if (stack.size() < kMostFields) stack.push_back(now);
-        break;
-      case pop:
-        if (!stack.empty()) {
-          now = stack.back();
-          stack.pop_back();
-        }
-        break;
-      case usage:
-      case usage_minimum:
-        if (first_usage == kNoUsage) first_usage = item->value & 0xffffU;
-        break;
-      case input: {
-        const std::uint64_t more = std::uint64_t{now.size} * now.count;
-        if (more > kMostBits || bits[now.id] + more > kMostBits) return fields;
-        constexpr std::uint32_t kConstant = 1, kVariable = 2;
-        const bool buttons = now.page == kButtonPage && now.size == 1 && now.count > 0 &&
-                             (item->value & kVariable) != 0 && (item->value & kConstant) == 0;
-        if (buttons && fields.size() < kMostFields) {
-          fields.push_back({now.id, bits[now.id], now.count,
-                            static_cast<std::uint16_t>(std::max<std::uint32_t>(first_usage, 1))});
-        }
-        bits[now.id] += more;
-        first_usage = kNoUsage;
-        break;
-      }
-      case output:
-      case collection:
-      case feature:
-      case end_collection:
-        first_usage = kNoUsage;  // Local items end at each main item.
-        break;
-      default:
-        break;
-    }
+  static constexpr std::uint32_t kNoUsage = 0;  // Undefined on every page.
+
+  void restore() {
+    if (stack_.empty()) return;
+    now_ = stack_.back();
+    stack_.pop_back();
   }
-  return fields;
+  bool takeInput(std::uint32_t flags) {
+    const std::uint64_t more = std::uint64_t{now_.size} * now_.count;
+    if (more > kMostBits || bits_[now_.id] + more > kMostBits) return false;
+    constexpr std::uint32_t kConstant = 1, kVariable = 2;
+    const bool buttons = now_.page == kButtonPage && now_.size == 1 && now_.count > 0 &&
+                         (flags & kVariable) != 0 && (flags & kConstant) == 0;
+    if (buttons && fields_.size() < kMostFields) {
+      fields_.push_back({now_.id, bits_[now_.id], now_.count,
+                         static_cast<std::uint16_t>(std::max<std::uint32_t>(first_usage_, 1))});
+    }
+    bits_[now_.id] += more;
+    first_usage_ = kNoUsage;
+    return true;
+  }
+
+  std::vector<ButtonField> fields_;
+  Globals now_;
+  std::vector<Globals> stack_;
+  std::array<std::size_t, 256> bits_{};  // So far, of the input reports by id.
+  std::uint32_t first_usage_ = kNoUsage;
+};
+
+std::int16_t signedAt(std::span<const std::uint8_t> bytes, std::size_t at) {
+  return static_cast<std::int16_t>(bytes[at] | static_cast<unsigned>(bytes[at + 1]) << 8U);
+}
+}  // namespace
+
+std::vector<ButtonField> buttonFields(std::span<const std::uint8_t> descriptor) {
+  ButtonFieldFinder finder;
+  Items items(descriptor);
+  while (const std::optional<Item> item = items.next()) {
+    if (!finder.take(*item)) break;
+  }
+  return finder.fields();
 }
 
 std::optional<std::uint32_t> buttonsOf(std::span<const std::uint8_t> report,

@@ -76,11 +76,11 @@ struct NamedFields {
       visit("proxy", s.proxy_); visit("chain", s.chain_); visit("change", s.change_); visit("settings", s.settings_);
       visit("rate", s.rate_); visit("slow", s.slow_); visit("felt_now", s.felt_now_); visit("frame", s.frame_);
       visit("hand", s.hand_); visit("soft", s.soft_); visit("force", s.force_); visit("stop", s.stop_); visit("guide", s.guide_); visit("beacon", s.beacon_);
-      visit("audit", s.audit_); visit("places", s.places_); visit("oldest", s.oldest_);
-      visit("places_seen", s.places_seen_); visit("hip", s.hip_); visit("fault", s.fault_); visit("tick", s.tick_);
-      visit("window_id", s.window_id_); visit("scene_id", s.scene_id_); visit("surface", s.surface_);
+      visit("audit", s.audit_); visit("places", s.speed_.places_); visit("oldest", s.speed_.oldest_);
+      visit("places_seen", s.speed_.seen_); visit("hip", s.hip_); visit("fault", s.fault_); visit("tick", s.tick_);
+      visit("window_id", s.felt_.window_id); visit("scene_id", s.felt_.scene_id); visit("surface", s.felt_.surface);
       visit("last_ns", s.last_ns_); visit("gated", s.in_detent_); visit("guided", s.guided_); visit("placed", s.placed_); visit("resume", s.resume_);
-    } else if constexpr (kIs<T, HapticCore::HandPlace>) {
+    } else if constexpr (kIs<T, HandSpeed::Place>) {
       visit("position", s.position); visit("time_ns", s.time_ns);
     } else if constexpr (kIs<T, ProxyState>) {
       visit("position", s.position); visit("hip", s.hip); visit("contact", s.contact); visit("slides", s.slides);

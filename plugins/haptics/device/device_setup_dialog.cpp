@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/haptics/device/device_setup_dialog.h"
 
-#include <cmath>
+#include <array>
 #include <QApplication>
 #include <QCheckBox>
-#include <QClipboard>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileDialog>
-#include <QFormLayout>
 #include <QGroupBox>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPlainTextEdit>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
@@ -29,8 +26,8 @@
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/rt/realtime_thread.h"
-#include "plugins/haptics/device/homing_picture.h"
-#include "plugins/haptics/shown_file.h"
+#include "plugins/haptics/device/setup_boxes.h"
+#include "plugins/haptics/panel/panel_widgets.h"
 #include "ui/message/message_text.h"
 
 namespace relievo {
@@ -38,29 +35,6 @@ namespace relievo {
 using falcon::LinkState;
 
 namespace {
-template <class Widget>
-Widget* named(Widget* widget, const char* object_name, const QString& accessible) {
-  widget->setObjectName(QString::fromLatin1(object_name));
-  widget->setAccessibleName(accessible);
-  return widget;
-}
-
-QPlainTextEdit* page(const char* object_name, const QString& accessible, int lines) {
-  auto* edit = named(new QPlainTextEdit, object_name, accessible);
-  edit->setReadOnly(true);
-  edit->setTabChangesFocus(true);  // The keyboard is never caught in it.
-  edit->setMinimumHeight(lines * edit->fontMetrics().lineSpacing() + 12);
-  return edit;
-}
-
-void setTextIfNew(QLabel* label, const QString& text) {
-  if (label->text() != text) label->setText(text);
-}
-
-/// With one decimal, "-0.0" looks like a place.
-double withoutMinusZero(double mm) {
-  return std::abs(mm) < 0.05 ? 0 : mm;
-}
 
 constexpr std::array<const char*, 3> kResults{
     QT_TRANSLATE_NOOP("relievo::DeviceSetupDialog", "passed"),
@@ -109,8 +83,10 @@ void DeviceSetupDialog::build() {
   auto* rest = new QWidget;
   auto* parts = new QVBoxLayout(rest);
   parts->setContentsMargins(0, 0, 0, 0);
-  parts->addWidget(buildStart());
-  parts->addWidget(buildHoming());
+  start_ = buildStart();
+  homing_ = new SetupHomingBox;
+  parts->addWidget(start_);
+  parts->addWidget(homing_);
   parts->addWidget(buildTests(), 1);
   left_handed_ = named(new QCheckBox(tr("&Left-handed: plus and minus change sides")), "leftHanded",
                        tr("Left-handed"));
@@ -136,60 +112,13 @@ void DeviceSetupDialog::build() {
   column->addWidget(buttons);
 }
 
-QWidget* DeviceSetupDialog::buildStart() {
-  auto* group = new QGroupBox(tr("Start"));
-  auto* column = new QVBoxLayout(group);
-  auto* row = new QHBoxLayout;
-  retry_ = named(new QPushButton(tr("&Retry")), "setupRetry", tr("Retry"));
-  browse_ = named(new QPushButton(tr("&Firmware file…")), "setupFirmware", tr("Firmware file"));
-  copy_rule_ = named(new QPushButton(tr("&Copy rule")), "setupCopyRule", tr("Copy rule"));
-  for (QPushButton* button : {retry_, browse_, copy_rule_}) row->addWidget(button);
-  row->addStretch(1);
-  column->addLayout(row);
-  firmware_ = named(new QLabel, "setupFirmwareFile", tr("Firmware file in use"));
-  firmware_->setWordWrap(true);
-  firmware_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  column->addWidget(firmware_);
-  showFirmware();
-  upload_ = named(new QProgressBar, "setupUpload", tr("Firmware loaded"));
-  upload_->setRange(0, 1);
-  upload_->setValue(0);
-  upload_->setFormat(tr("not loaded yet"));
-  column->addWidget(upload_);
-  rule_ = page("setupRule", tr("Rule that gives access"), 6);
-  rule_->setPlainText(tr("# As an administrator, write this into "
-                         "/etc/udev/rules.d/60-relievo-falcon.rules, then replug:\n") +
-                      QString::fromStdString(falcon::udevRule()));
-  rule_->hide();
-  column->addWidget(rule_);
-  connect(retry_, &QPushButton::clicked, this, [this] { device_->retry(); });
-  connect(browse_, &QPushButton::clicked, this, &DeviceSetupDialog::browse);
-  connect(copy_rule_, &QPushButton::clicked, this, [this] {
-    QGuiApplication::clipboard()->setText(QString::fromStdString(falcon::udevRule()));
-    say(tr("The rule is copied."));
-  });
-  return group;
-}
-
-QWidget* DeviceSetupDialog::buildHoming() {
-  auto* group = new QGroupBox(tr("Homing"));
-  auto* row = new QHBoxLayout(group);
-  homing_ = new HomingPicture;
-  row->addWidget(homing_, 0, Qt::AlignTop);
-  auto* form = new QFormLayout;
-  row->addLayout(form, 1);
-  const std::array<QString, falcon::kArms> names{tr("Top arm"), tr("Right arm"), tr("Left arm")};
-  constexpr std::array<const char*, falcon::kArms> kNames{"armTop", "armRight", "armLeft"};
-  for (std::size_t i = 0; i < falcon::kArms; ++i) {
-    arms_[i] = named(new QLabel, kNames[i], names[i]);
-    form->addRow(names[i], arms_[i]);
-  }
-  hand_ = named(new QLabel, "setupHand", tr("Place of the hand"));
-  hand_->setWordWrap(true);
-  // Nothing jumps when it is known.
-  hand_->setMinimumHeight(2 * hand_->fontMetrics().lineSpacing());
-  form->addRow(tr("Hand"), hand_);
-  return group;
+SetupStartBox* DeviceSetupDialog::buildStart() {
+  auto* start = new SetupStartBox;
+  start->showFirmware(settings_.firmware);
+  connect(start, &SetupStartBox::retryAsked, this, [this] { device_->retry(); });
+  connect(start, &SetupStartBox::browseAsked, this, &DeviceSetupDialog::browse);
+  connect(start, &SetupStartBox::ruleCopied, this, [this] { say(tr("The rule is copied.")); });
+  return start;
 }
 
 QWidget* DeviceSetupDialog::buildTests() {
@@ -215,7 +144,7 @@ QWidget* DeviceSetupDialog::buildTests() {
   row->addStretch(1);
   column->addLayout(row);
   column->addWidget(gain_);
-  results_ = page("setupResults", tr("Results"), 8);
+  results_ = textPage("setupResults", tr("Results"), 8);
   column->addWidget(results_);
   connect(self_test_, &QPushButton::clicked, this, &DeviceSetupDialog::startSelfTest);
   connect(calibrate_, &QPushButton::clicked, this, &DeviceSetupDialog::calibrate);
@@ -253,32 +182,9 @@ void DeviceSetupDialog::step() {
 void DeviceSetupDialog::showStatus() {
   const falcon::LinkStatus& status = device_->status();
   setTextIfNew(state_, screenText(falcon::describe(status)));
-  const bool forbidden = status.state == LinkState::forbidden;
-  rule_->setVisible(forbidden);
-  copy_rule_->setEnabled(forbidden);
-  retry_->setEnabled(status.state == LinkState::no_firmware ||
-                     status.state == LinkState::not_started);
-  if (status.firmware_bytes > 0) {
-    upload_->setRange(0, static_cast<int>(status.firmware_bytes));
-    upload_->setValue(static_cast<int>(status.uploaded_bytes));
-    upload_->setFormat(tr("attempt %1 of %2, %p %").arg(status.attempt).arg(status.attempts));
-  } else if (status.firmware_was_running) {
-    upload_->setRange(0, 1);
-    upload_->setValue(1);
-    upload_->setFormat(tr("was running already"));
-  }
-  for (std::size_t i = 0; i < falcon::kArms; ++i) {
-    const bool homed = (status.homed >> i & 1U) != 0;
-    setTextIfNew(arms_[i], homed ? tr("✓ found") : tr("– missing"));
-  }
-  if (homing_->state() != status.state) homing_->show(status.state);
+  start_->showStatus(status);
+  homing_->showStatus(status);
   const bool ready = status.state == LinkState::ready;
-  setTextIfNew(hand_, ready ? tr("%1 right, %2 up, %3 out, in millimetres; %4 answers per second")
-                                  .arg(withoutMinusZero(status.position.x), 0, 'f', 1)
-                                  .arg(withoutMinusZero(status.position.y), 0, 'f', 1)
-                                  .arg(withoutMinusZero(status.position.z), 0, 'f', 1)
-                                  .arg(status.rate_hz, 0, 'f', 0)
-                            : tr("not known before homing"));
   setTextIfNew(gain_, tr("%1 counts per N mm").arg(settings_.counts_per_n_mm, 0, 'f', 2));
   const bool testing = test_ && test_->phase() != falcon::SelfTest::Phase::done;
   const bool calibrating = calibration_ && calibration_->phase() < falcon::Calibration::Phase::done;
@@ -358,23 +264,6 @@ void DeviceSetupDialog::browse() {
   if (!file.isEmpty()) installFirmware(file, false);
 }
 
-void DeviceSetupDialog::showFirmware() {
-  QString text;
-  try {
-    const falcon::Firmware found = falcon::findFirmware(falcon::firmwarePlaces(settings_.firmware));
-    const QString name = shownFilePath(QFile::decodeName(found.file.c_str()));
-    text = found.known_as ? tr("Firmware: %1, %2").arg(name, messageText(*found.known_as))
-                          : tr("Firmware: %1, accepted by you").arg(name);
-  } catch (const Error&) {
-    // Why, the state says once it is needed: one that runs already needs no file.
-    text = settings_.firmware.empty()
-               ? tr("Firmware: no file found yet")
-               : tr("Firmware: %1 cannot be used")
-                     .arg(shownFilePath(QFile::decodeName(settings_.firmware.c_str())));
-  }
-  setTextIfNew(firmware_, text);
-}
-
 bool DeviceSetupDialog::installFirmware(const QString& file, bool accept_unknown) {
   try {
     const falcon::Firmware firmware = falcon::readFirmware(QFile::encodeName(file).toStdString());
@@ -391,13 +280,13 @@ bool DeviceSetupDialog::installFirmware(const QString& file, bool accept_unknown
     falcon::FalconSettings stored = falcon::readSettings(falcon::settingsFile());
     stored.firmware = settings_.firmware;  // The rest is kept by Save.
     falcon::writeSettings(stored, falcon::settingsFile());
-    showFirmware();
+    start_->showFirmware(settings_.firmware);
   } catch (const Error& error) {
     notice_ = messageText(messageOf(error));
     say(notice_);
     return false;
   }
-  notice_ = firmware_->text();
+  notice_ = start_->firmwareText();
   say(notice_);
   device_->retry();
   return true;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,13 +16,13 @@ class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPlainTextEdit;
-class QProgressBar;
 class QPushButton;
 class QScrollArea;
 
 namespace relievo {
 
-class HomingPicture;
+class SetupHomingBox;
+class SetupStartBox;
 
 /// From plug to touch, step by step: find, permission, firmware, homing, self test, calibration,
 /// handedness. All of it by keyboard, every change said. Holds the Falcon while it is open.
@@ -51,8 +50,7 @@ class DeviceSetupDialog : public QDialog {
 
  private:
   void build();
-  QWidget* buildStart();
-  QWidget* buildHoming();
+  SetupStartBox* buildStart();
   QWidget* buildTests();
   void frame();
   void showStatus();
@@ -61,7 +59,6 @@ class DeviceSetupDialog : public QDialog {
   void calibrate();
   void showTest();
   void browse();
-  void showFirmware();
   void save();
   void say(const QString& text);
 
@@ -74,15 +71,9 @@ class DeviceSetupDialog : public QDialog {
   FalconStatusAnnouncer news_;
   int frames_ = 0;
 
-  QLabel *state_ = nullptr, *firmware_ = nullptr;
-  QPushButton* retry_ = nullptr;
-  QPlainTextEdit* rule_ = nullptr;
-  QPushButton* copy_rule_ = nullptr;
-  QPushButton* browse_ = nullptr;
-  QProgressBar* upload_ = nullptr;
-  std::array<QLabel*, falcon::kArms> arms_{};
-  HomingPicture* homing_ = nullptr;
-  QLabel* hand_ = nullptr;
+  QLabel* state_ = nullptr;
+  SetupStartBox* start_ = nullptr;
+  SetupHomingBox* homing_ = nullptr;
   QPushButton* self_test_ = nullptr;
   QPlainTextEdit* results_ = nullptr;
   QScrollArea* parts_ = nullptr;

@@ -43,7 +43,7 @@ bool Journey::eventually(const std::function<bool()>& holds) {
 }
 
 bool Journey::settled() {
-  return eventually([this] { return document().isOpen() && !document().busy(); });
+  return eventually([this] { return document().isOpen() && !document().loader().busy(); });
 }
 
 QString Journey::said() {

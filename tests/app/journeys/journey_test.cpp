@@ -171,7 +171,7 @@ void JourneyTest::openScan() {
   request.unit = LengthUnit::mm;
   request.view = ViewChoice{"top", {}};
   window().open(request);
-  ASSERT_TRUE(eventually([this] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(eventually([this] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << "nothing stands in the way";
   EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
   EXPECT_EQ(document().project().region, wholeRegion(document().surface()->ladder));
@@ -202,7 +202,7 @@ void JourneyTest::drawWindow() {
     keys(reference(), Qt::Key_Return);
   } else {
     // Inside the pink window a drag would move it: drawing begins outside.
-    document().setRect({20, 20, 60, 60});
+    document().region().setRect({20, 20, 60, 60});
     drag(reference(), reference().pointOf(160, 60), reference().pointOf(230, 130));
     picture("3_drawing");
   }
@@ -427,10 +427,10 @@ void JourneyTest::keepWork() {
   QApplication::processEvents();  // The list takes the name later.
   const Region region = document().project().region;
   window().saveProject(path("F.relievo.json"));
-  document().whole();
+  document().region().whole();
   window().open(path("F.relievo.json"));
-  ASSERT_TRUE(
-      eventually([&] { return !document().busy() && document().project().region == region; }));
+  ASSERT_TRUE(eventually(
+      [&] { return !document().loader().busy() && document().project().region == region; }));
   EXPECT_EQ(window().findChild<PlacesPanel*>()->places()[0].name, "the step");
   EXPECT_EQ(measure().measurements().size(), 3U);
   EXPECT_EQ(detail().sceneState().look.kind, ReliefKind::multi_hillshade);

@@ -81,7 +81,7 @@ class WindowJourney : public PrepareGuiTest {
   }
 
   void waitUntilOpen() {
-    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
   }
 
   void pressOnTheMiddle() {

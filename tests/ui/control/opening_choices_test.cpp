@@ -39,7 +39,7 @@ class OpeningChoicesTest : public GuiTest {
   }
   bool isOpen(const QString& file) {
     return waitFor([&] {
-      return document().isOpen() && !document().busy() && document().file() == file &&
+      return document().isOpen() && !document().loader().busy() && document().file() == file &&
              !window().message().isEmpty();
     });
   }
@@ -70,7 +70,7 @@ TEST_F(OpeningChoicesTest, APictureOfHeightsIsGuessedAndAskedAbout) {
   dialog->findChild<QCheckBox*>("raster_deeper")->setChecked(true);
   dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
   ASSERT_TRUE(waitFor([this] {
-    return !document().busy() && document().project().options.raster.pixel_mm.has_value();
+    return !document().loader().busy() && document().project().options.raster.pixel_mm.has_value();
   }));
   const DepthMap& map = document().surface()->map;
   EXPECT_EQ(map.frame.spacing_mm, 0.5);
@@ -87,7 +87,7 @@ TEST_F(OpeningChoicesTest, WhatWasGuessedCanBeKeptAndIsAskedAgainUnderUnits) {
   ASSERT_NE(button("Keep it so"), nullptr);
   button("Keep it so")->click();
   ASSERT_TRUE(waitFor([this] {
-    return !document().busy() && document().project().options.raster.height_mm.has_value();
+    return !document().loader().busy() && document().project().options.raster.height_mm.has_value();
   }));
   EXPECT_NEAR(*document().project().options.raster.height_mm, 1e-4, 1e-12);
   action("units")->trigger();
@@ -96,7 +96,7 @@ TEST_F(OpeningChoicesTest, WhatWasGuessedCanBeKeptAndIsAskedAgainUnderUnits) {
 
 TEST_F(OpeningChoicesTest, ACloudThatTheMemoryDoesNotHoldIsOfferedThinned) {
   const QString file = writeRelief();
-  document().setFreeBytes(9'000'000);
+  document().loader().setFreeBytes(9'000'000);
   open(file);
   ASSERT_TRUE(waitFor([this] { return window().message().contains("E102"); }))
       << window().message().toStdString();
@@ -104,28 +104,28 @@ TEST_F(OpeningChoicesTest, ACloudThatTheMemoryDoesNotHoldIsOfferedThinned) {
   // 200 000 points of 100 bytes are 20 MB; two thirds of what is free hold a quarter of them.
   ASSERT_NE(button("Load one point in 4"), nullptr) << window().message().toStdString();
   QTest::keyClick(&window(), Qt::Key_Return, Qt::ControlModifier);
-  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(document().source().scan->points.size(), 50'000U);
   EXPECT_EQ(document().project().scan.every, 4U) << "a project brings the same points back";
 }
 
 TEST_F(OpeningChoicesTest, TheNextFileIsSeenLikeThisOneIfAsked) {
   openRelief();
-  document().setRect({40, 50, 60, 60});
-  document().setGain(2);
+  document().region().setRect({40, 50, 60, 60});
+  document().region().setGain(2);
   window().detailView().turnBy(20, 10);
   const Project before = document().project();
   const QString other = writeRelief(QStringLiteral("other.ply"));
   const auto opened = [&](const QString& file) {
     window().open(file);
-    return waitFor([&] { return !document().busy() && document().file() == file; });
+    return waitFor([&] { return !document().loader().busy() && document().file() == file; });
   };
   ASSERT_TRUE(opened(other));
   EXPECT_EQ(document().project().azimuth_deg, 0) << "its own view, at first";
   EXPECT_EQ(document().project().gain, 1);
   EXPECT_EQ(document().detail(), 1);
-  document().setRect({40, 50, 60, 60});
-  document().setGain(2);
+  document().region().setRect({40, 50, 60, 60});
+  document().region().setGain(2);
   window().detailView().turnBy(20, 10);
   action("keep_view")->trigger();
   const QString third = writeRelief(QStringLiteral("third.ply"));

@@ -142,7 +142,8 @@ TEST_F(StudyWindowTest, AnotherFileEndsTheSitting) {
   OpenRequest request;
   request.file = writeRelief(QStringLiteral("other.ply"));
   window().open(request);
-  ASSERT_TRUE(waitFor([&] { return !document().busy() && document().file() == request.file; }));
+  ASSERT_TRUE(
+      waitFor([&] { return !document().loader().busy() && document().file() == request.file; }));
   EXPECT_FALSE(study().running());
   EXPECT_EQ(textOf("trials.csv").count('\n'), 2) << "what was shown is kept";
 }

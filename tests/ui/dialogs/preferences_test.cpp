@@ -282,7 +282,7 @@ TEST_F(PreferencesTest, AFaultThatIsToldIsNotHiddenByTheQuestionForAFolder) {
 TEST_F(PreferencesTest, AUnitForFilesWithoutOneIsNotAskedFor) {
   openDialog().findChild<QComboBox*>("pref_unit_without")->setCurrentIndex(2);  // Centimetres.
   window().open(writeRelief());
-  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(document().surface()->unit, LengthUnit::cm);
   EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
 }

@@ -66,8 +66,8 @@ TEST_F(SuggestPanelTest, TheOverviewFramesThemUntilNobodyWantsIt) {
 
 TEST_F(SuggestPanelTest, AnotherSurfaceHasNoneOfThem) {
   find();
-  document().setView({"bottom", {}});
-  ASSERT_TRUE(waitFor([this] { return !document().busy(); }));
+  document().choices().setView({"bottom", {}});
+  ASSERT_TRUE(waitFor([this] { return !document().loader().busy(); }));
   EXPECT_TRUE(panel().windows().empty());
   EXPECT_TRUE(frames().empty());
   EXPECT_FALSE(list().isVisible());

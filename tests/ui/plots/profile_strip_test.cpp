@@ -56,7 +56,7 @@ TEST_F(ProfileStripTest, LabelsAndLinesInTheViewsFollowTheVerticalExaggeration) 
   const double z = line_z();
   ASSERT_NEAR(z, 20, 0.2);
   ASSERT_NEAR(label_z, 20, 0.2);
-  document().setGain(2);
+  document().region().setGain(2);
   EXPECT_NEAR(labels->labels()[0].at.z, 2 * label_z, 1e-9);
   EXPECT_NEAR(line_z(), 2 * z, 1e-9);
   action("undo")->trigger();

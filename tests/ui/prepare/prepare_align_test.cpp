@@ -61,7 +61,7 @@ TEST_F(PrepareAlignTest, FilesOpenedTogetherAreJoinedAndOpened) {
   EXPECT_EQ(joined.parts[1].name, "side.ply");
   const auto points = joined.points;
   accept(dialog);
-  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(QFileInfo(document().file()).fileName(), "front-prepared.ply");
   EXPECT_EQ(document().source().scan->info.points, points);
   EXPECT_FALSE(document().history().canUndo()) << "opening is a new beginning";

@@ -43,7 +43,7 @@ TEST_F(PrepareTest, OkWritesTheScanAndItIsOneStepOfTheHistory) {
   addStep(dialog, "add_crop_box");
   setNumber(dialog, "crop_x_max", 100);
   accept(dialog);
-  ASSERT_TRUE(waitFor([&] { return document().file() != before && !document().busy(); }));
+  ASSERT_TRUE(waitFor([&] { return document().file() != before && !document().loader().busy(); }));
   EXPECT_EQ(QFileInfo(document().file()).fileName(), "relief-prepared.ply");
   EXPECT_EQ(document().surface()->info.points, 80400U);
   EXPECT_EQ(document().history().undoText(), "Prepare");

@@ -151,7 +151,7 @@ class TutorialTest : public GuiTest {
     detail().setFocus();
   }
   bool becomesOpen() {
-    return waitFor([this] { return document().isOpen() && !document().busy(); });
+    return waitFor([this] { return document().isOpen() && !document().loader().busy(); });
   }
   double force() {
     const auto& probe = detail().sceneState().probe;
@@ -221,7 +221,7 @@ void TutorialTest::chooseWindow() {
   page_.says(
       "Drag over a part of the left view: the pink window is there, and the right view "
       "shows it.");
-  document().whole();
+  document().region().whole();
   drag(overview(), at(0.3, 0.3), at(0.6, 0.6));
   const Region drawn = region();
   EXPECT_LT(drawn.side_mm, document().surface()->ladder.sideMm(1));
@@ -247,13 +247,13 @@ void TutorialTest::chooseWindow() {
   const Region before = region();
   key("Space");
   for (int i = 0; i < 6; ++i) key("Right");
-  EXPECT_TRUE(document().inGesture());
+  EXPECT_TRUE(document().region().inGesture());
   key("Enter");
-  EXPECT_FALSE(document().inGesture());
+  EXPECT_FALSE(document().region().inGesture());
   EXPECT_NE(region(), before);
 
   page_.says("**Ctrl+Plus** and **Ctrl+Minus** step through the details about the hand.");
-  document().whole();
+  document().region().whole();
   detail().setFocus();
   key("Ctrl+Plus");
   EXPECT_EQ(document().detail(), 2);
@@ -282,7 +282,7 @@ void TutorialTest::namePlaces() {
   QTest::keyClick(name, Qt::Key_Return);
   EXPECT_TRUE(waitFor([this] { return document().project().places.front().name == "Rim"; }));
   detail().setFocus();
-  document().whole();
+  document().region().whole();
   key("Ctrl+Page Down");
   EXPECT_EQ(region(), named);
   page_.says("With *With light and view* ticked, light and view are kept, too.");
@@ -332,7 +332,7 @@ void TutorialTest::makeMap() {
   key("Ctrl+D");
   auto* dialog = shown<QDialog>("depth_map_dialog");
   closeDialog(dialog);
-  ASSERT_TRUE(waitFor([this] { return !document().busy(); }));
+  ASSERT_TRUE(waitFor([this] { return !document().loader().busy(); }));
 }
 
 void TutorialTest::light() {
@@ -436,11 +436,11 @@ void TutorialTest::keep() {
   page_.says(
       "*Edit > Copy view as text* puts where you look into the clipboard, to be sent to "
       "somebody with the same scan; **Ctrl+Shift+V** shows it.");
-  document().setRect({20, 20, 60, 60});
+  document().region().setRect({20, 20, 60, 60});
   const Region copied = region();
   choose("Edit > Copy view as text");
   EXPECT_FALSE(QApplication::clipboard()->text().isEmpty());
-  document().whole();
+  document().region().whole();
   key("Ctrl+Shift+V");
   EXPECT_EQ(region(), copied);
 }

@@ -60,7 +60,7 @@ TEST_F(CoarseViewTest, AViewDrawsItsWholePixelsAgainAndInPictures) {
   ASSERT_TRUE(waitFor([&] {
     coarse.stepDrawn(kSlowMs, true);
     left_mm = 81 - left_mm;
-    window().document().setRect({left_mm, 40, 60, 60});
+    window().document().region().setRect({left_mm, 40, 60, 60});
     QCoreApplication::processEvents();
     return isDrawnIn(CoarsePictures::kPart);
   }));

@@ -15,7 +15,7 @@ class HeldButtonsTest : public GuiTest {
  protected:
   HeldButtonsTest() {
     openRelief();
-    document().setRect({40, 40, 60, 60});
+    document().region().setRect({40, 40, 60, 60});
   }
   DetailView& view() { return window().detailView(); }
   ReferenceView& overview() { return window().referenceView(); }
@@ -57,7 +57,7 @@ TEST_F(HeldButtonsTest, AMoveWithoutTheButtonEndsTheDragAndKeepsItAsOneStep) {
   ASSERT_NE(dragged, start);
   move(view(), middleOf(view()) + QPointF(60, 0));
   EXPECT_EQ(region(), dragged);
-  EXPECT_FALSE(document().inGesture());
+  EXPECT_FALSE(document().region().inGesture());
   EXPECT_EQ(steps(), before + 1);
 }
 
@@ -74,16 +74,16 @@ TEST_F(HeldButtonsTest, ADialogEndsDragsInBothViews) {
   move(view(), middleOf(view()) + QPointF(20, 0), Qt::RightButton);
   QDialog dialog(&window());
   dialog.open();
-  EXPECT_FALSE(document().inGesture());
+  EXPECT_FALSE(document().region().inGesture());
   dialog.close();
   const Region moved_once = region();
   ASSERT_NE(moved_once, start);
 
   press(overview(), QPointF(20, 20));
   move(overview(), QPointF(80, 80), Qt::LeftButton);
-  ASSERT_TRUE(document().inGesture());
+  ASSERT_TRUE(document().region().inGesture());
   dialog.open();
-  EXPECT_FALSE(document().inGesture());
+  EXPECT_FALSE(document().region().inGesture());
   const Region drawn = region();
   dialog.close();
   move(overview(), QPointF(120, 120), Qt::LeftButton);
@@ -93,9 +93,9 @@ TEST_F(HeldButtonsTest, ADialogEndsDragsInBothViews) {
 TEST_F(HeldButtonsTest, AMoveOverTheOverviewWithoutTheButtonEndsItsDrag) {
   press(overview(), QPointF(20, 20));
   move(overview(), QPointF(80, 80), Qt::LeftButton);
-  ASSERT_TRUE(document().inGesture());
+  ASSERT_TRUE(document().region().inGesture());
   move(overview(), QPointF(120, 120));
-  EXPECT_FALSE(document().inGesture());
+  EXPECT_FALSE(document().region().inGesture());
 }
 
 TEST_F(HeldButtonsTest, LosingTheFocusEndsThePress) {

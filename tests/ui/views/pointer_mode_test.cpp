@@ -71,7 +71,7 @@ TEST_F(PointerModeTest, PreferencesChangeTheButtonsAtOnceAndForTheNextStart) {
   left->setCurrentIndex(1);
   right->setCurrentIndex(0);
   EXPECT_EQ(said(), "Look: left moves, middle turns, right turns, wheel zooms");
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   const Region before = document().project().region;
   dragLeft({-40, 0});
   EXPECT_FALSE(view().isTurned());

@@ -21,7 +21,7 @@ using CloseTest = GuiTest;
 TEST_F(CloseTest, GoesBackToTheStartPageAndAnotherFileOpensAsTheFirst) {
   EXPECT_FALSE(action("close")->isEnabled()) << "nothing is open";
   openRelief();
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   window().detailView().turnBy(20, 10);
   action("light_rake_left")->trigger();
   QTest::keyClick(&window(), Qt::Key_W, Qt::ControlModifier);
@@ -40,7 +40,7 @@ TEST_F(CloseTest, GoesBackToTheStartPageAndAnotherFileOpensAsTheFirst) {
   EXPECT_FALSE(window().detailView().isTurned());
   EXPECT_EQ(document().project().look.light, (LightOptions{270, 10}))
       << "how things are looked at goes on";
-  EXPECT_TRUE(document().setRect({40, 40, 60, 60}));
+  EXPECT_TRUE(document().region().setRect({40, 40, 60, 60}));
   EXPECT_EQ(document().history().count(), 1);
 }
 
@@ -173,8 +173,8 @@ TEST_F(CloseTest, EscapeOrAnotherScanTakesACloseBackThatWaits) {
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.close();
   window().controllers().replays.noteRecording(file.fileName());
-  ASSERT_TRUE(
-      waitFor([this] { return document().file().endsWith("other.ply") && !document().busy(); }));
+  ASSERT_TRUE(waitFor(
+      [this] { return document().file().endsWith("other.ply") && !document().loader().busy(); }));
   QApplication::processEvents();
   EXPECT_TRUE(document().isOpen());
 }

@@ -14,7 +14,8 @@ class DocumentTest : public GuiTest {
   bool open(Document& document, const OpenRequest& request) {
     QSignalSpy failed(&document, &Document::failed);
     document.open(request);
-    return waitFor([&] { return !document.busy(); }) && failed.isEmpty() && document.isOpen();
+    return waitFor([&] { return !document.loader().busy(); }) && failed.isEmpty() &&
+           document.isOpen();
   }
   OpenRequest relief() {
     OpenRequest request;
@@ -41,8 +42,8 @@ TEST_F(DocumentTest, UnitsScaleEveryLengthAndCanBeUndone) {
   Document document(rasterize);
   ASSERT_TRUE(open(document, relief()));
   const double width = document.surface()->map.widthMm();
-  document.setUnit(LengthUnit::cm);
-  ASSERT_TRUE(waitFor([&] { return !document.busy(); }));
+  document.choices().setUnit(LengthUnit::cm);
+  ASSERT_TRUE(waitFor([&] { return !document.loader().busy(); }));
   EXPECT_NEAR(document.surface()->map.widthMm(), 10 * width, 1e-6 * width);
   document.history().undo();
   EXPECT_EQ(document.surface()->map.widthMm(), width);
@@ -57,11 +58,11 @@ TEST_F(DocumentTest, AStepThatKeepsTheDetailIsNamedByWhatItChanges) {
     for (int detail = 1; detail <= document.details(); ++detail) {
       const DetailLadder& ladder = document.surface()->ladder;
       const double side = part * ladder.sideMm(detail);
-      document.setRect({ladder.left_mm, ladder.bottom_mm, side, side});
+      document.region().setRect({ladder.left_mm, ladder.bottom_mm, side, side});
       const StepAbout centre{ladder.left_mm + side / 2, ladder.bottom_mm + side / 2, false};
-      document.finer(centre);
-      document.setRect({ladder.left_mm, ladder.bottom_mm, side, side});
-      document.coarser(centre);
+      document.region().finer(centre);
+      document.region().setRect({ladder.left_mm, ladder.bottom_mm, side, side});
+      document.region().coarser(centre);
     }
   }
   int kept = 0;
@@ -78,9 +79,9 @@ TEST_F(DocumentTest, AGestureThatEndsWhereItBeganLeavesNoEntry) {
   Document document(rasterize);
   ASSERT_TRUE(open(document, relief()));
   const Region first = document.project().region;
-  document.preview({10, 10, 50, {0}});
-  document.preview(first);
-  document.commit("Move window");
+  document.region().preview({10, 10, 50, {0}});
+  document.region().preview(first);
+  document.region().commit("Move window");
   EXPECT_EQ(document.history().count(), 0);
 }
 
@@ -88,14 +89,14 @@ TEST_F(DocumentTest, CancelKeepsTheSurfaceAndIsSaidAtOnce) {
   Document document(rasterize);
   ASSERT_TRUE(open(document, relief()));
   const DocumentState before = document.state();
-  QSignalSpy cancelled(&document, &Document::cancelled);
-  document.setView({"front", {}});
-  document.cancel();
+  QSignalSpy cancelled(&document.loader(), &SurfaceLoader::cancelled);
+  document.choices().setView({"front", {}});
+  document.loader().cancel();
   EXPECT_EQ(cancelled.size(), 1);
-  EXPECT_FALSE(document.busy());
+  EXPECT_FALSE(document.loader().busy());
   // A later request still works, and the cancelled one never shows.
-  document.setView({"bottom", {}});
-  ASSERT_TRUE(waitFor([&] { return !document.busy(); }));
+  document.choices().setView({"bottom", {}});
+  ASSERT_TRUE(waitFor([&] { return !document.loader().busy(); }));
   EXPECT_EQ(document.surface()->view_name, "bottom");
   document.history().undo();
   EXPECT_EQ(document.state(), before);
@@ -108,8 +109,8 @@ TEST_F(DocumentTest, AnEngineThatFailsIsReportedAndChangesNothing) {
   ASSERT_TRUE(open(document, relief()));
   const DocumentState before = document.state();
   QSignalSpy failed(&document, &Document::failed);
-  document.setEngine("depthbuffer");
-  ASSERT_TRUE(waitFor([&] { return !document.busy(); }));
+  document.choices().setEngine("depthbuffer");
+  ASSERT_TRUE(waitFor([&] { return !document.loader().busy(); }));
   ASSERT_EQ(failed.size(), 1);
   EXPECT_TRUE(failed[0][0].toString().contains("depth buffer"));
   EXPECT_EQ(document.state(), before);
@@ -120,9 +121,9 @@ TEST_F(DocumentTest, MeaninglessRegionsAreRefused) {
   Document document(rasterize);
   ASSERT_TRUE(open(document, relief()));
   const DocumentState before = document.state();
-  EXPECT_FALSE(document.setRect({0, 0, 0, 10}));
-  EXPECT_FALSE(document.setRect({0, 0, std::nan(""), 10}));
-  EXPECT_FALSE(document.setGain(0));
+  EXPECT_FALSE(document.region().setRect({0, 0, 0, 10}));
+  EXPECT_FALSE(document.region().setRect({0, 0, std::nan(""), 10}));
+  EXPECT_FALSE(document.region().setGain(0));
   EXPECT_EQ(document.state(), before);
 }
 
@@ -149,8 +150,8 @@ TEST_F(DocumentTest, AnotherSurfaceIsLookedStraightAtAndUndoBringsTheTurnBack) {
   Document document(rasterize);
   ASSERT_TRUE(open(document, relief()));
   document.setTurn(20, 10);
-  document.setView({"bottom", {}});
-  ASSERT_TRUE(waitFor([&] { return !document.busy(); }));
+  document.choices().setView({"bottom", {}});
+  ASSERT_TRUE(waitFor([&] { return !document.loader().busy(); }));
   EXPECT_EQ(document.project().azimuth_deg, 0);
   document.setTurn(-5, 0);
   const Project bottom = document.project();
@@ -163,35 +164,35 @@ TEST_F(DocumentTest, AnotherSurfaceIsLookedStraightAtAndUndoBringsTheTurnBack) {
 
 TEST_F(DocumentTest, WorkIsUnsavedWhileItDiffersFromWhatWasSaved) {
   Document document(rasterize);
-  EXPECT_FALSE(document.hasUnsavedWork());
+  EXPECT_FALSE(document.saved().hasUnsaved());
   ASSERT_TRUE(open(document, relief()));
-  EXPECT_FALSE(document.hasUnsavedWork());
+  EXPECT_FALSE(document.saved().hasUnsaved());
   const auto name_one = [](Project& p) { p.places.push_back({"nose", p.region, 1}); };
   document.edit("Places", name_one);
-  EXPECT_TRUE(document.hasUnsavedWork());
+  EXPECT_TRUE(document.saved().hasUnsaved());
   document.history().undo();
-  EXPECT_FALSE(document.hasUnsavedWork());
+  EXPECT_FALSE(document.saved().hasUnsaved());
   document.edit("Places", name_one);
-  document.noteSaved("p.relievo.json");
-  EXPECT_FALSE(document.hasUnsavedWork());
+  document.saved().noteSaved("p.relievo.json");
+  EXPECT_FALSE(document.saved().hasUnsaved());
   document.history().undo();
-  EXPECT_TRUE(document.hasUnsavedWork()) << "the file has it";
-  document.noteSaved("p.relievo.json");
-  document.noteUnsaved();
-  EXPECT_TRUE(document.hasUnsavedWork());
+  EXPECT_TRUE(document.saved().hasUnsaved()) << "the file has it";
+  document.saved().noteSaved("p.relievo.json");
+  document.saved().noteUnsaved();
+  EXPECT_TRUE(document.saved().hasUnsaved());
 }
 
 TEST_F(DocumentTest, AStateComesBackWholeWithItsStepsAndItsPath) {
   Document document(rasterize);
   OpenRequest request = relief();
   ASSERT_TRUE(open(document, request));
-  document.setRect({40, 40, 60, 60});
+  document.region().setRect({40, 40, 60, 60});
   document.edit("Relief image", [](Project& p) {
     p.look = {.kind = ReliefKind::slope, .light = {33.25, 21.5}};
     p.stereo.zero_plane_mm = 1.0 / 3;
     p.places.push_back({"nose", p.region, 1});
   });
-  document.move(0.1, 0);
+  document.region().move(0.1, 0);
   document.amend([](Project& p) { p.paths = {{"path", {{0, viewOf(p)}}}}; });
   document.setTurn(12.5, -7);
   request.project = projectFromJson(projectJson(document.stored()), "test");
@@ -205,8 +206,8 @@ TEST_F(DocumentTest, AStateComesBackWholeWithItsStepsAndItsPath) {
   expected.history = other.project().history;
   EXPECT_EQ(projectJson(other.project()), projectJson(expected));
   EXPECT_TRUE(other.project() == expected);
-  EXPECT_FALSE(other.hasUnsavedWork());
-  EXPECT_EQ(other.projectFile(), "p.relievo.json");
+  EXPECT_FALSE(other.saved().hasUnsaved());
+  EXPECT_EQ(other.saved().projectFile(), "p.relievo.json");
   other.history().undo();
   EXPECT_EQ(other.project().region.x_mm, 40);
 }
@@ -216,7 +217,7 @@ TEST_F(DocumentTest, WhatIsMadeOfAStateSaysWhereItComesFrom) {
   OpenRequest request = relief();
   request.scan.reader = ReaderChoice::own;
   ASSERT_TRUE(open(document, request));
-  document.setRect({40, 40, 60, 60});
+  document.region().setRect({40, 40, 60, 60});
   const Provenance made = document.provenanceIn(path("results/touch.csv"));
   EXPECT_EQ(made.input.file, "../relief.ply");
   EXPECT_EQ(made.input.sha256, document.fileSha256().toStdString());

@@ -59,16 +59,16 @@ class WorkTest : public GuiTest {
 
 TEST_F(WorkTest, APlaceIsNamedGoneToRenamedAndDeletedByKeys) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
-  document().setGain(2);
+  document().region().setRect({40, 40, 60, 60});
+  document().region().setGain(2);
   const Region there = document().project().region;
   QTest::keyClick(&window().detailView(), Qt::Key_N, Qt::ControlModifier);
   ASSERT_EQ(places().places().size(), 1U);
   typeName("nose");
   EXPECT_EQ(places().places()[0].name, "nose");
-  document().whole();
-  document().setRect({100, 20, 40, 40});
-  document().setGain(1);
+  document().region().whole();
+  document().region().setRect({100, 20, 40, 40});
+  document().region().setGain(1);
   window().runCommand("name_place");
   ASSERT_EQ(places().places().size(), 2U);
   QTest::keyClick(list().findChild<QLineEdit*>(), Qt::Key_Escape);
@@ -93,16 +93,16 @@ TEST_F(WorkTest, APlaceIsNamedGoneToRenamedAndDeletedByKeys) {
 TEST_F(WorkTest, AMarkerIsSetAndRemovedUnderTheHandAndGoneTo) {
   openRelief();
   window().runCommand("finer");
-  document().setRect({40, 40, 50, 50});
+  document().region().setRect({40, 40, 50, 50});
   const Region there = document().project().region;  // The pointer is elsewhere: its centre counts.
   QTest::keyClick(&window().detailView(), Qt::Key_B, Qt::ControlModifier);
   ASSERT_EQ(places().places().size(), 1U);
   EXPECT_EQ(places().places()[0].name, "Marker 1");
   EXPECT_EQ(child<QLabel>("status_message")->text(), "Marker 1 set.");
-  document().move(1, 0);
+  document().region().move(1, 0);
   window().runCommand("beacon");
   ASSERT_EQ(places().places().size(), 2U);
-  document().move(-0.95, 0);  // 0.05 of the window: 4 mm of hand.
+  document().region().move(-0.95, 0);  // 0.05 of the window: 4 mm of hand.
   window().runCommand("beacon");
   ASSERT_EQ(places().places().size(), 1U);
   EXPECT_EQ(child<QLabel>("status_message")->text(), "Marker 1 removed.");
@@ -117,13 +117,13 @@ TEST_F(WorkTest, AMarkerIsAPointThatEveryResolutionFindsAgain) {
   openRelief();
   window().runCommand("finer");
   window().runCommand("finer");
-  document().setRect({30, 40, 20, 20});
+  document().region().setRect({30, 40, 20, 20});
   const int fine = document().detail();
   const Region there = document().project().region;
   window().runCommand("beacon");
   ASSERT_TRUE(places().places().at(0).is_point);
   window().runCommand("coarser");
-  document().move(2, 0);
+  document().region().move(2, 0);
   const Region coarse = document().project().region;
   ASSERT_LT(document().detail(), fine);
   window().runCommand("next_place");
@@ -164,7 +164,7 @@ TEST_F(WorkTest, AViewIsKeptWithItsLightAndReliefByTheMouse) {
 
 TEST_F(WorkTest, ColoursStereoLightPlacesAndMeasurementsAreStepsToo) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   const int steps = document().history().index();
   const SceneState& seen = window().detailView().sceneState();
   window().runCommand("relief_slope");
@@ -186,12 +186,12 @@ TEST_F(WorkTest, ColoursStereoLightPlacesAndMeasurementsAreStepsToo) {
   EXPECT_EQ(document().history().index(), steps + 3) << "a step back is no new step";
 
   // A place that is gone to may bring its own look; each is one step, and regions stay right.
-  document().move(0.1, 0);
+  document().region().move(0.1, 0);
   window().saveProject(path("steps.relievo.json"));
   const Region end = document().project().region;
   restart();
   window().open(path("steps.relievo.json"));
-  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(document().project().region, end);
   EXPECT_FALSE(window().hasUnsavedWork());
 }
@@ -209,15 +209,15 @@ TEST_F(WorkTest, ANewPlaceIsSeenWhereverThePanelsStand) {
 
 TEST_F(WorkTest, PlacesAndAHundredStepsComeBackWithTheProjectAndAreUndone) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
-  for (int i = 0; i < 99; ++i) document().move(i % 2 == 0 ? 0.1 : -0.1, 0);
+  document().region().setRect({40, 40, 60, 60});
+  for (int i = 0; i < 99; ++i) document().region().move(i % 2 == 0 ? 0.1 : -0.1, 0);
   const Region end = document().project().region;
   ASSERT_EQ(document().history().index(), 100);
   window().runCommand("name_place");
   window().saveProject(path("p.relievo.json"));
   restart();
   window().open(path("p.relievo.json"));
-  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(document().project().region, end);
   EXPECT_EQ(places().places().size(), 1U);
   ASSERT_EQ(document().history().index(), 100);
@@ -234,11 +234,11 @@ TEST_F(WorkTest, PlacesAndAHundredStepsComeBackWithTheProjectAndAreUndone) {
 TEST_F(WorkTest, UnsavedWorkHasACopyThatGoesWithSavingAndWithTheEnd) {
   openRelief();
   EXPECT_EQ(copyCount(), 0);
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   ASSERT_TRUE(waitFor([&] { return copyCount() == 1; }));
   window().saveProject(path("p.relievo.json"));
   EXPECT_TRUE(waitFor([&] { return copyCount() == 0; }));
-  document().whole();
+  document().region().whole();
   ASSERT_TRUE(waitFor([&] { return copyCount() == 1; }));
   restart();
   EXPECT_EQ(copyCount(), 0) << "an end is no crash";
@@ -247,7 +247,7 @@ TEST_F(WorkTest, UnsavedWorkHasACopyThatGoesWithSavingAndWithTheEnd) {
 
 TEST_F(WorkTest, AfterACrashTheStartOffersTheWorkAndRestoresIt) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   const Region region = document().project().region;
   window().findChild<MeasurePanel*>()->setMeasurements(
       {{"top", MeasureKind::depth, {{10, 10}, {100, 90}}, 0}});
@@ -258,7 +258,7 @@ TEST_F(WorkTest, AfterACrashTheStartOffersTheWorkAndRestoresIt) {
   EXPECT_FALSE(document().isOpen()) << "nothing happens unasked";
   ASSERT_NE(stripButton("Restore"), nullptr);
   QTest::mouseClick(stripButton("Restore"), Qt::LeftButton);
-  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(document().project().region, region);
   EXPECT_EQ(window().findChild<MeasurePanel*>()->measurements().size(), 1U);
   EXPECT_EQ(document().history().undoText(), "Choose window");
@@ -292,7 +292,7 @@ TEST_F(WorkTest, AfterACrashTheWorkGoesOnInItsProject) {
   restart();
   EXPECT_TRUE(window().message().contains("p.relievo.json")) << window().message().toStdString();
   QTest::mouseClick(stripButton("Restore"), Qt::LeftButton);
-  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(window().windowTitle().section(' ', 0, 0), "p.relievo.json[*]");
   EXPECT_TRUE(window().isWindowModified()) << "the crash came before it was saved";
   ASSERT_TRUE(window().runCommand("save_project"));
@@ -359,7 +359,7 @@ class UnsavedTest : public WorkTest {
 
 TEST_F(UnsavedTest, LookingAboutIsNotAskedAbout) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   window().runCommand("relief_slope");
   EXPECT_FALSE(window().hasUnsavedWork());
   EXPECT_TRUE(window().close());
@@ -417,12 +417,12 @@ TEST_F(UnsavedTest, SaveWithoutAProjectAsksWhereAndAnotherScanWaitsForIt) {
   nameOne();
   const QString other = writeRelief("other.ply");
   window().open(other);
-  EXPECT_FALSE(document().busy()) << "nothing is opened before the answer";
+  EXPECT_FALSE(document().loader().busy()) << "nothing is opened before the answer";
   answer(QMessageBox::Save);
   auto* dialog = window().findChild<QFileDialog*>("project_dialog");
   ASSERT_NE(dialog, nullptr);
   Q_EMIT dialog->fileSelected(path("named.relievo.json"));
-  EXPECT_TRUE(waitFor([&] { return document().file() == other && !document().busy(); }));
+  EXPECT_TRUE(waitFor([&] { return document().file() == other && !document().loader().busy(); }));
   EXPECT_EQ(readProject(path("named.relievo.json").toStdString()).places.size(), 1U);
   EXPECT_TRUE(places().places().empty());
   EXPECT_FALSE(window().hasUnsavedWork());
@@ -431,7 +431,7 @@ TEST_F(UnsavedTest, SaveWithoutAProjectAsksWhereAndAnotherScanWaitsForIt) {
 TEST_F(UnsavedTest, SettingsOfAProjectChangedByHandAreWork) {
   openRelief();
   window().saveProject(path("p.relievo.json"));
-  document().whole();
+  document().region().whole();
   EXPECT_FALSE(window().hasUnsavedWork());
   window().runCommand("relief_slope");
   EXPECT_TRUE(window().hasUnsavedWork());
@@ -441,7 +441,7 @@ TEST_F(UnsavedTest, SettingsOfAProjectChangedByHandAreWork) {
   EXPECT_TRUE(window().hasUnsavedWork());
   window().runCommand("stereo");
   EXPECT_FALSE(window().hasUnsavedWork());
-  document().setView({"bottom", {}});
+  document().choices().setView({"bottom", {}});
   ASSERT_TRUE(waitFor([&] { return document().surface()->view_name == "bottom"; }));
   EXPECT_TRUE(window().hasUnsavedWork());
 }
@@ -483,30 +483,31 @@ TEST_F(WorkTest, AProjectOfACutScanComesBackWithWhatIsThere) {
   QFile scan(path("relief.ply"));
   ASSERT_TRUE(scan.resize(scan.size() / 2));
   window().open(path("p.relievo.json"));
-  ASSERT_TRUE(waitFor([&] { return !document().busy() && !window().message().isEmpty(); }));
+  ASSERT_TRUE(
+      waitFor([&] { return !document().loader().busy() && !window().message().isEmpty(); }));
   auto* load = stripButton("Load what is there");
   ASSERT_NE(load, nullptr) << window().message().toStdString();
   QTest::mouseClick(load, Qt::LeftButton);
-  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(places().places().size(), 1U);
   EXPECT_EQ(document().project().look.kind, ReliefKind::slope);
   EXPECT_TRUE(document().project().accept_incomplete);
-  EXPECT_EQ(document().projectFile(), path("p.relievo.json"));
+  EXPECT_EQ(document().saved().projectFile(), path("p.relievo.json"));
 }
 
 TEST_F(WorkTest, APictureOfTheWindowBringsItsStateBack) {
   openRelief();
-  document().setRect({40, 40, 60, 60});
+  document().region().setRect({40, 40, 60, 60});
   window().runCommand("relief_openness");
   const Region region = document().project().region;
   for (const ImageSource source :
        {ImageSource::detail, ImageSource::reference, ImageSource::window}) {
     const QString file = path(QStringLiteral("shot%1.png").arg(static_cast<int>(source)));
-    document().setRect({40, 40, 60, 60});
+    document().region().setRect({40, 40, 60, 60});
     window().runCommand("relief_openness");
     window().saveImage(source, {300, 200}, file);
     ASSERT_TRUE(waitFor([&] { return !window().savingImage(); }));
-    document().whole();
+    document().region().whole();
     window().runCommand("relief_lit");
     window().open(file);
     EXPECT_TRUE(waitFor([&] { return document().project().region == region; }));

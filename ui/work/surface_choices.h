@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QCoreApplication>
+
+#include "core/session/surface.h"
+
+namespace relievo {
+
+class Document;
+
+/// Choices between the file of a document and its surface: each makes the surface anew from the
+/// scan in memory, in the worker, as one step of the history. [GUI thread]
+class SurfaceChoices {
+  Q_DECLARE_TR_FUNCTIONS(relievo::SurfaceChoices)
+ public:
+  explicit SurfaceChoices(Document& document) : document_(document) {}
+
+  void setView(const ViewChoice& view);
+  void setEngine(const QString& engine);
+  void setUnit(LengthUnit unit);
+  void setStrays(StrayRule rule);
+  void setNodata(const NodataChoice& nodata);
+  void setRasterScale(const RasterScale& scale);
+
+ private:
+  const SurfaceOptions& now() const;
+
+  Document& document_;
+};
+
+}  // namespace relievo
