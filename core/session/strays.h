@@ -9,7 +9,7 @@
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
-#include "core/tiles/point_source.h"
+#include "core/tiles/points/point_source.h"
 
 namespace relievo {
 

@@ -10,7 +10,7 @@
 #include "core/depth/fill/mask.h"
 #include "core/depth/fill/push_pull.h"
 #include "core/depth/layers/hidden_points.h"
-#include "core/tiles/lowest_values.h"
+#include "core/tiles/points/lowest_values.h"
 #include "core/tiles/threads.h"
 #include "core/tiles/tile_layout.h"
 

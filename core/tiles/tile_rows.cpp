@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "core/depth/rules/rule_choice.h"
-#include "core/tiles/scatter.h"
+#include "core/tiles/points/scatter.h"
 
 namespace relievo {
 namespace {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/base/bands.h"
-#include "core/tiles/job_folder.h"
+#include "core/tiles/job/job_folder.h"
 #include "core/tiles/threads.h"
 
 namespace relievo {

@@ -7,7 +7,7 @@
 #include "core/io/raster/tiff_head.h"
 #include "core/session/colours/surface_colours.h"
 #include "core/tiles/level_files.h"
-#include "core/tiles/scatter.h"
+#include "core/tiles/points/scatter.h"
 
 namespace relievo {
 

@@ -14,7 +14,7 @@
 #include "core/io/import.h"
 #include "core/io/point_files.h"
 #include "core/io/point_values.h"
-#include "core/tiles/point_source.h"
+#include "core/tiles/points/point_source.h"
 
 namespace relievo {
 

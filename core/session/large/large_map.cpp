@@ -30,9 +30,9 @@
 #include "core/session/source/source_in_use.h"
 #include "core/tiles/band_fill.h"
 #include "core/tiles/colours/colour_files.h"
-#include "core/tiles/job_parts.h"
+#include "core/tiles/job/job_parts.h"
 #include "core/tiles/level_files.h"
-#include "core/tiles/scatter.h"
+#include "core/tiles/points/scatter.h"
 
 namespace relievo {
 namespace {

@@ -13,7 +13,7 @@
 #include "core/base/task.h"
 #include "core/io/import.h"
 #include "core/session/surface.h"
-#include "core/tiles/job_folder.h"
+#include "core/tiles/job/job_folder.h"
 
 namespace relievo {
 

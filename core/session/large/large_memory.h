@@ -10,7 +10,7 @@
 
 #include "core/base/grid.h"
 #include "core/session/large/large_map.h"
-#include "core/tiles/scatter.h"
+#include "core/tiles/points/scatter.h"
 #include "core/tiles/tile_rows.h"
 
 namespace relievo {

@@ -13,7 +13,7 @@
 #include "core/session/colours/cloud_colours.h"
 #include "core/session/large/large_memory.h"
 #include "core/session/loss_report.h"
-#include "core/tiles/job_parts.h"
+#include "core/tiles/job/job_parts.h"
 #include "core/tiles/tile_layout.h"
 
 namespace relievo {

@@ -18,9 +18,9 @@
 #include "core/session/source/source_in_use.h"
 #include "core/session/surface.h"
 #include "core/tiles/band_fill.h"
-#include "core/tiles/job_folder.h"
+#include "core/tiles/job/job_folder.h"
+#include "core/tiles/points/scatter.h"
 #include "core/tiles/row_store.h"
-#include "core/tiles/scatter.h"
 
 namespace relievo {
 

@@ -9,7 +9,7 @@
 #include "core/session/nodata.h"
 #include "core/session/strays.h"
 #include "core/session/surface.h"
-#include "core/tiles/point_source.h"
+#include "core/tiles/points/point_source.h"
 
 namespace relievo {
 

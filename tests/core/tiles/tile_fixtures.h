@@ -13,7 +13,7 @@
 
 #include "core/base/grid.h"
 #include "core/depth/depth_request.h"
-#include "core/tiles/point_source.h"
+#include "core/tiles/points/point_source.h"
 #include "core/tiles/row_store.h"
 
 namespace relievo::test {

@@ -9,7 +9,7 @@
 #include <random>
 #include <string>
 
-#include "core/tiles/scatter.h"
+#include "core/tiles/points/scatter.h"
 #include "core/tiles/tile_rows.h"
 #include "tests/core/scan_fixtures.h"
 #include "tests/core/tiles/tile_fixtures.h"

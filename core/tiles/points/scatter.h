@@ -15,7 +15,7 @@
 #include "core/depth/layers/front_surface.h"
 #include "core/depth/rules/point_rule.h"
 #include "core/io/las/laz_points.h"
-#include "core/tiles/point_source.h"
+#include "core/tiles/points/point_source.h"
 #include "core/tiles/tile_store.h"
 
 namespace relievo {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/tiles/job_parts.h"
+#include "core/tiles/job/job_parts.h"
 
 #include <algorithm>
 #include <array>

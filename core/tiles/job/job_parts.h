@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/task.h"
-#include "core/tiles/job_folder.h"
-#include "core/tiles/scatter.h"
+#include "core/tiles/job/job_folder.h"
+#include "core/tiles/points/scatter.h"
 #include "core/tiles/tile_store.h"
 
 namespace relievo {

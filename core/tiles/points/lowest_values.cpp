@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/tiles/lowest_values.h"
+#include "core/tiles/points/lowest_values.h"
 
 #include <algorithm>
 #include <cmath>

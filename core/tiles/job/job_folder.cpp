@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/tiles/job_folder.h"
+#include "core/tiles/job/job_folder.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/tiles/point_source.h"
+#include "core/tiles/points/point_source.h"
 
 #include <algorithm>
 #include <limits>

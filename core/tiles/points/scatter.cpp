@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/tiles/scatter.h"
+#include "core/tiles/points/scatter.h"
 
 #include <algorithm>
 #include <array>
