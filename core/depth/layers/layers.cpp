@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "core/base/grid.h"
 
@@ -121,6 +122,64 @@ bool isInPatch(const std::vector<Kind>& kinds, GridSize size, Cell square) {
   return judged >= kFewestAround && 2 * layered >= judged;
 }
 
+/// The points' squares, and how wide a square is taken to be.
+struct Cut {
+  Squares squares;
+  double side = 0;
+};
+
+// The covered area is not known yet: squares of a quarter of the points' mean area, then larger
+// ones until those that are hit hold enough, or, where an object covers little of its box, smaller
+// ones: a blade seen edge-on would lie in squares wider than itself.
+Cut squaresOf(const std::vector<ViewMm>& points, const ViewMm& low, double longer) {
+  double side = longer * std::sqrt(kPointsOfSquare / static_cast<double>(points.size())) / 2;
+  constexpr int kMostAttempts = 4;
+  Squares squares(points, low, side);
+  const auto mean = [&] {
+    return static_cast<double>(points.size()) / static_cast<double>(squares.hit());
+  };
+  for (int attempt = 1; mean() > kManyPoints && attempt < kMostSmaller; ++attempt) {
+    side /= 1.5;
+    squares = Squares(points, low, side);
+  }
+  for (int attempt = 1; mean() < kPointsOfSquare; ++attempt) {
+    side *= 1.5;
+    if (attempt == kMostAttempts) break;
+    squares = Squares(points, low, side);
+  }
+  return {std::move(squares), side};
+}
+
+/// What each square was found to be, and how many points that rests on.
+struct Judged {
+  std::vector<Kind> kinds;
+  std::size_t points = 0, upright = 0;
+};
+
+Judged judgedSquares(const std::vector<ViewMm>& points, const Cut& cut) {
+  Judged found{.kinds = std::vector<Kind>(cut.squares.count(), Kind::unjudged)};
+  std::vector<ViewMm> square;
+  const std::vector<std::uint32_t> in_order = cut.squares.pointsInOrder();
+  std::size_t begin = 0;
+  for (std::size_t number = 0; number < cut.squares.count(); ++number) {
+    const std::size_t end = begin + cut.squares.held(number);
+    square.clear();
+    for (std::size_t i = begin; i < end; ++i) square.push_back(points[in_order[i]]);
+    begin = end;
+    if (square.size() < kFewestPoints) continue;
+    std::sort(square.begin(), square.end(),
+              [](const ViewMm& a, const ViewMm& b) { return a.z < b.z; });
+    found.points += square.size();
+    found.kinds[number] = Kind::other;
+    if (isLayered(square, cut.side)) {
+      found.kinds[number] = Kind::layered;
+    } else if (square.back().z - square.front().z > kUpright * cut.side) {
+      found.upright += square.size();
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 bool liesInLayers(const std::vector<ViewMm>& points) {
@@ -139,61 +198,23 @@ LayerShares layerShares(const std::vector<ViewMm>& points) {
   }
   const double longer = std::max(high.x - low.x, high.y - low.y);
   if (!(longer > 0)) return {};
-  // The covered area is not known yet: squares of a quarter of the points' mean area, then larger
-  // ones until those that are hit hold enough, or, where an object covers little of its box,
-  // smaller ones: a blade seen edge-on would lie in squares wider than itself.
-  double side = longer * std::sqrt(kPointsOfSquare / static_cast<double>(points.size())) / 2;
-  constexpr int kMostAttempts = 4;
-  Squares squares(points, low, side);
-  const auto mean = [&] {
-    return static_cast<double>(points.size()) / static_cast<double>(squares.hit());
-  };
-  for (int attempt = 1; mean() > kManyPoints && attempt < kMostSmaller; ++attempt) {
-    side /= 1.5;
-    squares = Squares(points, low, side);
-  }
-  for (int attempt = 1; mean() < kPointsOfSquare; ++attempt) {
-    side *= 1.5;
-    if (attempt == kMostAttempts) break;
-    squares = Squares(points, low, side);
-  }
-  std::size_t upright = 0;
-  std::size_t judged = 0;
-  std::vector<Kind> kinds(squares.count(), Kind::unjudged);
-  std::vector<ViewMm> square;
-  const std::vector<std::uint32_t> in_order = squares.pointsInOrder();
-  std::size_t begin = 0;
-  for (std::size_t number = 0; number < squares.count(); ++number) {
-    const std::size_t end = begin + squares.held(number);
-    square.clear();
-    for (std::size_t i = begin; i < end; ++i) square.push_back(points[in_order[i]]);
-    begin = end;
-    if (square.size() < kFewestPoints) continue;
-    std::sort(square.begin(), square.end(),
-              [](const ViewMm& a, const ViewMm& b) { return a.z < b.z; });
-    judged += square.size();
-    kinds[number] = Kind::other;
-    if (isLayered(square, side)) {
-      kinds[number] = Kind::layered;
-    } else if (square.back().z - square.front().z > kUpright * side) {
-      upright += square.size();
-    }
-  }
+  const Cut cut = squaresOf(points, low, longer);
+  const Judged found = judgedSquares(points, cut);
   std::size_t layered = 0;
   std::size_t in_patches = 0;
-  const GridSize size = squares.size();
+  const GridSize size = cut.squares.size();
   for (int row = 0; row < size.rows; ++row) {
     for (int col = 0; col < size.cols; ++col) {
       const Cell at{.col = col, .row = row};
       const std::size_t number = size.index(at);
-      if (kinds[number] != Kind::layered) continue;
-      layered += squares.held(number);
-      if (isInPatch(kinds, size, at)) in_patches += squares.held(number);
+      if (found.kinds[number] != Kind::layered) continue;
+      layered += cut.squares.held(number);
+      if (isInPatch(found.kinds, size, at)) in_patches += cut.squares.held(number);
     }
   }
-  const auto all = static_cast<double>(std::max<std::size_t>(judged, 1));
+  const auto all = static_cast<double>(std::max<std::size_t>(found.points, 1));
   return {.layered = static_cast<double>(layered) / all,
-          .upright = static_cast<double>(upright) / all,
+          .upright = static_cast<double>(found.upright) / all,
           .in_patches = static_cast<double>(in_patches) / all};
 }
 
