@@ -7,6 +7,7 @@
 #include "app/cli/report_text.h"
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
+#include "core/provenance/name_text.h"
 #include "core/provenance/sha256.h"
 #include "core/tiles/published/published_tiles.h"
 #include "core/tiles/tiled_map.h"
