@@ -5,6 +5,7 @@
 #include <cpl_vsi_error.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -75,13 +76,17 @@ FetchedBytes fetched(const std::string& name, std::uint64_t first, std::uint32_t
   }
   FetchedBytes got;
   got.bytes.resize(static_cast<std::size_t>(bytes));
-  void* place = got.bytes.data();
-  const vsi_l_offset at = first;
-  const auto size = static_cast<size_t>(bytes);
+  // Two ranges, which GDAL joins into one request for exactly these bytes; a single one would be
+  // taken from what it keeps of the file, and damaged bytes from there again and again.
+  const auto half = static_cast<std::size_t>(bytes / 2);
+  std::array<void*, 2> places{got.bytes.data(), got.bytes.data() + half};
+  const std::array<vsi_l_offset, 2> at{first, first + half};
+  const std::array<std::size_t, 2> sizes{half, got.bytes.size() - half};
+  const int ranges = half > 0 ? 2 : 1;
+  const auto from = static_cast<std::size_t>(2 - ranges);
   VSIErrorReset();
   CPLErrorReset();
-  // Of remote files this is one request for exactly these bytes.
-  if (VSIFReadMultiRangeL(1, &place, &at, &size, file.get()) != 0) {
+  if (VSIFReadMultiRangeL(ranges, &places[from], &at[from], &sizes[from], file.get()) != 0) {
     FetchedBytes none = failed(name, wordsOf(name));
     if (!isRemote(name)) none.end = WebEnd::damaged;  // It is there, and shorter.
     return none;
