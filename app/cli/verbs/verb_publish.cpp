@@ -20,7 +20,9 @@ struct PublishArguments {
 
 Outcome runPublish(const PublishArguments& a, const Task& task) {
   checkedFileSize(a.map);
-  if (!TiledMap::isOne(a.map)) throw failure<MessageId::publish_not_by_tiles>(a.map);
+  if (!TiledMap::isOne(a.map)) {
+    throw failure<MessageId::publish_not_by_tiles>(std::filesystem::path(a.map));
+  }
   const TiledMap map(a.map);
   PublishWords words = a.words;
   if (words.title.empty()) words.title = shownName(std::filesystem::path(a.map).stem());
