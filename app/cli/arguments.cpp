@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "app/cli/options/number_option.h"
-#include "app/cli/published_input.h"
+#include "app/cli/published/published_input.h"
 #include "core/base/failure.h"
 #include "core/depth/rules/point_rule.h"
 #include "core/io/formats/lines.h"

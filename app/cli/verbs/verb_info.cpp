@@ -7,7 +7,7 @@
 
 #include "app/cli/json.h"
 #include "app/cli/map_report.h"
-#include "app/cli/published_input.h"
+#include "app/cli/published/published_input.h"
 #include "app/cli/report_text.h"
 #include "app/cli/verb.h"
 #include "core/base/failure.h"

@@ -9,7 +9,6 @@
 #include <atomic>
 #include <cerrno>
 #include <condition_variable>
-#include <cstring>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -20,6 +19,7 @@
 
 #include "core/base/error.h"
 #include "core/file/owned_fd.h"
+#include "core/io/worker/spawn.h"
 #include "core/io/worker/worker_process.h"
 
 namespace relievo {
@@ -103,8 +103,7 @@ void WebLink::Impl::run(const std::stop_token& stop) {
     std::optional<WorkerProcess> process;
     try {
       if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-        throw FileError(std::string("The system refuses a further socket: ") +
-                        std::strerror(errno) + ".");
+        raised(-1);  // Says it.
       }
       const OwnedFd other(ends[1]);
       socket.reset(ends[0]);

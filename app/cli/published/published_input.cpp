@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/cli/published_input.h"
+#include "app/cli/published/published_input.h"
 
 #include <CLI/CLI.hpp>
 
