@@ -3,8 +3,9 @@
 // docs/dev/align-figures.md. Parts of closed objects and plates, each part with points of its own,
 // 0.05 mm of noise on 200 mm, the second part three times as coarse as the first. Made objects
 // always; scans from the folder that RELIEVO_SHARED_DATA names, or ../shared/data, if it is there.
-// `align_benchmark [points|automatic|plates|four]...`: only these tables. Of four parts ALIGN_ROUNDS
-// says how often, with other points, noise and picks, and ALIGN_OBJECTS names the objects.
+// `align_benchmark [points|automatic|plates|four]...`: only these tables. Of four parts
+// ALIGN_ROUNDS says how often, with other points, noise and picks, and ALIGN_OBJECTS names the
+// objects.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
