@@ -19,6 +19,7 @@ constexpr float kEdgeOn = 0.1F;        // Cosine; flatter discs are lines.
 constexpr float kLeastCosine = 0.15F;  // For tolerances of slopes.
 constexpr float kOnSurface = 1.35F;    // Spacings off the surface, across it.
 constexpr float kAveraged = 0.5F;      // Of that, behind the foremost piece.
+constexpr float kLowest = 1;           // Spacings along the view, behind the foremost piece.
 constexpr float kRim = 0.5F;           // Spacings that a disc may reach farther before a back.
 constexpr float kFarBehind = 2;        // Tolerances; nearer it is the same surface.
 constexpr int kPixelsAtOnce = 32;
@@ -263,7 +264,9 @@ void drawBand(const std::vector<SurfaceDisc>& discs, const DiscRaster& raster, H
     sum.is_rim = sum.with_rims.z != sum.front.z &&
                  sum.with_rims.z > sum.front.z + kFarBehind * tolerance(sum.with_rims);
     if (sum.is_rim) sum.front = sum.with_rims;
-    sum.lowest = sum.front.z - kAveraged * tolerance(sum.front);
+    // A steep surface has a wide tolerance: pieces of it that lie deep would sink its upper edge.
+    sum.lowest = sum.front.z - std::min(kAveraged * tolerance(sum.front),
+                                        kLowest * discs[sum.front.disc].spacing);
   }
   // Pieces as near as the front's own tolerance are the same surface. No disc reaches a pixel that
   // none covers.

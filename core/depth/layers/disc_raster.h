@@ -29,10 +29,10 @@ enum class HiddenDiscs {
 };
 
 /// What is in front of all discs at each pixel: of pieces as near to the foremost as its tolerance
-/// lets them be the same surface, the mean. Before a back that lies far behind, a disc reaches half
-/// a spacing farther: chance leaves gaps between an edge and the last points before it. Of pieces
-/// equally high the first disc's tolerance counts. On all cores, the same bytes for any number of
-/// them. [worker] @throw Cancelled
+/// lets them be the same surface, and no farther than a spacing along the view, the mean. Before a
+/// back that lies far behind, a disc reaches half a spacing farther: chance leaves gaps between an
+/// edge and the last points before it. Of pieces equally high the first disc's tolerance counts. On
+/// all cores, the same bytes for any number of them. [worker] @throw Cancelled
 std::vector<FrontPiece> drawDiscs(const std::vector<SurfaceDisc>& discs, const DiscRaster& raster,
                                   HiddenDiscs hidden, const Task& task);
 

@@ -8,13 +8,18 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/grid.h"
+
 namespace relievo {
 namespace {
 
 constexpr double kPointsOfSquare = 8;
+constexpr double kManyPoints = 4 * kPointsOfSquare;
+constexpr int kMostSmaller = 5;
 constexpr std::size_t kFewestPoints = 5;  // Of a square that says anything.
-constexpr double kGap = 0.7;    // Sides of a square between the groups; noise and slopes make less.
-constexpr double kUpright = 6;  // Sides of a square that its points rise: a wall seen edge-on.
+constexpr double kGap = 0.7;  // Sides of a square between the groups; noise and slopes make less.
+constexpr int kFewestAround = 2;  // Of the squares around one, to say anything of it.
+constexpr double kUpright = 6;    // Sides of a square that its points rise: a wall seen edge-on.
 
 /// Do the points of a square, rising in z, fall into two groups over the same ground?
 bool isLayered(const std::vector<ViewMm>& square, double side) {
@@ -64,7 +69,8 @@ class Squares {
       rows = std::max(rows, row + 1);
       places.push_back({col, row});
     }
-    held_.assign(std::size_t{cols} * rows, 0);
+    size_ = {.cols = static_cast<int>(cols), .rows = static_cast<int>(rows)};
+    held_.assign(size_.count(), 0);
     squares_.reserve(points.size());
     for (const auto& [col, row] : places) {
       squares_.push_back(row * cols + col);
@@ -72,6 +78,7 @@ class Squares {
     }
   }
 
+  GridSize size() const { return size_; }
   std::size_t count() const { return held_.size(); }
   std::size_t held(std::size_t square) const { return held_[square]; }
   std::size_t hit() const {
@@ -90,15 +97,36 @@ class Squares {
   }
 
  private:
+  GridSize size_;
   std::vector<std::uint32_t> held_;     // Points in each square.
   std::vector<std::uint32_t> squares_;  // Of each point.
 };
+
+enum class Kind : std::uint8_t { unjudged, other, layered };
+
+/// Are half of the squares around one, of those that say anything, layered, too? Chance and edges
+/// make single ones, or lines of them.
+bool isInPatch(const std::vector<Kind>& kinds, GridSize size, Cell square) {
+  int judged = 0;
+  int layered = 0;
+  for (int row = square.row - 1; row <= square.row + 1; ++row) {
+    for (int col = square.col - 1; col <= square.col + 1; ++col) {
+      const Cell near{.col = col, .row = row};
+      if (near == square || !size.contains(near)) continue;
+      const Kind kind = kinds[size.index(near)];
+      judged += kind != Kind::unjudged ? 1 : 0;
+      layered += kind == Kind::layered ? 1 : 0;
+    }
+  }
+  return judged >= kFewestAround && 2 * layered >= judged;
+}
 
 }  // namespace
 
 bool liesInLayers(const std::vector<ViewMm>& points) {
   const LayerShares shares = layerShares(points);
-  return shares.layered >= kLayered || shares.layered + shares.upright >= kMostlyUpright;
+  return shares.layered >= kLayered || shares.layered + shares.upright >= kMostlyUpright ||
+         shares.in_patches >= kInPatches;
 }
 
 LayerShares layerShares(const std::vector<ViewMm>& points) {
@@ -112,20 +140,26 @@ LayerShares layerShares(const std::vector<ViewMm>& points) {
   const double longer = std::max(high.x - low.x, high.y - low.y);
   if (!(longer > 0)) return {};
   // The covered area is not known yet: squares of a quarter of the points' mean area, then larger
-  // ones until those that are hit hold enough.
+  // ones until those that are hit hold enough, or, where an object covers little of its box,
+  // smaller ones: a blade seen edge-on would lie in squares wider than itself.
   double side = longer * std::sqrt(kPointsOfSquare / static_cast<double>(points.size())) / 2;
   constexpr int kMostAttempts = 4;
   Squares squares(points, low, side);
-  for (int attempt = 1;
-       static_cast<double>(points.size()) < kPointsOfSquare * static_cast<double>(squares.hit());
-       ++attempt) {
+  const auto mean = [&] {
+    return static_cast<double>(points.size()) / static_cast<double>(squares.hit());
+  };
+  for (int attempt = 1; mean() > kManyPoints && attempt < kMostSmaller; ++attempt) {
+    side /= 1.5;
+    squares = Squares(points, low, side);
+  }
+  for (int attempt = 1; mean() < kPointsOfSquare; ++attempt) {
     side *= 1.5;
     if (attempt == kMostAttempts) break;
     squares = Squares(points, low, side);
   }
-  std::size_t layered = 0;
   std::size_t upright = 0;
   std::size_t judged = 0;
+  std::vector<Kind> kinds(squares.count(), Kind::unjudged);
   std::vector<ViewMm> square;
   const std::vector<std::uint32_t> in_order = squares.pointsInOrder();
   std::size_t begin = 0;
@@ -138,15 +172,29 @@ LayerShares layerShares(const std::vector<ViewMm>& points) {
     std::sort(square.begin(), square.end(),
               [](const ViewMm& a, const ViewMm& b) { return a.z < b.z; });
     judged += square.size();
+    kinds[number] = Kind::other;
     if (isLayered(square, side)) {
-      layered += square.size();
+      kinds[number] = Kind::layered;
     } else if (square.back().z - square.front().z > kUpright * side) {
       upright += square.size();
     }
   }
+  std::size_t layered = 0;
+  std::size_t in_patches = 0;
+  const GridSize size = squares.size();
+  for (int row = 0; row < size.rows; ++row) {
+    for (int col = 0; col < size.cols; ++col) {
+      const Cell at{.col = col, .row = row};
+      const std::size_t number = size.index(at);
+      if (kinds[number] != Kind::layered) continue;
+      layered += squares.held(number);
+      if (isInPatch(kinds, size, at)) in_patches += squares.held(number);
+    }
+  }
   const auto all = static_cast<double>(std::max<std::size_t>(judged, 1));
   return {.layered = static_cast<double>(layered) / all,
-          .upright = static_cast<double>(upright) / all};
+          .upright = static_cast<double>(upright) / all,
+          .in_patches = static_cast<double>(in_patches) / all};
 }
 
 }  // namespace relievo

@@ -113,6 +113,22 @@ TEST(DiscRaster, ARimHidesWhatLiesFarBehindAndMakesNothingWider) {
   EXPECT_EQ(heightAt({cut, back}, 52.8), 33);
 }
 
+TEST(DiscRaster, WhatLiesFarDownASteepSurfaceDoesNotSinkItsUpperEdge) {
+  // Rising by 5: half a spacing behind it, across it, is 2.5 spacings down along the view.
+  const std::array<float, 3> normal{0.98058F, 0, 0.19612F};
+  const SurfaceDisc edge = disc({50, 40, 40}, normal, 4);
+  SurfaceDisc below = disc({50, 40, 30}, normal, 4);
+  const std::size_t at = kRaster.size.index({.col = 100, .row = 80});
+  const auto height = [&](const std::vector<SurfaceDisc>& discs) {
+    return static_cast<double>(drawDiscs(discs, kRaster, HiddenDiscs::skipped, {})[at].z);
+  };
+  EXPECT_NEAR(height({edge}), 40, 2);
+  EXPECT_NEAR(height({below}), height({edge}) - 10, 1e-4);
+  EXPECT_EQ(height({edge, below}), height({edge}));
+  below.centre[2] = 38;  // Within a spacing: the mean.
+  EXPECT_NEAR(height({edge, below}), height({edge}) - 1, 1e-4);
+}
+
 TEST(DiscRaster, OfPiecesEquallyHighTheFirstOneSaysHowDenseThePointsAre) {
   std::vector<SurfaceDisc> discs;
   for (const float spacing : {4.0F, 8.0F, 2.0F, 6.0F, 3.0F}) {
