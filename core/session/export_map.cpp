@@ -59,6 +59,7 @@ ExportGrid exportedGrid(const Surface& surface, const MapExport& choice, const R
   if (!grid) {
     throw failure<MessageId::heights_not_from_the_top>(surface.info.file.filename());
   }
+  if (raster == nullptr) stateSystem(*grid, surface.info.reference_system, surface.unit);
   grid->state = choice.state;
   grid->colours = coloursOf(surface, choice);
   return std::move(*grid);

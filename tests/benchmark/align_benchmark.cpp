@@ -3,7 +3,9 @@
 // docs/dev/align-figures.md. Parts of closed objects and plates, each part with points of its own,
 // 0.05 mm of noise on 200 mm, the second part three times as coarse as the first. Made objects
 // always; scans from the folder that RELIEVO_SHARED_DATA names, or ../shared/data, if it is there.
-// `align_benchmark [points|automatic|plates|four]...`: only these tables.
+// `align_benchmark [points|automatic|plates|four]...`: only these tables. Of four parts
+// ALIGN_ROUNDS says how often, with other points, noise and picks, and ALIGN_OBJECTS names the
+// objects.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -175,31 +177,48 @@ void platesTable() {
   }
 }
 
+std::uint64_t roundsAsked() {
+  const char* const text = std::getenv("ALIGN_ROUNDS");
+  return text != nullptr ? std::strtoull(text, nullptr, 10) : 1;
+}
+
+bool isAsked(const std::string& object) {
+  const char* const text = std::getenv("ALIGN_OBJECTS");
+  return text == nullptr || std::string(text).find(object) != std::string::npos;
+}
+
+/// Points, noise and picks are others in every round.
+void alignFour(const MadeObject& object, std::uint64_t round) {
+  std::vector<Part> parts;
+  for (int n = 0; n < 4; ++n) {
+    parts.push_back(makePart(
+        object, {quarter(object, n),
+                 n % 2 == 0 ? kFinePoints : kCoarsePoints,
+                 kNoiseMm,
+                 n == 0 ? Pose{} : motion(25.0 * n, {1, 0.5, 0.2 * n}, {30.0 * n, 10, -20}),
+                 {},
+                 30 + 100 * round + static_cast<std::uint64_t>(n)}));
+  }
+  Align how{.method = AlignMethod::points};
+  for (std::uint32_t n = 1; n < 4; ++n) {
+    for (const PickedPair& pair :
+         picksOn(parts[n], parts[0], n, 0.01 * object.diagonal, n + 10 * round)) {
+      how.pairs.push_back(pair);
+    }
+  }
+  const Row row = align(object.name, "four, three picks each", std::move(parts), how);
+  print(object, row);
+  for (const AlignLoop& loop : row.answer.loops) {
+    std::printf("| | loop of %zu | %.4f degrees, %.4f mm | | | | |\n", loop.scans.size(), loop.deg,
+                loop.mm);
+  }
+}
+
 void fourTable() {
   heading();
   for (const MadeObject& object : objects()) {
-    std::vector<Part> parts;
-    for (int n = 0; n < 4; ++n) {
-      parts.push_back(makePart(
-          object, {quarter(object, n),
-                   n % 2 == 0 ? kFinePoints : kCoarsePoints,
-                   kNoiseMm,
-                   n == 0 ? Pose{} : motion(25.0 * n, {1, 0.5, 0.2 * n}, {30.0 * n, 10, -20}),
-                   {},
-                   30 + static_cast<std::uint64_t>(n)}));
-    }
-    Align how{.method = AlignMethod::points};
-    for (std::uint32_t n = 1; n < 4; ++n) {
-      for (const PickedPair& pair : picksOn(parts[n], parts[0], n, 0.01 * object.diagonal, n)) {
-        how.pairs.push_back(pair);
-      }
-    }
-    const Row row = align(object.name, "four, three picks each", std::move(parts), how);
-    print(object, row);
-    for (const AlignLoop& loop : row.answer.loops) {
-      std::printf("| | loop of %zu | %.4f degrees, %.4f mm | | | | |\n", loop.scans.size(),
-                  loop.deg, loop.mm);
-    }
+    if (!isAsked(object.name)) continue;
+    for (std::uint64_t round = 0; round < roundsAsked(); ++round) alignFour(object, round);
   }
 }
 

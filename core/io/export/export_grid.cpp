@@ -16,6 +16,8 @@
 #include "core/base/error.h"
 #include "core/file/output_set.h"
 #include "core/io/export/export_file.h"
+#include "core/io/formats/unit_text.h"
+#include "core/io/raster/raster_file.h"
 
 namespace relievo {
 namespace {
@@ -104,6 +106,23 @@ std::optional<ExportGrid> fileGrid(const DepthMap& map, const ViewFromFile& view
     }
   }
   return grid;
+}
+
+void stateSystem(ExportGrid& grid, const std::string& stated, LengthUnit unit) {
+  if (stated.empty()) return;
+  const std::string left_out = "The scan's reference system was left out: ";
+  auto system = statedSystem(stated);
+  if (!system) {
+    grid.left_out.push_back(left_out + "it is not known here.");
+  } else if (system->facts.is_geographic || unitOfMetres(system->facts.metres) != unit) {
+    grid.left_out.push_back(left_out + "it is not in " + grid.unit + ".");
+  } else {
+    grid.projection = std::move(system->text);
+    if (system->left_heights) {
+      grid.left_out.emplace_back(
+          "The reference system of the heights was left out: they are in another unit.");
+    }
+  }
 }
 
 std::optional<ExportFormat> exportFormatOf(const std::filesystem::path& file) {

@@ -46,6 +46,10 @@ ExportGrid viewGrid(const DepthMap& map);
 std::optional<ExportGrid> fileGrid(const DepthMap& map, const ViewFromFile& view_from_file,
                                    LengthUnit unit, const RasterMap* raster = nullptr);
 
+/// States the system that a file of points does, if it is in the grid's unit; else says why not.
+/// @param stated  ScanInfo::reference_system; empty: nothing is done
+void stateSystem(ExportGrid& grid, const std::string& stated, LengthUnit unit);
+
 enum class ExportFormat { geotiff, cloud_geotiff, ascii_grid, vti, ply, xyz, stl, gltf };
 
 /// By the name's ending: .tif .tiff .asc .vti .ply .xyz .stl .glb

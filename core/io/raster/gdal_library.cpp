@@ -4,8 +4,8 @@
 namespace relievo {
 
 const GdalLibrary* relievoGdalLibrary() {
-  static constexpr GdalLibrary kFunctions{&createRasterFile, &systemFacts, &gdalVersion,
-                                          &prepareRasterFiles};
+  static constexpr GdalLibrary kFunctions{&createRasterFile, &systemFacts, &statedSystem,
+                                          &gdalVersion, &prepareRasterFiles};
   return &kFunctions;
 }
 

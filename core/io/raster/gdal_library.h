@@ -11,6 +11,7 @@ namespace relievo {
 struct GdalLibrary {
   decltype(&createRasterFile) create;
   decltype(&systemFacts) facts;
+  decltype(&statedSystem) stated;
   decltype(&gdalVersion) version;
   decltype(&prepareRasterFiles) prepare;
 };

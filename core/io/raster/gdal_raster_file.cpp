@@ -147,6 +147,30 @@ std::optional<SystemFacts> systemFacts(int epsg) {
   return SystemFacts{reference.IsGeographic() != 0, reference.GetLinearUnits()};
 }
 
+std::optional<StatedSystem> statedSystem(const std::string& stated) {
+  const GdalErrors silent;
+  OGRSpatialReference system;
+  // Nothing but these: GDAL's own reading of any text opens files and addresses, too.
+  const bool is_code = stated.starts_with("EPSG:") &&
+                       stated.find_first_not_of("0123456789+", 5) == std::string::npos;
+  if (is_code ? system.SetFromUserInput(stated.c_str()) != OGRERR_NONE
+              : system.importFromWkt(stated.c_str()) != OGRERR_NONE) {
+    return std::nullopt;
+  }
+  if (system.IsProjected() == 0 && system.IsGeographic() == 0) return std::nullopt;
+  StatedSystem found;
+  found.facts = {.is_geographic = system.IsGeographic() != 0, .metres = system.GetLinearUnits()};
+  if (system.IsCompound() != 0 &&
+      system.GetTargetLinearUnits("VERT_CS", nullptr) != found.facts.metres) {
+    system.StripVertical();
+    found.left_heights = true;
+  }
+  char* text = nullptr;
+  if (system.exportToWkt(&text) == OGRERR_NONE) found.text = text;
+  CPLFree(text);
+  return found.text.empty() ? std::nullopt : std::optional<StatedSystem>(std::move(found));
+}
+
 std::string gdalVersion() {
   return GDALVersionInfo("RELEASE_NAME");
 }

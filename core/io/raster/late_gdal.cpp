@@ -43,6 +43,10 @@ std::optional<SystemFacts> systemFacts(int epsg) {
   return gdal().facts(epsg);
 }
 
+std::optional<StatedSystem> statedSystem(const std::string& stated) {
+  return gdal().stated(stated);
+}
+
 std::string gdalVersion() {
   return gdal().version();
 }

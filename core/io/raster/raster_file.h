@@ -25,7 +25,7 @@ using RasterEntries = std::vector<std::pair<std::string, std::string>>;
 struct RasterSpec {
   GridSize size;
   int bands = 1;
-  bool is_float = true;              ///< Cells are float32, else bytes.
+  bool is_float = true;                   ///< Cells are float32, else bytes.
   std::vector<const char*> options = {};  ///< How GDAL's driver makes the file: "COMPRESS=DEFLATE".
   /// Of the corner of the highest row's first cell: x, dx, 0, y, 0, dy.
   std::array<double, 6> transform{0, 1, 0, 0, 0, -1};
@@ -88,6 +88,16 @@ struct SystemFacts {
 };
 /// @param epsg  its number @return  nothing if it is not known. [any thread]
 std::optional<SystemFacts> systemFacts(int epsg);
+
+/// A coordinate system that a file states, as what rasters have.
+struct StatedSystem {
+  std::string text;           ///< Well-known text.
+  SystemFacts facts;          ///< Of x and y.
+  bool left_heights = false;  ///< Its heights are in another unit than x and y: not in the text.
+};
+/// @param stated  well-known text, "EPSG:n" or "EPSG:n+v" (v: of the heights), as
+///                ScanInfo::reference_system has it @return  nothing if it is none [any thread]
+std::optional<StatedSystem> statedSystem(const std::string& stated);
 
 /// Of the GDAL that this process uses: "3.6.2". [any thread]
 std::string gdalVersion();

@@ -218,6 +218,35 @@ TEST_F(Export, AnElevationModelGoesBackWhereItCameFrom) {
   EXPECT_FALSE(fileGrid(map, view, LengthUnit::m).has_value());
 }
 
+TEST_F(Export, StatesTheSystemOfAFileOfPointsIfItIsInTheGridsUnit) {
+  const auto stating = [](const std::string& stated, LengthUnit unit) {
+    ExportGrid grid;
+    grid.unit = name(unit);
+    stateSystem(grid, stated, unit);
+    return grid;
+  };
+  const ExportGrid utm = stating("EPSG:26910", LengthUnit::m);
+  EXPECT_NE(utm.projection.find("UTM zone 10N"), std::string::npos);
+  EXPECT_TRUE(utm.left_out.empty());
+  // Its own text, as LAS files have it, says the same.
+  EXPECT_EQ(stating(utm.projection, LengthUnit::m).projection, utm.projection);
+  const ExportGrid both = stating("EPSG:26910+5703", LengthUnit::m);
+  EXPECT_NE(both.projection.find("NAVD88"), std::string::npos);
+  // Heights in feet over metres: only what is true of the grid.
+  const ExportGrid mixed = stating("EPSG:26910+6360", LengthUnit::m);
+  EXPECT_EQ(mixed.projection.find("NAVD88"), std::string::npos);
+  EXPECT_NE(mixed.projection.find("UTM zone 10N"), std::string::npos);
+  EXPECT_EQ(mixed.left_out.size(), 1U);
+  for (const std::string& stated : {std::string("EPSG:26910"), std::string("EPSG:4326"),
+                                    std::string("GeoTIFF 1024=1"), std::string("/etc/hostname")}) {
+    SCOPED_TRACE(stated);
+    const ExportGrid without = stating(stated, LengthUnit::ft);
+    EXPECT_TRUE(without.projection.empty());
+    EXPECT_EQ(without.left_out.size(), 1U);
+  }
+  EXPECT_TRUE(stating("", LengthUnit::m).left_out.empty());
+}
+
 /// A raster of metres whose heights are in feet above a datum, as another program writes it.
 std::filesystem::path heightsInFeet(const std::filesystem::path& file, int vertical_epsg,
                                     const char* unit_of_band) {

@@ -76,6 +76,18 @@ TEST_F(ExportMap, FileCoordinatesNeedAViewFromTheTop) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "b.xyz"));
 }
 
+TEST_F(ExportMap, WhatAFileOfPointsSaysOfItsSystemIsStatedOrSaidToBeLeftOut) {
+  Surface surface = domeFrom("top");
+  surface.info.reference_system = "EPSG:26910";  // Metres.
+  const MapExport choice{.format = ExportFormat::geotiff, .in_file_frame = true};
+  EXPECT_EQ(exportedGrid(surface, choice, nullptr).left_out.size(), 1U);
+  surface.info.reference_system = R"(LOCAL_CS["bench",UNIT["centimetre",0.01]])";
+  const ExportGrid local = exportedGrid(surface, choice, nullptr);
+  EXPECT_EQ(local.left_out.size(), 1U);  // No system of the earth.
+  surface.info.reference_system.clear();
+  EXPECT_TRUE(exportedGrid(surface, choice, nullptr).left_out.empty());
+}
+
 TEST_F(ExportMap, TheWholeMapAsGeoTiffIsOneThatOpensAsItIs) {
   const Surface surface = domeFrom("front");
   exportMap(folder_.path() / "map.tif", surface, {.state = "state"}, nullptr);
