@@ -62,7 +62,7 @@ TEST(WindowOptions, WhatIsNotUnderstoodIsRefusedByName) {
 
 TEST(WindowOptions, TheHelpNamesEveryOption) {
   for (const char* option :
-       {"--unit", "--view", "--detail", "--region", "--safe-mode", "--version"}) {
+       {"--unit", "--view", "--detail", "--region", "--exhibit", "--safe-mode", "--version"}) {
     EXPECT_NE(windowHelp().find(option), std::string::npos) << option;
   }
 }
