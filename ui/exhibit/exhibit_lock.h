@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <QCursor>
 #include <QKeyEvent>
 #include <QObject>
 #include <QPoint>
@@ -47,7 +48,7 @@ class ExhibitLock : public QObject {
   MainWindow& window_;
   std::vector<QPointer<QWidget>> hidden_;
   std::function<bool(const QKeyEvent& key)> keys_;
-  QPoint pointer_;
+  QPoint pointer_ = QCursor::pos();  // One that only stands there is nobody.
   bool lets_close_ = false;
 };
 
