@@ -6,6 +6,7 @@
 
 #include "app/cli/batch.h"
 #include "app/cli/other_program.h"
+#include "app/exhibit/supervisor.h"
 #include "app/options.h"
 #include "core/base/error.h"
 #include "core/io/worker/reader_guard.h"
@@ -13,7 +14,7 @@
 
 namespace {
 
-constexpr int kUsage = 1;
+constexpr int kUsage = 1, kCannotRead = 2;
 constexpr int kNoGraphics = 7;
 
 int fail(int exit_code, const std::string& why) {
@@ -62,9 +63,14 @@ int main(int argc, char** argv) {
       return 0;
     }
     if (options.libraries) return listLibraries(argv);
+    if (!options.exhibit.empty()) {
+      return relievo::runExhibit(options.exhibit, {argv + 1, argv + argc});
+    }
     relievo::goOnAs(relievo::Program::window, argv);
   } catch (const relievo::ArgumentError& error) {
     return fail(kUsage, error.what());
+  } catch (const relievo::FileError& error) {
+    return fail(kCannotRead, error.what());
   } catch (const relievo::Error& error) {
     return fail(kNoGraphics, error.what());
   }

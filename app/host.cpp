@@ -12,6 +12,7 @@
 
 #include "core/base/failure.h"
 #include "core/describe/named_place.h"
+#include "core/exhibit/visit.h"
 #include "core/message/message.h"
 #include "core/provenance/provenance.h"
 #include "core/provenance/sha256.h"
@@ -19,6 +20,7 @@
 #include "core/region/window.h"
 #include "core/session/finer_heights.h"
 #include "core/session/firmness.h"
+#include "ui/exhibit/exhibit_control.h"
 #include "ui/language/error_text.h"
 #include "ui/message/message_text.h"
 #include "ui/views/detail_view.h"
@@ -70,6 +72,7 @@ void WindowHost::takeAdditionsBack() {
 void WindowHost::showProbe(const Probe& probe) {
   window_.controllers().touch.showProbe(probe);
   if (voice_ != nullptr) voice_->feel(probe);
+  if (exhibit_ != nullptr) exhibit_->feel(probe);
 }
 
 void WindowHost::plot(std::span<const ForcePoint> samples) {
@@ -110,11 +113,12 @@ void WindowHost::hush() {
 void WindowHost::setVoice(Voice* voice) {
   voice_ = voice;
   // What the window itself has to say is heard of one voice, too.
-  window_.messages().setSpeaker(voice == nullptr
-                                    ? std::function<bool(const QString&)>()
-                                    : [this, voice](const QString& text) {
-                                        return voice->speak(text, window_says_because_);
-                                      });
+  window_.messages().setSpeaker(
+      voice == nullptr ? std::function<bool(const QString&)>()
+                       : [this, voice](const QString& text) {
+                           const bool is_quiet = exhibit_ != nullptr && exhibit_->isQuiet();
+                           return is_quiet || voice->speak(text, window_says_because_);
+                         });
 }
 
 void WindowHost::showError(const QString& sentence, const QString& code) {
@@ -124,6 +128,11 @@ void WindowHost::showError(const QString& sentence, const QString& code) {
 }
 
 bool WindowHost::run(const QString& command) {
+  const QString button = QString::fromLatin1(kButtonFirst);
+  if (command.startsWith(button)) {
+    return exhibit_ != nullptr && exhibit_->press(command.mid(button.size()));
+  }
+  if (exhibit_ != nullptr && !exhibit_->allows(command)) return false;
   return window_.runCommand(command);
 }
 

@@ -11,6 +11,8 @@
 
 namespace relievo {
 
+class ExhibitControl;
+
 /// What the window offers a plugin. Outlives no window. [GUI thread]
 class WindowHost : public ShownWindow,
                    public Controls,
@@ -24,6 +26,8 @@ class WindowHost : public ShownWindow,
   /// Panels and actions that came since the last call of either: they stay, or leave the window.
   void keepAdditions();
   void takeAdditionsBack();
+  /// Buttons, commands and the hand are the exhibit's first; null: there is none. Not owned.
+  void setExhibit(ExhibitControl* exhibit) { exhibit_ = exhibit; }
 
   void addPanel(const QString& title, QWidget* panel) override;
   void addAction(const QString& menu, QAction* action) override;
@@ -56,6 +60,7 @@ class WindowHost : public ShownWindow,
  private:
   MainWindow& window_;
   Voice* voice_ = nullptr;
+  ExhibitControl* exhibit_ = nullptr;
   SaidBecause window_says_because_ = SaidBecause::asked;
   Host parts_{*this, *this, *this, *this, *this};
   std::vector<QPointer<QWidget>> new_panels_;

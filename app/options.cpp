@@ -88,6 +88,9 @@ WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
       options.view = view(value());
     } else if (option == "--lang") {
       options.language = value();
+    } else if (option == "--exhibit") {
+      options.exhibit = value();
+      if (options.exhibit.empty()) refuse("--exhibit needs the file of an exhibit.");
     } else if (option == "--detail") {
       const double detail = number(option, value());
       if (detail < 1 || detail > kMostDetails || detail != std::floor(detail)) {
@@ -99,6 +102,10 @@ WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
     } else {
       refuse("There is no option '" + option + "'.");
     }
+  }
+  if (!options.exhibit.empty() && (!options.files.empty() || options.saysHow() ||
+                                   !options.language.empty() || options.safe_mode)) {
+    refuse("--exhibit says itself what is shown and how; give no other file or option with it.");
   }
   if (options.files.size() > 1 && options.saysHow()) {
     refuse("--unit, --view, --detail and --region belong to one file; several are joined first.");
@@ -113,6 +120,7 @@ const std::vector<WindowOptionRow>& windowOptionRows() {
       {{"--detail"}, "N", "first detail; 1 is the whole object"},
       {{"--region"}, "X,Y,W,H", "first window, millimetres from the lower left corner"},
       {{"--lang"}, "en|de|hi", "language of the window"},
+      {{"--exhibit"}, "FILE", "for visitors: full screen and locked, as the file says"},
       {{"--safe-mode"}, "", "ignore and keep no settings"},
       {{"--version"}, "", "print the version and the commit it was built from"},
       {{"--libraries"}, "", "print the same with the libraries it runs with"},

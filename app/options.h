@@ -19,6 +19,7 @@ struct WindowOptions {
   std::optional<int> detail;
   std::optional<RectMm> region;
   std::string language;     ///< "de"; empty: as set, else the system's.
+  std::string exhibit;      ///< File of an exhibit, which takes the whole window; empty: none.
   bool only_files = false;  ///< "--" was given.
   bool safe_mode = false;
   bool help = false;

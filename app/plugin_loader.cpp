@@ -153,6 +153,17 @@ void PluginLoader::detachAll() {
   loaded_.clear();
 }
 
+bool PluginLoader::restore(const QString& name, const QByteArray& state) {
+  for (const Loaded& l : loaded_) {
+    if (l.name != name) continue;
+    const auto refused = thrownBy([&] { l.plugin->restoreState(state); });
+    if (!refused) return true;
+    problems_ << messageText(said<MessageId::plugin_settings_refused>(
+        name.toStdString(), WordsArgument::clause(*refused)));
+  }
+  return false;
+}
+
 bool PluginLoader::has(const QString& name) const {
   return std::any_of(loaded_.begin(), loaded_.end(),
                      [&](const Loaded& l) { return l.name == name; });

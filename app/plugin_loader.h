@@ -30,6 +30,9 @@ class PluginLoader {
   void load();
   void detachAll();
 
+  /// Hands a state to one that is attached, as at its start. @return false: it is not there
+  bool restore(const QString& name, const QByteArray& state);
+
   bool has(const QString& name) const;                ///< Attached: "haptics".
   QStringList problems() const { return problems_; }  ///< One sentence per plugin that failed.
 

@@ -3,6 +3,8 @@
 #include <clocale>
 #include <csignal>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <QFile>
 #include <QHash>
 #include <QIcon>
@@ -12,6 +14,7 @@
 #include "app/cli/options/falcon_setting.h"
 #include "app/cli/state.h"
 #include "app/end_signals.h"
+#include "app/exhibit/exhibit_window.h"
 #include "app/host.h"
 #include "app/options.h"
 #include "app/plugin_loader.h"
@@ -30,6 +33,7 @@
 namespace {
 
 constexpr int kUsage = 1;
+constexpr int kCannotRead = 2;
 constexpr int kNoGraphics = 7;
 constexpr int kEndedBySignal = 128;  ///< As shells count it.
 
@@ -59,7 +63,25 @@ void shareFalconFirmware(relievo::MainWindow& window) {
   window.settings().keepElsewhere(QStringLiteral("falcon_firmware"), {read, write});
 }
 
-int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
+/// What the command line names.
+void openFiles(relievo::MainWindow& window, const relievo::WindowOptions& options) {
+  QStringList files;
+  for (const std::string& file : options.files) files << QFile::decodeName(file.c_str());
+  if (options.saysHow() && files.size() == 1) {
+    relievo::OpenRequest request;
+    request.file = files.front();
+    request.unit = options.unit;
+    request.view = options.view;
+    request.detail = options.detail;
+    request.region = options.region;
+    window.open(request);
+  } else if (!files.isEmpty()) {
+    window.openPaths(files);
+  }
+}
+
+int runWindow(int argc, char** argv, const relievo::WindowOptions& options,
+              const std::optional<relievo::Exhibit>& exhibit) {
   using namespace relievo;
   prepareQt();
   GuardedApplication app(argc, argv);
@@ -70,12 +92,15 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   installAccessibleViews();
   installAccessibleWidgets();
 
-  const auto mode = options.safe_mode ? Settings::Mode::safe : Settings::Mode::remembered;
+  // Visitors change nothing that the next one finds.
+  const auto mode =
+      options.safe_mode || exhibit ? Settings::Mode::safe : Settings::Mode::remembered;
   {
     const Settings settings(mode);
     const QString chosen = settings.choice(QStringLiteral("language"), QString()).toString();
-    applyLanguage(app,
-                  options.language.empty() ? chosen : QString::fromStdString(options.language));
+    applyLanguage(app, exhibit ? QString::fromStdString(exhibit->languages.front())
+                       : options.language.empty() ? chosen
+                                                  : QString::fromStdString(options.language));
   }
   MainWindow window(captureDepths, mode);
   shareFalconFirmware(window);
@@ -84,9 +109,10 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   PluginLoader plugins(host, window.settings());
   QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });
   app.tellTo([&window](const QString& sentence) { window.showMessage(sentence); });
+  std::unique_ptr<ExhibitWindow> shown;
   const EndSignals end_signals;  // Before a plugin opens a device.
-  QObject::connect(&end_signals, &EndSignals::came, [&window](int signal) {
-    window.endAtOnce();
+  QObject::connect(&end_signals, &EndSignals::came, [&window, &shown](int signal) {
+    shown ? shown->endAtOnce() : window.endAtOnce();
     QApplication::exit(kEndedBySignal + signal);
   });
   window.show();
@@ -99,20 +125,13 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
                                                ? MainWindow::tr("the haptics plugin was not found.")
                                                : problems.join(' '));
   }
-  QStringList files;
-  for (const std::string& file : options.files) files << QFile::decodeName(file.c_str());
-  if (options.saysHow() && files.size() == 1) {
-    OpenRequest request;
-    request.file = files.front();
-    request.unit = options.unit;
-    request.view = options.view;
-    request.detail = options.detail;
-    request.region = options.region;
-    window.open(request);
-  } else if (!files.isEmpty()) {
-    window.openPaths(files);
+  if (exhibit) {
+    shown = std::make_unique<ExhibitWindow>(window, host, plugins, *exhibit);
+  } else {
+    openFiles(window, options);
   }
   const int status = QApplication::exec();
+  shown.reset();
   app.tellTo({});  // The window goes first.
   for (const QString& problem : plugins.problems().mid(problems.size())) {
     std::cerr << problem.toStdString() << '\n';  // Of its end.
@@ -129,8 +148,15 @@ int main(int argc, char** argv) {
   // The fonts of a PDF stand in the order of a hash: the same figure has the same bytes.
   qSetGlobalQHashSeed(0);
   relievo::WindowOptions options;
+  std::optional<relievo::Exhibit> exhibit;
   try {
     options = relievo::parseWindowOptions({argv + 1, argv + argc});
+    if (!options.exhibit.empty()) {
+      exhibit = relievo::readExhibit(options.exhibit, relievo::exhibitLanguages());
+    }
+  } catch (const relievo::FileError& error) {
+    std::cerr << "relievo: " << error.what() << '\n';
+    return kCannotRead;
   } catch (const relievo::ArgumentError& error) {
     std::cerr << "relievo: " << error.what() << '\n';
     return kUsage;
@@ -144,5 +170,5 @@ int main(int argc, char** argv) {
            "as 'relievo render FILE -o FIG.png', which needs none.\n";
     return kNoGraphics;
   }
-  return runWindow(argc, argv, options);
+  return runWindow(argc, argv, options, exhibit);
 }

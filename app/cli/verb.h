@@ -45,6 +45,7 @@ Verb measureVerb();
 Verb suggestVerb();
 Verb describeVerb();
 Verb projectVerb();
+Verb exhibitVerb();
 /// `words`: the command line, which the log keeps.
 Verb touchVerb(std::vector<std::string> words);
 Verb recordVerb(std::vector<std::string> words);

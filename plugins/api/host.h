@@ -30,7 +30,8 @@ class Controls {
   /// Adds to a menu of the menu bar ("Touch", "Record"); the action also gets its shortcut there.
   virtual void addAction(const QString& menu, QAction* action) = 0;  ///< Takes ownership.
   /// Runs a command by its object name ("finer", "coarser", "whole"): the same path as keys.
-  /// @return false: unknown or disabled
+  /// With "button:" before the name it only offers a button's press to whoever has other use for
+  /// buttons now, as an exhibit's list of objects has. @return false: unknown, disabled, not taken
   virtual bool run(const QString& command) = 0;
 };
 

@@ -15,8 +15,6 @@ namespace relievo {
 namespace {
 
 constexpr int kVolumeStep = 10;
-// By buttons it does not become silent: who does not look could not find the way back.
-constexpr int kLeastVolume = 10, kMostVolume = 100;
 
 /// Where the voice speaks; what somebody has set on the plugin's object before is taken instead.
 VoiceWays waysOf(const QObject& plugin) {
@@ -130,7 +128,7 @@ void VoicePlugin::changeVolume(int percent) {
   const int now = settings_.volume_percent;
   // One that the panel has set lower does not become louder by "softer".
   const int least = percent < 0 ? std::min(now, kLeastVolume) : kLeastVolume;
-  settings_.volume_percent = std::clamp(now + percent, least, kMostVolume);
+  settings_.volume_percent = std::clamp(now + percent, least, settings_.loudest_percent);
   if (panel_) panel_->setSettings(settings_);
   applySettings();
   host_->messages.say({said<MessageId::voice_volume>(settings_.volume_percent)});

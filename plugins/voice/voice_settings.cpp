@@ -13,7 +13,8 @@ QByteArray jsonOf(const VoiceSettings& settings) {
   return QJsonDocument(QJsonObject{{"own_voice", settings.own_voice},
                                    {"language", settings.language},
                                    {"words_per_minute", settings.words_per_minute},
-                                   {"volume_percent", settings.volume_percent}})
+                                   {"volume_percent", settings.volume_percent},
+                                   {"loudest_percent", settings.loudest_percent}})
       .toJson(QJsonDocument::Compact);
 }
 
@@ -27,8 +28,10 @@ VoiceSettings voiceSettingsFromJson(const QByteArray& json) {
   }
   settings.words_per_minute = std::clamp(
       object["words_per_minute"].toInt(settings.words_per_minute), kSlowestSpeech, kFastestSpeech);
-  settings.volume_percent =
-      std::clamp(object["volume_percent"].toInt(settings.volume_percent), 0, 100);
+  settings.loudest_percent =
+      std::clamp(object["loudest_percent"].toInt(settings.loudest_percent), kLeastVolume, 100);
+  settings.volume_percent = std::clamp(object["volume_percent"].toInt(settings.volume_percent), 0,
+                                       settings.loudest_percent);
   return settings;
 }
 

@@ -12,8 +12,11 @@ struct VoiceSettings {
   QString language = {};       ///< "en", "de", "hi"; empty: the window's.
   int words_per_minute = 220;  ///< 100 to 449.
   int volume_percent = 100;
+  int loudest_percent = 100;  ///< What commands raise it to at most: an exhibit's room.
   friend bool operator==(const VoiceSettings&, const VoiceSettings&) = default;
 };
+// By buttons it does not become silent: who does not look could not find the way back.
+inline constexpr int kLeastVolume = 10;
 inline constexpr int kSlowestSpeech = 100, kFastestSpeech = 449;
 
 QByteArray jsonOf(const VoiceSettings& settings);

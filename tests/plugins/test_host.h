@@ -62,6 +62,10 @@ class TestHost : public ShownWindow,
   bool hasVoice() const override { return voice != nullptr && voice->isOn(); }
   ObjectPlace placeAt(double /*x_mm*/, double /*y_mm*/) const override { return object; }
   bool run(const QString& command) override {
+    if (command.startsWith(QLatin1String("button:"))) {
+      offered << command;
+      return takes_buttons;
+    }
     commands << command;
     return possible;
   }
@@ -125,6 +129,8 @@ class TestHost : public ShownWindow,
   std::vector<Probe> probes;
   std::vector<ForcePoint> plotted;
   TouchStatus status;
+  QStringList offered;         ///< Buttons that the window was asked about ...
+  bool takes_buttons = false;  ///< ... and what it answered.
   QStringList announcements, commands, recordings, errors;
   QStringList answers, noticed;            ///< Of the announcements.
   std::vector<Region> regions;             ///< Asked to be shown.

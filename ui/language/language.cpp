@@ -15,6 +15,8 @@ static void initTranslations() {
 namespace relievo {
 namespace {
 
+constexpr const char* kTranslator = "relievo_language";
+
 /// A folder in place of the built-in one, for translators and tests.
 QString folder() {
   const QString chosen = qEnvironmentVariable("RELIEVO_TRANSLATIONS");
@@ -24,6 +26,7 @@ QString folder() {
 void install(QCoreApplication& app, const QLocale& locale, const QString& name,
              const QString& from) {
   auto* translator = new QTranslator(&app);
+  translator->setObjectName(QString::fromLatin1(kTranslator));
   if (translator->load(locale, name, QStringLiteral("_"), from)) {
     QCoreApplication::installTranslator(translator);
   } else {
@@ -46,6 +49,9 @@ std::vector<Language> languageList() {
 
 void applyLanguage(QCoreApplication& app, const QString& code) {
   initTranslations();
+  for (QTranslator* before : app.findChildren<QTranslator*>(QString::fromLatin1(kTranslator))) {
+    delete before;  // It takes itself out.
+  }
   const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
   if (!code.isEmpty()) QLocale::setDefault(locale);
   if (locale.language() == QLocale::English || locale.language() == QLocale::C) {

@@ -8148,6 +8148,202 @@
         <source>The server answers again.</source>
         <translation>Der Server antwortet wieder.</translation>
     </message>
+    <message>
+        <source>%1 is not JSON: line %2 cannot be read.</source>
+        <translation>%1 ist kein JSON: Zeile %2 ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>%1 is no exhibit: it does not begin with &quot;relievo_exhibit&quot;: 1.</source>
+        <translation>%1 ist keine Ausstellung: Die Datei beginnt nicht mit &quot;relievo_exhibit&quot;: 1.</translation>
+    </message>
+    <message>
+        <source>%1 is an exhibit of version %2. This program reads version 1.</source>
+        <translation>%1 ist eine Ausstellung der Version %2. Dieses Programm liest Version 1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be shown as an exhibit. %2</source>
+        <translation>%1 kann nicht als Ausstellung gezeigt werden. %2</translation>
+    </message>
+    <message>
+        <source>%1 is missing.</source>
+        <translation>%1 fehlt.</translation>
+    </message>
+    <message>
+        <source>%1 means nothing here. There are %2.</source>
+        <translation>%1 bedeutet hier nichts. Es gibt %2.</translation>
+    </message>
+    <message>
+        <source>%1 must be %2.</source>
+        <translation>%1 muss %2 sein.</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a list in square brackets</source>
+        <translation>eine Liste in eckigen Klammern</translation>
+    </message>
+    <message>
+        <source>a group in braces</source>
+        <translation>eine Gruppe in geschweiften Klammern</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it must be from %3 to %4.</source>
+        <translation>%1 ist %2; es muss von %3 bis %4 sein.</translation>
+    </message>
+    <message>
+        <source>%1: relievo does not speak &apos;%2&apos;. It speaks %3.</source>
+        <translation>%1: relievo spricht &apos;%2&apos; nicht. Es spricht %3.</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; stands there twice.</source>
+        <translation>%1: &apos;%2&apos; steht dort zweimal.</translation>
+    </message>
+    <message>
+        <source>%1 is empty.</source>
+        <translation>%1 ist leer.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 entries; it can have %3.</source>
+        <translation>%1 hat %2 Einträge; %3 sind möglich.</translation>
+    </message>
+    <message>
+        <source>%1: there is no file %2.</source>
+        <translation>%1: Die Datei %2 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 has no words.</source>
+        <translation>%1 hat keine Wörter.</translation>
+    </message>
+    <message>
+        <source>%1 has no text for the language &apos;%2&apos;.</source>
+        <translation>%1 hat keinen Text für die Sprache &apos;%2&apos;.</translation>
+    </message>
+    <message>
+        <source>%1 has a text for &apos;%2&apos;, which is none of the exhibit&apos;s languages (%3).</source>
+        <translation>%1 hat einen Text für &apos;%2&apos;, das keine Sprache der Ausstellung ist (%3).</translation>
+    </message>
+    <message>
+        <source>%1 has %2 words; it can have %3.</source>
+        <translation>%1 hat %2 Wörter; %3 sind möglich.</translation>
+    </message>
+    <message>
+        <source>speech.volume_percent is %1, above speech.loudest_percent, which is %2.</source>
+        <translation>speech.volume_percent ist %1 und damit mehr als speech.loudest_percent, das %2 ist.</translation>
+    </message>
+    <message>
+        <source>staff_pin must hold a salt of up to 64 characters and 64 hexadecimal digits. &apos;relievo exhibit pin&apos; makes both.</source>
+        <translation>staff_pin muss ein salt mit bis zu 64 Zeichen und 64 hexadezimale Ziffern haben. &apos;relievo exhibit pin&apos; macht beides.</translation>
+    </message>
+    <message>
+        <source>The counts in %1 could not be read. They were set aside as %2, and counting begins anew.</source>
+        <translation>Die Zählungen in %1 waren nicht lesbar. Sie wurden als %2 zur Seite gelegt, und das Zählen beginnt neu.</translation>
+    </message>
+    <message>
+        <source>A PIN has 4 to 12 digits, one line on standard input. Nothing was made.</source>
+        <translation>Eine PIN hat 4 bis 12 Ziffern, eine Zeile auf der Standardeingabe. Nichts wurde erzeugt.</translation>
+    </message>
+    <message>
+        <source>exhibit %1 needs the file of the exhibit.</source>
+        <translation>exhibit %1 braucht die Datei der Ausstellung.</translation>
+    </message>
+    <message>
+        <source>exhibit pin takes no file. It prints what belongs into one.</source>
+        <translation>exhibit pin nimmt keine Datei. Es gibt aus, was in eine gehört.</translation>
+    </message>
+    <message>
+        <source>The exhibit ended %1 times within %2 minutes and was not started again. %3 says when and how.</source>
+        <translation>Die Ausstellung endete %1-mal innerhalb von %2 Minuten und wurde nicht noch einmal gestartet. %3 sagt, wann und wie.</translation>
+    </message>
+    <message>
+        <source>Welcome. You can touch reliefs here.</source>
+        <translation>Willkommen. Hier können Sie Reliefs ertasten.</translation>
+    </message>
+    <message>
+        <source>In front of you is a grip with four buttons.</source>
+        <translation>Vor Ihnen ist ein Griff mit vier Knöpfen.</translation>
+    </message>
+    <message>
+        <source>For English press the middle button.</source>
+        <translation>Für Deutsch drücken Sie den mittleren Knopf.</translation>
+    </message>
+    <message>
+        <source>The button Forward: another language.</source>
+        <translation>Der Knopf Vorwärts: eine andere Sprache.</translation>
+    </message>
+    <message>
+        <source>Plus is louder, Minus is softer.</source>
+        <translation>Plus ist lauter, Minus ist leiser.</translation>
+    </message>
+    <message>
+        <source>Object %1 of %2: %3.</source>
+        <translation>Objekt %1 von %2: %3.</translation>
+    </message>
+    <message>
+        <source>The middle button: touch it.</source>
+        <translation>Der mittlere Knopf: es ertasten.</translation>
+    </message>
+    <message>
+        <source>Forward: the next one. Forward held: say it again.</source>
+        <translation>Vorwärts: das nächste. Vorwärts gehalten: noch einmal sagen.</translation>
+    </message>
+    <message>
+        <source>One moment please.</source>
+        <translation>Einen Moment bitte.</translation>
+    </message>
+    <message>
+        <source>Hold the grip lightly. The forces come on softly.</source>
+        <translation>Halten Sie den Griff locker. Die Kräfte kommen sanft.</translation>
+    </message>
+    <message>
+        <source>Middle: where am I. Plus: closer. Minus: wider. Forward: move.</source>
+        <translation>Mitte: wo bin ich. Plus: näher. Minus: weiter. Vorwärts: verschieben.</translation>
+    </message>
+    <message>
+        <source>Minus held: the whole relief, then other objects.</source>
+        <translation>Minus gehalten: das ganze Relief, dann andere Objekte.</translation>
+    </message>
+    <message>
+        <source>Plus and Minus held together: louder, softer, again.</source>
+        <translation>Plus und Minus zusammen gehalten: lauter, leiser, noch einmal.</translation>
+    </message>
+    <message>
+        <source>Are you still there? Press any button, or I will stop.</source>
+        <translation>Sind Sie noch da? Drücken Sie einen Knopf, sonst höre ich auf.</translation>
+    </message>
+    <message>
+        <source>Goodbye.</source>
+        <translation>Auf Wiedersehen.</translation>
+    </message>
+    <message>
+        <source>This object cannot be touched now.</source>
+        <translation>Dieses Objekt kann jetzt nicht ertastet werden.</translation>
+    </message>
+    <message>
+        <source>This exhibit needs help. Please ask the staff.</source>
+        <translation>Diese Station braucht Hilfe. Bitte fragen Sie das Personal.</translation>
+    </message>
+    <message>
+        <source>Staff: type the PIN, then Enter. Escape goes back.</source>
+        <translation>Personal: PIN eingeben, dann Enter. Escape führt zurück.</translation>
+    </message>
+    <message>
+        <source>That is not the PIN. {1|%1 try is|%1 tries are} left.</source>
+        <translation>Das ist nicht die PIN. Noch {1|%1 Versuch|%1 Versuche}.</translation>
+    </message>
+    <message>
+        <source>Too many tries. A PIN is taken again in %1 s.</source>
+        <translation>Zu viele Versuche. In %1 s wird wieder eine PIN angenommen.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

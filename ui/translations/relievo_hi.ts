@@ -8148,6 +8148,202 @@
         <source>The server answers again.</source>
         <translation>सर्वर फिर उत्तर देता है।</translation>
     </message>
+    <message>
+        <source>%1 is not JSON: line %2 cannot be read.</source>
+        <translation>%1 JSON नहीं है: पंक्ति %2 पढ़ी नहीं जा सकती।</translation>
+    </message>
+    <message>
+        <source>%1 is no exhibit: it does not begin with &quot;relievo_exhibit&quot;: 1.</source>
+        <translation>%1 प्रदर्शनी नहीं है: फ़ाइल &quot;relievo_exhibit&quot;: 1 से शुरू नहीं होती।</translation>
+    </message>
+    <message>
+        <source>%1 is an exhibit of version %2. This program reads version 1.</source>
+        <translation>%1 संस्करण %2 की प्रदर्शनी है। यह प्रोग्राम संस्करण 1 पढ़ता है।</translation>
+    </message>
+    <message>
+        <source>%1 cannot be shown as an exhibit. %2</source>
+        <translation>%1 प्रदर्शनी के रूप में नहीं दिखाई जा सकती। %2</translation>
+    </message>
+    <message>
+        <source>%1 is missing.</source>
+        <translation>%1 नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1 means nothing here. There are %2.</source>
+        <translation>%1 का यहाँ कोई अर्थ नहीं है। यहाँ हो सकते हैं: %2।</translation>
+    </message>
+    <message>
+        <source>%1 must be %2.</source>
+        <translation>%1 को %2 होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>एक पाठ</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>एक संख्या</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>एक पूर्ण संख्या</translation>
+    </message>
+    <message>
+        <source>a list in square brackets</source>
+        <translation>वर्गाकार कोष्ठकों में एक सूची</translation>
+    </message>
+    <message>
+        <source>a group in braces</source>
+        <translation>धनुकोष्ठकों में एक समूह</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it must be from %3 to %4.</source>
+        <translation>%1 का मान %2 है; वह %3 से %4 तक होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>%1: relievo does not speak &apos;%2&apos;. It speaks %3.</source>
+        <translation>%1: relievo &apos;%2&apos; नहीं बोलता। वह %3 बोलता है।</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; stands there twice.</source>
+        <translation>%1: &apos;%2&apos; वहाँ दो बार है।</translation>
+    </message>
+    <message>
+        <source>%1 is empty.</source>
+        <translation>%1 खाली है।</translation>
+    </message>
+    <message>
+        <source>%1 has %2 entries; it can have %3.</source>
+        <translation>%1 में %2 प्रविष्टियाँ हैं; %3 हो सकती हैं।</translation>
+    </message>
+    <message>
+        <source>%1: there is no file %2.</source>
+        <translation>%1: फ़ाइल %2 नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1 has no words.</source>
+        <translation>%1 में कोई शब्द नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1 has no text for the language &apos;%2&apos;.</source>
+        <translation>%1 में भाषा &apos;%2&apos; का पाठ नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1 has a text for &apos;%2&apos;, which is none of the exhibit&apos;s languages (%3).</source>
+        <translation>%1 में &apos;%2&apos; का पाठ है, जो प्रदर्शनी की भाषाओं (%3) में नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1 has %2 words; it can have %3.</source>
+        <translation>%1 में %2 शब्द हैं; %3 हो सकते हैं।</translation>
+    </message>
+    <message>
+        <source>speech.volume_percent is %1, above speech.loudest_percent, which is %2.</source>
+        <translation>speech.volume_percent %1 है, जो speech.loudest_percent (%2) से अधिक है।</translation>
+    </message>
+    <message>
+        <source>staff_pin must hold a salt of up to 64 characters and 64 hexadecimal digits. &apos;relievo exhibit pin&apos; makes both.</source>
+        <translation>staff_pin में 64 वर्णों तक का salt और 64 षोडशाधारी अंक होने चाहिए। &apos;relievo exhibit pin&apos; दोनों बनाता है।</translation>
+    </message>
+    <message>
+        <source>The counts in %1 could not be read. They were set aside as %2, and counting begins anew.</source>
+        <translation>%1 की गणनाएँ पढ़ी नहीं जा सकीं। वे %2 के रूप में अलग रखी गईं, और गिनती नए सिरे से शुरू होती है।</translation>
+    </message>
+    <message>
+        <source>A PIN has 4 to 12 digits, one line on standard input. Nothing was made.</source>
+        <translation>PIN में 4 से 12 अंक होते हैं, मानक इनपुट पर एक पंक्ति। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>exhibit %1 needs the file of the exhibit.</source>
+        <translation>exhibit %1 को प्रदर्शनी की फ़ाइल चाहिए।</translation>
+    </message>
+    <message>
+        <source>exhibit pin takes no file. It prints what belongs into one.</source>
+        <translation>exhibit pin कोई फ़ाइल नहीं लेता। वह वही छापता है जो फ़ाइल में होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>The exhibit ended %1 times within %2 minutes and was not started again. %3 says when and how.</source>
+        <translation>प्रदर्शनी %2 मिनट में %1 बार बंद हुई और फिर शुरू नहीं की गई। कब और कैसे, यह %3 में है।</translation>
+    </message>
+    <message>
+        <source>Welcome. You can touch reliefs here.</source>
+        <translation>स्वागत है। यहाँ आप उभारों को छू सकते हैं।</translation>
+    </message>
+    <message>
+        <source>In front of you is a grip with four buttons.</source>
+        <translation>आपके सामने चार बटनों वाला एक हैंडल है।</translation>
+    </message>
+    <message>
+        <source>For English press the middle button.</source>
+        <translation>हिन्दी के लिए बीच का बटन दबाएँ।</translation>
+    </message>
+    <message>
+        <source>The button Forward: another language.</source>
+        <translation>आगे वाला बटन: दूसरी भाषा।</translation>
+    </message>
+    <message>
+        <source>Plus is louder, Minus is softer.</source>
+        <translation>प्लस से तेज़, माइनस से धीमा।</translation>
+    </message>
+    <message>
+        <source>Object %1 of %2: %3.</source>
+        <translation>%2 में से वस्तु %1: %3।</translation>
+    </message>
+    <message>
+        <source>The middle button: touch it.</source>
+        <translation>बीच का बटन: इसे छुएँ।</translation>
+    </message>
+    <message>
+        <source>Forward: the next one. Forward held: say it again.</source>
+        <translation>आगे: अगली वस्तु। आगे दबाए रखें: फिर से सुनें।</translation>
+    </message>
+    <message>
+        <source>One moment please.</source>
+        <translation>एक क्षण रुकिए।</translation>
+    </message>
+    <message>
+        <source>Hold the grip lightly. The forces come on softly.</source>
+        <translation>हैंडल हल्के से पकड़ें। बल धीरे-धीरे आएँगे।</translation>
+    </message>
+    <message>
+        <source>Middle: where am I. Plus: closer. Minus: wider. Forward: move.</source>
+        <translation>बीच: मैं कहाँ हूँ। प्लस: पास। माइनस: चौड़ा। आगे: खिसकाएँ।</translation>
+    </message>
+    <message>
+        <source>Minus held: the whole relief, then other objects.</source>
+        <translation>माइनस दबाए रखें: पूरा उभार, फिर दूसरी वस्तुएँ।</translation>
+    </message>
+    <message>
+        <source>Plus and Minus held together: louder, softer, again.</source>
+        <translation>प्लस और माइनस साथ दबाए रखें: तेज़, धीमा, फिर से।</translation>
+    </message>
+    <message>
+        <source>Are you still there? Press any button, or I will stop.</source>
+        <translation>क्या आप अभी यहाँ हैं? कोई बटन दबाएँ, नहीं तो मैं रुक जाऊँगा।</translation>
+    </message>
+    <message>
+        <source>Goodbye.</source>
+        <translation>नमस्ते, फिर मिलेंगे।</translation>
+    </message>
+    <message>
+        <source>This object cannot be touched now.</source>
+        <translation>यह वस्तु अभी नहीं छुई जा सकती।</translation>
+    </message>
+    <message>
+        <source>This exhibit needs help. Please ask the staff.</source>
+        <translation>इस प्रदर्शनी को सहायता चाहिए। कृपया कर्मचारियों से कहें।</translation>
+    </message>
+    <message>
+        <source>Staff: type the PIN, then Enter. Escape goes back.</source>
+        <translation>कर्मचारी: PIN टाइप करें, फिर Enter। Escape से वापस।</translation>
+    </message>
+    <message>
+        <source>That is not the PIN. {1|%1 try is|%1 tries are} left.</source>
+        <translation>यह PIN नहीं है। {1|%1 प्रयास बचा है|%1 प्रयास बचे हैं}।</translation>
+    </message>
+    <message>
+        <source>Too many tries. A PIN is taken again in %1 s.</source>
+        <translation>बहुत अधिक प्रयास। %1 s बाद फिर PIN ली जाएगी।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "core/exhibit/visit.h"
 #include "core/message/catalogue.h"
 #include "core/region/hand.h"
 #include "haptics/rt/realtime_thread.h"
@@ -126,7 +127,23 @@ void DeviceButtons::takeOutcomes(double now_s) {
   }
 }
 
+/// Who has other use for the buttons now, as an exhibit's list of objects has, is asked first.
+bool DeviceButtons::takenByWindow(ButtonCommand command) {
+  const std::string_view name = commandName(command);
+  // Stopping is never another's, and the end of Move mode is the buttons' own.
+  if (command == ButtonCommand::confirm_move || command == ButtonCommand::cancel_move ||
+      command == ButtonCommand::stop_forces) {
+    return false;
+  }
+  const QString asked = QString::fromLatin1(kButtonFirst) +
+                        QString::fromLatin1(name.data(), static_cast<int>(name.size()));
+  if (!host_.controls.run(asked)) return false;
+  if (command == ButtonCommand::begin_move) commands_.cancelMoving();
+  return true;
+}
+
 void DeviceButtons::carryOut(ButtonCommand command) {
+  if (takenByWindow(command)) return;
   switch (command) {
     case ButtonCommand::where_am_i:
     case ButtonCommand::where_am_i_long:

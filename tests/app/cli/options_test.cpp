@@ -30,6 +30,13 @@ TEST(WindowOptions, EveryOptionIsReadInBothWaysOfWriting) {
   EXPECT_TRUE(options.safe_mode);
 }
 
+TEST(WindowOptions, AnExhibitIsAlone) {
+  EXPECT_EQ(parseWindowOptions({"--exhibit", "e.json"}).exhibit, "e.json");
+  for (const char* other : {"a.ply", "--safe-mode", "--lang=de", "--detail=2"}) {
+    EXPECT_THROW(parseWindowOptions({"--exhibit", "e.json", other}), ArgumentError) << other;
+  }
+}
+
 TEST(WindowOptions, SeveralFilesAreOpenedTogether) {
   const WindowOptions options = parseWindowOptions({"one.ply", "--lang", "de", "two.ply"});
   EXPECT_EQ(options.files, (std::vector<std::string>{"one.ply", "two.ply"}));
@@ -62,7 +69,7 @@ TEST(WindowOptions, WhatIsNotUnderstoodIsRefusedByName) {
 
 TEST(WindowOptions, TheHelpNamesEveryOption) {
   for (const char* option :
-       {"--unit", "--view", "--detail", "--region", "--safe-mode", "--version"}) {
+       {"--unit", "--view", "--detail", "--region", "--exhibit", "--safe-mode", "--version"}) {
     EXPECT_NE(windowHelp().find(option), std::string::npos) << option;
   }
 }

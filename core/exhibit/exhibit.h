@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/unit.h"
+#include "core/exhibit/staff_pin.h"
+#include "core/message/message.h"
+
+namespace relievo {
+
+/// One text per language, by its tag ("de").
+using ExhibitTexts = std::map<std::string, std::string>;
+
+/// Something to touch: a scan, a height map or a project.
+struct ExhibitObject {
+  std::string id;              ///< For counts and logs: the file's name without its ending.
+  std::filesystem::path file;  ///< Absolute, or from the folder of the program.
+  std::optional<LengthUnit> unit;
+  std::optional<std::string> view;  ///< Of kViewNames.
+  ExhibitTexts title;               ///< Spoken and shown; at most kMostTitleWords words.
+  ExhibitTexts description;         ///< Spoken after it; empty, or in every language.
+};
+
+/// How long a visit waits for its visitor, in seconds.
+struct ExhibitTimes {
+  double still_there_s = 60;  ///< Without input, until the visitor is asked; 10 to 600.
+  double goodbye_s = 15;      ///< After the question, until all begins anew; 5 to 120.
+  double chime_s = 45;        ///< Between chimes while nobody is there; 10 to 3600, or 0: none.
+};
+
+/// Of the voice. The volume goes back to `volume_percent` after each visitor (EN 301 549,
+/// 5.1.3.13), and no button raises it above `loudest_percent`.
+struct ExhibitSpeech {
+  int volume_percent = 70;     ///< 10 to loudest_percent.
+  int loudest_percent = 100;   ///< 10 to 100: the largest that the room, or headphones, bear.
+  int words_per_minute = 160;  ///< 100 to 449.
+};
+
+struct ExhibitTouch {
+  std::string device = "mouse";  ///< As the panel Touch keeps it: "falcon".
+  int strength_percent = 40;     ///< 1 to 100 of every force.
+};
+
+/// What a museum sets up: a playlist of objects in several languages, for a visitor who is alone
+/// and may not see (docs/user/exhibit.md).
+struct Exhibit {
+  std::filesystem::path file;          ///< It was read from.
+  std::vector<std::string> languages;  ///< Tags, the first is that of a new visitor.
+  std::vector<ExhibitObject> objects;  ///< 1 to kMostExhibitObjects.
+  ExhibitTimes times;
+  ExhibitSpeech speech;
+  ExhibitTouch touch;
+  StaffPin pin;
+  std::filesystem::path records;  ///< Folder of counts and logs; empty: that of the account.
+};
+
+inline constexpr std::size_t kMostExhibitObjects = 50;
+inline constexpr int kMostTitleWords = 12, kMostDescriptionWords = 120;
+
+/// An exhibit, or everything that is wrong with its file, a sentence each.
+struct ExhibitCheck {
+  Exhibit exhibit;
+  std::vector<Message> faults;  ///< Not empty: `exhibit` is not to be used.
+};
+
+/// Reads it, and looks whether its files are there. Names in it are from the file's folder.
+/// @param known_languages  tags that the program speaks
+/// @throw FileError  it cannot be read, is not JSON, or is no exhibit of this version
+ExhibitCheck checkExhibit(const std::filesystem::path& file,
+                          std::span<const std::string> known_languages);
+
+/// @throw FileError  as above, or with all of its faults
+Exhibit readExhibit(const std::filesystem::path& file,
+                    std::span<const std::string> known_languages);
+
+/// Where counts and logs go: what the exhibit says, else `relievo/exhibit` in the account's state
+/// folder ($XDG_STATE_HOME, else ~/.local/state).
+std::filesystem::path recordsFolder(const Exhibit& exhibit);
+
+}  // namespace relievo

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A visitor goes through an exhibit by the device's buttons and by keys; the clock is the test's.
+#include "ui/exhibit/exhibit_control.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QMenu>
+#include <QMenuBar>
+#include <QtTest>
+
+#include "tests/ui/gui_fixture.h"
+#include "ui/language/language.h"
+
+namespace relievo {
+namespace {
+
+class ExhibitControlTest : public GuiTest {
+ protected:
+  ~ExhibitControlTest() override {
+    control_.reset();
+    applyLanguage(*qApp, QStringLiteral("en"));
+  }
+
+  void begin() {
+    Exhibit exhibit;
+    exhibit.languages = {"en", "de"};
+    for (const char* name : {"first.ply", "second.ply"}) {
+      ExhibitObject object;
+      object.id = name;
+      object.file = writeRelief(QString::fromLatin1(name)).toStdString();
+      object.unit = LengthUnit::mm;
+      object.view = "top";
+      object.title = {{"en", "Dome"}, {"de", "Kuppel"}};
+      object.description = {{"en", "It is round."}, {"de", "Sie ist rund."}};
+      exhibit.objects.push_back(object);
+    }
+    exhibit.pin = staffPinOf("2580", "salt");
+    exhibit.records = path(QStringLiteral("records")).toStdString();
+    control_ = std::make_unique<ExhibitControl>(
+        window(), exhibit,
+        ExhibitWays{.say = [this](const std::vector<Message>& words) { said_ = words; },
+                    .reset_voice = [this] { ++resets_; },
+                    .now_s = [this] { return now_s_; },
+                    .day = [] { return std::string("2026-11-24"); }});
+  }
+  void press(const char* command) {
+    control_->press(QString::fromLatin1(command));
+    control_->tick();
+  }
+  void after(double seconds) {
+    now_s_ += seconds;
+    control_->tick();
+  }
+  void key(Qt::Key key, Qt::KeyboardModifiers held = Qt::NoModifier) {
+    QTest::keyClick(&window(), key, held);
+    control_->tick();
+  }
+  bool touches() {
+    return waitFor([this] {
+      control_->tick();
+      return control_->visit().state() == Visit::State::touching;
+    });
+  }
+  QString caption() const { return control_->caption().text(); }
+
+  double now_s_ = 1000;
+  int resets_ = 0;
+  std::vector<Message> said_;
+  std::unique_ptr<ExhibitControl> control_;
+};
+
+TEST_F(ExhibitControlTest, AVisitorGoesThroughThePlaylistByButtons) {
+  begin();
+  press("whereAmI");
+  EXPECT_TRUE(caption().contains("For English press the middle button."))
+      << caption().toStdString();
+  press("moveMode");
+  EXPECT_TRUE(caption().contains(QString::fromUtf8("Für Deutsch"))) << caption().toStdString();
+  press("whereAmI");
+  EXPECT_TRUE(caption().contains("Objekt 1 von 2: Kuppel. Sie ist rund."))
+      << caption().toStdString();
+  press("moveMode");
+  EXPECT_TRUE(caption().contains("Objekt 2 von 2")) << caption().toStdString();
+  press("whereAmI");
+  ASSERT_TRUE(touches());
+  EXPECT_TRUE(document().file().endsWith("second.ply"));
+  EXPECT_EQ(control_->counts().days().at("2026-11-24").at("second.ply").starts, 1);
+  EXPECT_FALSE(control_->press(QStringLiteral("finer"))) << "the window's while touching";
+  EXPECT_TRUE(control_->press(QStringLiteral("whole"))) << "and back to the list";
+}
+
+TEST_F(ExhibitControlTest, TheSameGoesByKeys) {
+  begin();
+  key(Qt::Key_Return);
+  EXPECT_EQ(control_->visit().state(), Visit::State::language);
+  key(Qt::Key_Return);
+  EXPECT_EQ(control_->visit().state(), Visit::State::list);
+  key(Qt::Key_Right);
+  EXPECT_EQ(control_->visit().object(), 1U);
+  key(Qt::Key_Return);
+  ASSERT_TRUE(touches());
+  ASSERT_EQ(document().detail(), 1);
+  key(Qt::Key_Plus);
+  EXPECT_EQ(document().detail(), 2);
+  key(Qt::Key_Home);
+  EXPECT_EQ(document().detail(), 1);
+  key(Qt::Key_Home);
+  EXPECT_EQ(control_->visit().state(), Visit::State::list);
+}
+
+TEST_F(ExhibitControlTest, NothingOfTheMenusCanBeReached) {
+  begin();
+  openRelief();  // Commands that need an open map would be enabled now.
+  EXPECT_FALSE(window().menuBar()->isVisible());
+  int locked = 0;
+  for (const QMenu* menu : window().findChildren<QMenu*>()) {
+    for (const QAction* command : menu->actions()) {
+      if (ExhibitLock::isAllowed(command->objectName())) continue;
+      EXPECT_FALSE(command->isEnabled()) << command->objectName().toStdString();
+      ++locked;
+    }
+  }
+  EXPECT_GT(locked, 80);
+  for (const char* name : {"open", "save_project", "preferences", "quit", "figure"}) {
+    EXPECT_FALSE(window().runCommand(QString::fromLatin1(name))) << name;
+    EXPECT_FALSE(control_->allows(QString::fromLatin1(name))) << name;
+  }
+  key(Qt::Key_O, Qt::ControlModifier);
+  key(Qt::Key_Comma, Qt::ControlModifier);
+  key(Qt::Key_F, Qt::AltModifier);
+  EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+  EXPECT_EQ(QApplication::activePopupWidget(), nullptr);
+  EXPECT_TRUE(window().findChildren<QDialog*>().isEmpty());
+}
+
+TEST_F(ExhibitControlTest, ItIsLeftByThePinAlone) {
+  begin();
+  EXPECT_FALSE(window().close()) << "as the window manager asks";
+  EXPECT_TRUE(control_->caption().asks());
+  key(Qt::Key_Escape);
+  EXPECT_FALSE(control_->caption().asks());
+  for (const auto& [pressed, held] :
+       {std::pair(Qt::Key_Q, Qt::ControlModifier), std::pair(Qt::Key_F4, Qt::AltModifier)}) {
+    key(pressed, held);
+    EXPECT_TRUE(window().isVisible());
+    EXPECT_TRUE(control_->caption().asks());
+    said_.clear();
+    for (const Qt::Key digit : {Qt::Key_1, Qt::Key_1, Qt::Key_1, Qt::Key_1, Qt::Key_Return}) {
+      key(digit);
+    }
+    EXPECT_TRUE(window().isVisible()) << "a wrong number";
+    EXPECT_TRUE(said_.empty()) << "it is not spoken";
+    after(21);
+    EXPECT_FALSE(control_->caption().asks()) << "nobody types";
+  }
+  key(Qt::Key_Q, Qt::ControlModifier);
+  for (const Qt::Key digit : {Qt::Key_2, Qt::Key_5, Qt::Key_8, Qt::Key_0, Qt::Key_Return}) {
+    key(digit);
+  }
+  EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(ExhibitControlTest, WhoDoesNothingIsAskedAndThenTheNextOneFindsTheBeginning) {
+  begin();
+  const int resets = resets_;
+  press("whereAmI");
+  press("moveMode");
+  press("whereAmI");
+  press("whereAmI");
+  ASSERT_TRUE(touches());
+  ASSERT_TRUE(window().runCommand(QStringLiteral("finer")));
+  after(61);
+  EXPECT_EQ(control_->visit().state(), Visit::State::still);
+  EXPECT_TRUE(caption().contains("Sind Sie noch da?")) << caption().toStdString();
+  after(16);
+  EXPECT_EQ(control_->visit().state(), Visit::State::idle);
+  EXPECT_EQ(document().detail(), 1);
+  EXPECT_GT(resets_, resets) << "the volume, too";
+  press("whereAmI");
+  EXPECT_TRUE(caption().contains("For English")) << "and the language";
+}
+
+}  // namespace
+}  // namespace relievo

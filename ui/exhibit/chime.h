@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QByteArray>
+#include <QObject>
+#include <QProcess>
+#include <QStringList>
+#include <QTemporaryFile>
+
+namespace relievo {
+
+/// A quiet chime while nobody is there: two sines, 0.8 s, as a file for a program of the sound
+/// system (pw-play, paplay or aplay); the beep of the screen where there is none. [GUI thread]
+class Chime : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr double kPeak = 0.2;  ///< Of full scale, at 100 percent.
+
+  explicit Chime(int volume_percent, QObject* parent = nullptr);
+  ~Chime() override;
+  void play();
+  /// Which program plays, with its arguments before the file; empty: none is there.
+  void setPlayer(const QStringList& player) { player_ = player; }
+
+ private:
+  QStringList player_;
+  QTemporaryFile file_;
+  QProcess process_;
+};
+
+/// The chime as a WAV file of 16 bits, one channel.
+QByteArray chimeWav(int volume_percent);
+
+}  // namespace relievo

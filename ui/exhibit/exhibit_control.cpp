@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/exhibit/exhibit_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QAction>
+#include <QApplication>
+#include <QFile>
+#include <QVBoxLayout>
+#include <utility>
+
+#include "core/base/failure.h"
+#include "core/project/project_files.h"
+#include "core/region/hand.h"
+#include "ui/language/language.h"
+#include "ui/message/message_text.h"
+#include "ui/views/detail_view.h"
+#include "ui/window/main_window.h"
+
+namespace relievo {
+namespace {
+
+constexpr int kTickMs = 50;
+constexpr double kStirMm = 5;  // Of hand: less is a hand that rests.
+constexpr double kLongestFrameS = 0.25;
+constexpr double kSaveS = 60;
+constexpr double kPinPatienceS = 20;
+constexpr double kNothingComesS = 5;  // After this an object that nobody reads is not coming.
+
+}  // namespace
+
+ExhibitControl::ExhibitControl(MainWindow& window, Exhibit exhibit, ExhibitWays ways, int starts)
+    : window_(window),
+      exhibit_(std::move(exhibit)),
+      ways_(std::move(ways)),
+      lock_(window),
+      caption_(new ExhibitCaption(window.centralWidget())),
+      chime_(exhibit_.speech.volume_percent),
+      visit_(exhibit_.languages.size(), exhibit_.objects.size(), exhibit_.times, ways_.now_s()),
+      staff_(exhibit_.pin),
+      counts_(recordsFolder(exhibit_)),
+      health_(recordsFolder(exhibit_) / "health.log") {
+  if (auto* column = qobject_cast<QVBoxLayout*>(window_.centralWidget()->layout())) {
+    column->addWidget(caption_);
+  }
+  connectDocument();
+  connect(&lock_, &ExhibitLock::stirred, this, [this] {
+    if (!caption_->asks()) visit_.stir(ways_.now_s());
+  });
+  connect(&lock_, &ExhibitLock::closeAsked, this, &ExhibitControl::askPin);
+  lock_.setKeys([this](const QKeyEvent& pressed) { return key(pressed); });
+  connect(&window_.controllers().touch, &TouchController::readoutShown, this,
+          &ExhibitControl::noteReadout);
+  connect(&window_.messages(), &WindowMessages::errorShown, this,
+          [this] { log(window_.message().toStdString()); });
+  log("started" + (starts > 0 ? ", again: " + std::to_string(starts) : std::string()));
+  if (counts_.problem()) log(englishText(*counts_.problem()));
+  ways_.reset_voice();
+  useLanguage(0);
+  if (starts > 0) speak({said<MessageId::exhibit_one_moment>()});
+  connect(&timer_, &QTimer::timeout, this, &ExhibitControl::tick);
+  timer_.start(kTickMs);
+}
+
+ExhibitControl::~ExhibitControl() {
+  saveCounts();
+}
+
+void ExhibitControl::connectDocument() {
+  Document& document = window_.document();
+  connect(&document, &Document::opened, this, [this] { objectOpened(); });
+  connect(&document, &Document::failed, this,
+          [this](const QString& message) { objectFailed(message); });
+}
+
+bool ExhibitControl::press(const QString& command) {
+  if (caption_->asks()) return true;
+  const auto press = visitPress(command.toStdString());
+  if (!press) return false;
+  return visit_.press(*press, atWhole(), ways_.now_s());
+}
+
+bool ExhibitControl::allows(const QString& command) const {
+  return !caption_->asks() && ExhibitLock::isAllowed(command);
+}
+
+bool ExhibitControl::atWhole() const {
+  return !window_.document().isOpen() || window_.document().detail() == 1;
+}
+
+void ExhibitControl::feel(const Probe& probe) {
+  const auto window = window_.document().window();
+  if (!window || probe.window_id != window->id) return;
+  const double now_s = ways_.now_s();
+  const double since_s = std::clamp(now_s - std::exchange(felt_s_, now_s), 0.0, kLongestFrameS);
+  if (visit_.state() == Visit::State::touching && probe.touching) {
+    counts_.touch(ways_.day(), exhibit_.objects[visit_.object()].id, since_s);
+  }
+  const double scale = 1 / handMapping(*window).objectMmPerHandMm();
+  const DeviceMm at{scale * probe.hip.x, scale * probe.hip.y, scale * probe.hip.z};
+  const double away =
+      std::max({std::abs(at.x - hand_.x), std::abs(at.y - hand_.y), std::abs(at.z - hand_.z)});
+  if (felt_before_ && away < kStirMm) return;
+  hand_ = at;
+  if (std::exchange(felt_before_, true)) visit_.stir(now_s);
+}
+
+void ExhibitControl::tick() {
+  const double now_s = ways_.now_s();
+  if (caption_->asks()) {
+    if (now_s - pin_key_s_ > kPinPatienceS) {
+      staff_.clear();
+      caption_->setAsked({});
+    } else if (staff_.waitsS(now_s) > 0) {
+      showPin();
+    }
+  }
+  watchOpening();
+  for (const Visit::Order& order : visit_.take(now_s)) carryOut(order);
+  if (now_s - saved_s_ > kSaveS) saveCounts();
+}
+
+void ExhibitControl::carryOut(const Visit::Order& order) {
+  using Do = Visit::Do;
+  switch (order.what) {
+    case Do::chime:
+      return chime_.play();
+    case Do::welcome: {
+      useLanguage(order.index);
+      std::vector<Message> words{said<MessageId::exhibit_welcome>(),
+                                 said<MessageId::exhibit_grip>(),
+                                 said<MessageId::exhibit_volume>()};
+      if (exhibit_.languages.size() > 1) {
+        words.push_back(said<MessageId::exhibit_take_language>());
+        words.push_back(said<MessageId::exhibit_next_language>());
+      }
+      return speak(words);
+    }
+    case Do::offer_language:
+      useLanguage(order.index);
+      return speak(
+          {said<MessageId::exhibit_take_language>(), said<MessageId::exhibit_next_language>()});
+    case Do::offer_object:
+      return speak(wordsOf(order.index));
+    case Do::open:
+      return openObject(order.index);
+    case Do::begin_touch:
+      return beginTouch(order.index);
+    case Do::say_failed:
+      return speak({said<MessageId::exhibit_object_failed>()});
+    case Do::say_needs_help:
+      return speak({said<MessageId::exhibit_needs_help>()});
+    case Do::end_touch:
+      return endTouch();
+    case Do::louder:
+      return run("louderSpeech");
+    case Do::softer:
+      return run("softerSpeech");
+    case Do::ask_still_there:
+      return speak({said<MessageId::exhibit_still_there>()});
+    case Do::say_goodbye:
+      return speak({said<MessageId::exhibit_goodbye>()});
+    case Do::reset:
+      return reset();
+  }
+}
+
+void ExhibitControl::speak(const std::vector<Message>& sentences) {
+  caption_->setSaid(messageText(sentences));
+  ways_.say(sentences);
+}
+
+void ExhibitControl::useLanguage(std::size_t index) {
+  language_ = index;
+  applyLanguage(*qApp, QString::fromStdString(exhibit_.languages[index]));
+}
+
+std::vector<Message> ExhibitControl::wordsOf(std::size_t index) const {
+  const ExhibitObject& object = exhibit_.objects[index];
+  const std::string& tag = exhibit_.languages[language_];
+  std::vector<Message> words{
+      said<MessageId::exhibit_object_of>(index + 1, exhibit_.objects.size(), object.title.at(tag))};
+  if (const auto found = object.description.find(tag); found != object.description.end()) {
+    words.push_back(said<MessageId::quoted>(found->second));
+  }
+  words.push_back(said<MessageId::exhibit_take_object>());
+  if (exhibit_.objects.size() > 1) words.push_back(said<MessageId::exhibit_next_object>());
+  return words;
+}
+
+void ExhibitControl::openObject(std::size_t index) {
+  opening_since_s_ = ways_.now_s();
+  if (open_object_ == static_cast<int>(index) && window_.document().isOpen() &&
+      !window_.document().busy()) {
+    run("whole");
+    return objectOpened();
+  }
+  open_object_ = static_cast<int>(index);
+  speak({said<MessageId::exhibit_one_moment>()});
+  const ExhibitObject& object = exhibit_.objects[index];
+  const QString file = QFile::decodeName(object.file.c_str());
+  if (object.file.extension() == ".json") {
+    try {
+      window_.controllers().opening.restore(readProject(object.file), file);
+    } catch (const Error& error) {
+      objectFailed(QString::fromStdString(error.what()));
+    }
+    return;
+  }
+  OpenRequest request;
+  request.file = file;
+  request.unit = object.unit;
+  if (object.view) request.view = ViewChoice{*object.view, {}};
+  window_.open(request);
+}
+
+void ExhibitControl::objectOpened() {
+  visit_.opened(ways_.now_s());
+}
+
+void ExhibitControl::objectFailed(const QString& why) {
+  if (visit_.state() != Visit::State::opening && visit_.state() != Visit::State::fault) {
+    return log(why.toStdString());
+  }
+  log(exhibit_.objects[visit_.object()].id + ": " + why.toStdString());
+  open_object_ = -1;
+  visit_.failed(ways_.now_s());
+}
+
+/// What was refused by a question that nobody here can answer.
+void ExhibitControl::watchOpening() {
+  if (visit_.state() != Visit::State::opening || window_.document().busy()) return;
+  if (ways_.now_s() - opening_since_s_ > kNothingComesS) objectFailed(window_.message());
+}
+
+void ExhibitControl::beginTouch(std::size_t object) {
+  counts_.start(ways_.day(), exhibit_.objects[object].id);
+  felt_s_ = ways_.now_s();
+  speak({said<MessageId::exhibit_hold>(), said<MessageId::exhibit_buttons>(),
+         said<MessageId::exhibit_buttons_more>(), said<MessageId::exhibit_help>()});
+  QAction* forces = window_.commands().named(QStringLiteral("forces"));
+  if (forces != nullptr && !forces->isChecked()) forces->trigger();
+  window_.detailView().setFocus();
+}
+
+void ExhibitControl::endTouch() {
+  window_.controllers().touch.stopForces();
+  run("moveBack");
+}
+
+/// Beacons and places of the visitor go; the next one begins with the whole relief.
+void ExhibitControl::reset() {
+  saveCounts();
+  if (window_.hasUnsavedWork()) {
+    window_.controllers().opening.forgetState();
+    window_.controllers().touch.forgetProbe();
+    window_.document().close();
+    open_object_ = -1;
+  } else {
+    run("whole");
+  }
+  ways_.reset_voice();
+  useLanguage(0);
+  caption_->setSaid(messageText(said<MessageId::exhibit_welcome>()));
+}
+
+void ExhibitControl::run(const char* command) {
+  window_.runCommand(QString::fromLatin1(command));
+}
+
+bool ExhibitControl::key(const QKeyEvent& key) {
+  if (caption_->asks()) {
+    pinKey(key);
+    return false;
+  }
+  const bool in_touch = visit_.state() == Visit::State::touching;
+  const auto pressed = [this](const char* command) {
+    const QString name = QString::fromLatin1(command);
+    if (!press(name)) window_.runCommand(name);
+    return false;
+  };
+  switch (key.key()) {
+    case Qt::Key_Plus:
+      return pressed("finer");
+    case Qt::Key_Minus:
+      return pressed("coarser");
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_Space:
+      return pressed("whereAmI");
+    case Qt::Key_Tab:
+      return pressed("moveMode");
+    case Qt::Key_Right:
+    case Qt::Key_Down:
+      if (!in_touch) return pressed("moveMode");
+      visit_.stir(ways_.now_s());
+      return true;
+    case Qt::Key_Home:
+      return pressed("whole");
+    case Qt::Key_F1:
+      return pressed("buttonHelp");
+    case Qt::Key_Backspace:
+      visit_.stir(ways_.now_s());
+      run("repeatSpeech");
+      return false;
+    case Qt::Key_Escape:
+      window_.controllers().touch.stopForces();
+      return false;
+    default:
+      visit_.stir(ways_.now_s());
+      return in_touch;
+  }
+}
+
+void ExhibitControl::askPin() {
+  window_.controllers().touch.stopForces();
+  pin_key_s_ = ways_.now_s();
+  staff_.clear();
+  showPin();
+}
+
+void ExhibitControl::pinKey(const QKeyEvent& key) {
+  const double now_s = pin_key_s_ = ways_.now_s();
+  if (key.key() == Qt::Key_Escape) {
+    staff_.clear();
+    return caption_->setAsked({});
+  }
+  if (key.key() == Qt::Key_Backspace) {
+    staff_.erase();
+  } else if (key.key() >= Qt::Key_0 && key.key() <= Qt::Key_9) {
+    staff_.digit(static_cast<char>('0' + (key.key() - Qt::Key_0)), now_s);
+  } else if (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter) {
+    const StaffLock::Answer answer = staff_.enter(now_s);
+    if (answer == StaffLock::Answer::open) return leave();
+    log("a wrong PIN was entered");
+    if (answer == StaffLock::Answer::wrong) {
+      return caption_->setAsked(
+          messageText(said<MessageId::exhibit_pin_wrong>(staff_.triesLeft())));
+    }
+  }
+  showPin();
+}
+
+// It is shown and never spoken (EN 301 549, 5.1.3.8).
+void ExhibitControl::showPin() {
+  const double waits_s = staff_.waitsS(ways_.now_s());
+  caption_->setAsked(waits_s > 0
+                         ? messageText(said<MessageId::exhibit_pin_waits>(std::lround(waits_s)))
+                         : messageText(said<MessageId::exhibit_enter_pin>()),
+                     static_cast<int>(staff_.entered()));
+}
+
+void ExhibitControl::leave() {
+  log("ended by the staff");
+  endAtOnce();
+  QApplication::exit(0);
+}
+
+void ExhibitControl::endAtOnce() {
+  saveCounts();
+  timer_.stop();
+  lock_.letClose();
+  window_.endAtOnce();
+}
+
+bool ExhibitControl::isQuiet() const {
+  return visit_.state() != Visit::State::touching;
+}
+
+void ExhibitControl::log(const std::string& words) {
+  health_.write(utcNow(), words);
+}
+
+void ExhibitControl::saveCounts() {
+  saved_s_ = ways_.now_s();
+  try {
+    counts_.save();
+  } catch (const WriteError& error) {
+    log(error.what());
+  }
+}
+
+void ExhibitControl::noteReadout(const TouchReadout& readout) {
+  if (readout.device == device_) return;
+  device_ = readout.device;
+  log("device: " + device_.toStdString());
+}
+
+}  // namespace relievo
