@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/cli/options/number_option.h"
+#include "app/cli/published/published_input.h"
 #include "core/base/failure.h"
 #include "core/depth/rules/point_rule.h"
 #include "core/io/format.h"
@@ -128,8 +129,10 @@ ImportOptions importOptions(const ScanArguments& a) {
 }
 
 void addMapOptions(CLI::App& verb, MapArguments& a) {
-  verb.add_option("FILE", a.file,
-                  "Scan (" + scanFormatList(" ") + "), TIFF, PNG, ASCII grid or MAP.tif")
+  mayBeWebAddress(
+      verb.add_option("FILE", a.file,
+                      "Scan (" + scanFormatList(" ") +
+                          "), TIFF, PNG, ASCII grid, MAP.tif, or the address of a published map"))
       ->required();
   verb.add_option("--unit", a.unit, "Unit of the file's coordinates: mm cm m in ft us-ft");
   verb.add_option("--view", a.view,

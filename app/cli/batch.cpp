@@ -52,11 +52,13 @@ Verb drawingVerb(std::string_view name) {
 }  // namespace
 
 std::vector<Verb> verbs(const std::vector<std::string>& words) {
-  return {infoVerb(),    prepareVerb(),       depthmapVerb(),        fillVerb(),
-          pyramidVerb(), convertVerb(),       drawingVerb("render"), drawingVerb("figure"),
-          measureVerb(), suggestVerb(),       describeVerb(),        projectVerb(),
-          devicesVerb(), touchVerb(words),    recordVerb(words),     replayVerb(),
-          soundVerb(),   drawingVerb("video")};
+  return {infoVerb(),          prepareVerb(),         depthmapVerb(),
+          fillVerb(),          pyramidVerb(),         convertVerb(),
+          publishVerb(),       drawingVerb("render"), drawingVerb("figure"),
+          measureVerb(),       suggestVerb(),         describeVerb(),
+          projectVerb(),       devicesVerb(),         touchVerb(words),
+          recordVerb(words),   replayVerb(),          soundVerb(),
+          drawingVerb("video")};
 }
 
 namespace {

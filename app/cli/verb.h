@@ -38,6 +38,7 @@ Verb depthmapVerb();
 Verb fillVerb();
 Verb convertVerb();
 Verb pyramidVerb();
+Verb publishVerb();
 Verb prepareVerb();
 Verb devicesVerb();
 Verb measureVerb();

@@ -26,6 +26,13 @@ bool isTiledMap(const TiffHead& head) {
          head.facts.contains("RELIEVO_LEVELS") && !head.facts.contains("RELIEVO_CONTENT");
 }
 
+/// map.json of a published map begins with its mark.
+bool isPublishedMap(std::string_view head) {
+  constexpr std::size_t kFirst = 64;
+  return head.starts_with('{') &&
+         head.substr(0, kFirst).find("\"relievo_published_map\"") != std::string_view::npos;
+}
+
 void lookIntoPly(std::string_view head, const std::filesystem::path& file, InputFacts& facts) {
   facts.in_blocks = true;
   try {
@@ -79,6 +86,11 @@ InputFacts inputFactsHere(const std::filesystem::path& file) {
   facts.is_hdf5 = isHdf5(head);
   facts.is_log = isLog(file);
   if (isReadableRaster(format)) facts.kind = InputKind::raster;
+  if (isPublishedMap(head)) {
+    facts.host_file = HostFileKind::none;
+    facts.kind = InputKind::tiled_map;
+    return facts;
+  }
   if (const auto tiff = readTiffHead(file)) {
     facts.host_file = tiff->bands == 1 ? HostFileKind::none : HostFileKind::picture;
     if (isTiledMap(*tiff)) facts.kind = InputKind::tiled_map;

@@ -6,6 +6,7 @@
 
 #include "core/base/failure.h"
 #include "core/project/embedded_state.h"
+#include "core/tiles/published/published_tiles.h"
 
 namespace relievo {
 namespace {
@@ -47,6 +48,11 @@ std::vector<FileCheck> checkFiles(const Project& project, const Task& task) {
 std::filesystem::path foundInput(const std::filesystem::path& host_file,
                                  const std::filesystem::path& stored) {
   std::error_code error;
+  // Who wrote the host file does not decide which server is asked: people open addresses
+  // themselves.
+  if (isWebAddress(stored.string())) {
+    if (const auto kept = keptMap(stored.string())) return *kept;
+  }
   const std::filesystem::path folder = std::filesystem::absolute(host_file, error).parent_path();
   for (const std::filesystem::path& candidate :
        {stored, folder / stored.filename(), stored.filename(),

@@ -6,6 +6,7 @@
 
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
+#include "core/tiles/published/published_tiles.h"
 
 namespace relievo {
 namespace {
@@ -51,6 +52,8 @@ InputFile inputFile(const std::filesystem::path& file, const std::filesystem::pa
                   .sha256 = sha256OfFile(file, task),
                   .bytes = std::filesystem::file_size(file)};
   if (!from.empty()) input.file = relativePath(file, from);
+  // Of a map from the web it is its address that others know.
+  if (const std::string address = addressOfKeptMap(file); !address.empty()) input.file = address;
   return input;
 }
 

@@ -5,16 +5,17 @@
 
 namespace relievo {
 
+TileCache::Tile TileCache::find(const Key& key) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = places_.find(key);
+  if (found == places_.end()) return nullptr;
+  newest_first_.splice(newest_first_.begin(), newest_first_, found->second);
+  return found->second->tile;
+}
+
 TileCache::Tile TileCache::get(const Key& key,
                                const std::function<std::vector<std::byte>()>& load) {
-  {
-    const std::scoped_lock lock(mutex_);
-    const auto found = places_.find(key);
-    if (found != places_.end()) {
-      newest_first_.splice(newest_first_.begin(), newest_first_, found->second);
-      return found->second->tile;
-    }
-  }
+  if (Tile here = find(key)) return here;
   ++loads_;
   auto tile = std::make_shared<const std::vector<std::byte>>(load());
   const std::scoped_lock lock(mutex_);

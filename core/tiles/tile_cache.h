@@ -28,6 +28,9 @@ class TileCache {
   /// The tile, made by `load` if it is not here. What `load` throws is thrown.
   Tile get(const Key& key, const std::function<std::vector<std::byte>()>& load);
 
+  /// The tile if it is here, else null; loads nothing.
+  Tile find(const Key& key);
+
   std::size_t loads() const noexcept { return loads_; }
 
  private:

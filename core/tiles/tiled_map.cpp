@@ -17,6 +17,8 @@
 #include "core/io/raster/tiff_head.h"
 #include "core/region/window_colours.h"
 #include "core/tiles/level_files.h"
+#include "core/tiles/published/published_tiles.h"
+#include "core/tiles/threads.h"
 #include "core/tiles/tile_cache.h"
 #include "core/tiles/tile_layout.h"
 #include "core/tiles/tile_raster.h"
@@ -86,8 +88,6 @@ struct LevelTiles {
   std::unique_ptr<TileRaster> colours, intensities;  ///< Null unless all levels have them.
 };
 
-enum class TileKind { heights, origins, colours, intensities };
-
 /// Bands of one byte as pixels. @param bands  one after the other, each `cells` bytes
 template <std::size_t Size>
 std::vector<std::byte> interleaved(std::span<const std::byte> bands) {
@@ -105,8 +105,14 @@ struct TiledMap::Impl {
   Impl(const std::filesystem::path& finest, std::size_t cache_bytes);
   void checkLevel(const LevelTiles& tiles, const RasterFacts& facts) const;
   void takeWhole(const RasterFacts& facts);
-  TileCache::Tile tile(const LevelTiles& tiles, TileKind kind, int number) const;
-  TileCache::Tile pixels(const LevelTiles& tiles, TileKind kind, int number) const;
+  TileCache::Tile tile(Level level, TilePart part, int number, const Task& task = {}) const;
+  std::vector<std::byte> load(const LevelTiles& tiles, TilePart part, int number) const;
+  std::vector<std::byte> pixels(const LevelTiles& tiles, TilePart part, int number) const;
+  void openFiles();
+  void openPublished();
+  void pinCoarsest();
+  void layOut(const GridFrame& finest, const std::vector<GridSize>& sizes);
+  bool has(TilePart part) const noexcept;
   void openColours();
   ColourNodes coloursOf(Level level) const;
 
@@ -118,12 +124,23 @@ struct TiledMap::Impl {
   HeightRange heights;
   std::array<double, kOriginCount> shares{};
   std::vector<std::unique_ptr<LevelTiles>> levels;
-  std::string left_aside;
+  std::string left_aside, set, state, place;
+  std::unique_ptr<PublishedTiles> published;   ///< Then `levels` stays empty.
+  std::map<TileName, TileCache::Tile> pinned;  ///< Not changed after opening.
   mutable TileCache cache;
 };
 
 TiledMap::Impl::Impl(const std::filesystem::path& finest, std::size_t cache_bytes)
     : file(finest), cache(cache_bytes) {
+  if (finest.extension() == ".json") {
+    openPublished();
+  } else {
+    openFiles();
+  }
+}
+
+void TiledMap::Impl::openFiles() {
+  const std::filesystem::path& finest = file;
   levels.push_back(std::make_unique<LevelTiles>(finest, 0, headsOf({finest, originFile(finest)})));
   const RasterFacts& facts = levels[0]->heights.facts();
   constexpr double kMostLevels = 10'000;
@@ -144,25 +161,89 @@ TiledMap::Impl::Impl(const std::filesystem::path& finest, std::size_t cache_byte
   }
   const auto [x, y, spacing] = numbersOf<3>(facts, "RELIEVO_FRAME", finest);
   if (!(spacing > 0)) refuse<MessageId::tiles_spacing_odd>(finest);
-  const GridFrame map{
-      .size = levels[0]->heights.size(), .spacing_mm = spacing, .first_x_mm = x, .first_y_mm = y};
-  // As many levels as the files have, whatever number of samples the coarsest was to have.
-  for (std::size_t l = 0; l < levels.size(); ++l) {
-    GridFrame frame = map;
-    frame.size = levels[l]->heights.size();
-    frame.spacing_mm = map.spacing_mm * std::pow(factor, static_cast<double>(l));
+  std::vector<GridSize> sizes;
+  for (const auto& level : levels) sizes.push_back(level->heights.size());
+  layOut({.size = sizes[0], .spacing_mm = spacing, .first_x_mm = x, .first_y_mm = y}, sizes);
+  for (const auto& level : levels) checkLevel(*level, facts);
+  takeWhole(facts);
+  openColours();
+  set = textOf(facts, kSetFact);
+  state = textOf(facts, kStateFact);
+  place = file.string();
+}
+
+/// As many levels as there are, whatever number of samples the coarsest was to have.
+void TiledMap::Impl::layOut(const GridFrame& finest, const std::vector<GridSize>& sizes) {
+  for (std::size_t l = 0; l < sizes.size(); ++l) {
+    GridFrame frame = finest;
+    frame.size = sizes[l];
+    frame.spacing_mm = finest.spacing_mm * std::pow(factor, static_cast<double>(l));
     frames.push_back(frame);
-    checkLevel(*levels[l], facts);
   }
-  ladder = {.left_mm = map.first_x_mm - 0.5 * map.spacing_mm,
-            .bottom_mm = map.first_y_mm - 0.5 * map.spacing_mm,
-            .width_mm = map.size.cols * map.spacing_mm,
-            .height_mm = map.size.rows * map.spacing_mm,
+  ladder = {.left_mm = finest.first_x_mm - 0.5 * finest.spacing_mm,
+            .bottom_mm = finest.first_y_mm - 0.5 * finest.spacing_mm,
+            .width_mm = finest.size.cols * finest.spacing_mm,
+            .height_mm = finest.size.rows * finest.spacing_mm,
             .spacings_mm = {},
             .factor = factor};
   for (const GridFrame& frame : frames) ladder.spacings_mm.push_back(frame.spacing_mm);
-  takeWhole(facts);
-  openColours();
+}
+
+void TiledMap::Impl::openPublished() {
+  published = std::make_unique<PublishedTiles>(file);
+  const PublishedMap& map = published->map();
+  place = published->place();
+  factor = map.factor;
+  view_from_file = {map.view_from_file};
+  layOut({.size = map.levels[0],
+          .spacing_mm = map.spacing_mm,
+          .first_x_mm = map.first_x_mm,
+          .first_y_mm = map.first_y_mm},
+         map.levels);
+  for (std::size_t l = 1; l < frames.size(); ++l) {
+    const GridSize finer = frames[l - 1].size, here = frames[l].size;
+    if (here.cols != PyramidRows::reducedSize(finer, factor).cols ||
+        here.rows != PyramidRows::reducedSize(finer, factor).rows) {
+      refuse<MessageId::tiles_size_of_no_level>(file);
+    }
+  }
+  heights = {.min_mm = map.low_mm, .max_mm = map.high_mm};
+  // A double is a whole number up to 2^53 cells.
+  const auto cells = static_cast<double>(frames[0].size.count());
+  double all = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    all += map.cells_by_origin[i];
+    shares[i] = map.cells_by_origin[i] / cells;
+  }
+  if (all != cells) refuse<MessageId::tiles_counts_differ>(file);
+  set = map.set;
+  state = map.state;
+  if (published->isRemote()) pinCoarsest();
+}
+
+/// So there is always a level that can be shown and touched without waiting.
+void TiledMap::Impl::pinCoarsest() {
+  constexpr int kMostTiles = 64;
+  std::vector<TileName> names;
+  for (int level = static_cast<int>(frames.size()) - 1; level >= 0; --level) {
+    const TileLayout layout{frames[static_cast<std::size_t>(level)].size};
+    if (2 * layout.count() + static_cast<int>(names.size()) > 2 * kMostTiles && !names.empty()) {
+      break;
+    }
+    for (int number = 0; number < layout.count(); ++number) {
+      names.push_back({level, TilePart::heights, number});
+      names.push_back({level, TilePart::origins, number});
+    }
+  }
+  std::vector<TileCache::Tile> tiles(names.size());
+  // Waiting for a server takes no core.
+  inParts(0, names.size(), std::min(kWebConnections, static_cast<int>(names.size())),
+          [&](int /*part*/, std::uint64_t first, std::uint64_t end) {
+            for (auto i = static_cast<std::size_t>(first); i < end; ++i) {
+              tiles[i] = tile({names[i].level}, names[i].part, names[i].number);
+            }
+          });
+  for (std::size_t i = 0; i < names.size(); ++i) pinned[names[i]] = tiles[i];
 }
 
 namespace {
@@ -254,35 +335,59 @@ void TiledMap::Impl::checkLevel(const LevelTiles& tiles, const RasterFacts& fine
   }
 }
 
-TileCache::Tile TiledMap::Impl::pixels(const LevelTiles& tiles, TileKind kind, int number) const {
-  return cache.get({.level = tiles.level, .kind = static_cast<int>(kind), .tile = number}, [&] {
-    const bool is_colours = kind == TileKind::colours;
-    const TileRaster& raster = is_colours ? *tiles.colours : *tiles.intensities;
-    const int bands = is_colours ? 4 : 2;
-    std::vector<std::byte> bytes(static_cast<std::size_t>(bands) * raster.tileBytes());
-    for (int band = 0; band < bands; ++band) {
-      raster.read(band, number,
-                  std::span(bytes).subspan(static_cast<std::size_t>(band) * raster.tileBytes(),
-                                           raster.tileBytes()));
-    }
-    return is_colours ? interleaved<4>(bytes) : interleaved<2>(bytes);
-  });
+std::vector<std::byte> TiledMap::Impl::pixels(const LevelTiles& tiles, TilePart part,
+                                              int number) const {
+  const bool is_colours = part == TilePart::colours;
+  const TileRaster& raster = is_colours ? *tiles.colours : *tiles.intensities;
+  const int bands = is_colours ? 4 : 2;
+  std::vector<std::byte> bytes(static_cast<std::size_t>(bands) * raster.tileBytes());
+  for (int band = 0; band < bands; ++band) {
+    raster.read(band, number,
+                std::span(bytes).subspan(static_cast<std::size_t>(band) * raster.tileBytes(),
+                                         raster.tileBytes()));
+  }
+  return is_colours ? interleaved<4>(bytes) : interleaved<2>(bytes);
 }
 
-TileCache::Tile TiledMap::Impl::tile(const LevelTiles& tiles, TileKind kind, int number) const {
-  const bool is_heights = kind == TileKind::heights;
-  const TileCache::Key key{.level = tiles.level, .kind = static_cast<int>(kind), .tile = number};
+std::vector<std::byte> TiledMap::Impl::load(const LevelTiles& tiles, TilePart part,
+                                            int number) const {
+  if (part == TilePart::colours || part == TilePart::intensities) {
+    return pixels(tiles, part, number);
+  }
+  const TileRaster& raster = part == TilePart::heights ? tiles.heights : tiles.origins;
+  std::vector<std::byte> bytes(raster.tileBytes());
+  raster.read(0, number, bytes);
+  return bytes;
+}
+
+TileCache::Tile TiledMap::Impl::tile(Level level, TilePart part, int number,
+                                     const Task& task) const {
+  const auto held = pinned.find({level.value, part, number});
+  if (held != pinned.end()) return held->second;
+  const TileCache::Key key{.level = level.value, .kind = static_cast<int>(part), .tile = number};
   return cache.get(key, [&] {
-    const TileRaster& raster = is_heights ? tiles.heights : tiles.origins;
-    std::vector<std::byte> bytes(raster.tileBytes());
-    raster.read(0, number, bytes);
-    if (is_heights) {
-      checkHeights(bytes, tiles.level == 0, tiles.heights_file);
-    } else {
-      checkOrigins(bytes, tiles.origins_file);
+    const LevelTiles* const tiles =
+        published ? nullptr : levels[static_cast<std::size_t>(level.value)].get();
+    std::vector<std::byte> bytes =
+        published ? published->read(level.value, part, number, task) : load(*tiles, part, number);
+    if (part == TilePart::heights) {
+      checkHeights(bytes, level.value == 0, published ? file : tiles->heights_file);
+    } else if (part == TilePart::origins) {
+      checkOrigins(bytes, published ? file : tiles->origins_file);
     }
     return bytes;
   });
+}
+
+bool TiledMap::Impl::has(TilePart part) const noexcept {
+  if (published) {
+    const auto& parts = published->map().parts;
+    return std::find(parts.begin(), parts.end(), part) != parts.end();
+  }
+  const LevelTiles& finest = *levels.front();
+  return part == TilePart::colours       ? finest.colours != nullptr
+         : part == TilePart::intensities ? finest.intensities != nullptr
+                                         : true;
 }
 
 namespace {
@@ -335,17 +440,16 @@ class TileRows {
 }  // namespace
 
 ColourNodes TiledMap::Impl::coloursOf(Level number) const {
-  const LevelTiles& tiles = *levels[static_cast<std::size_t>(number.value)];
   const GridSize size = frames[static_cast<std::size_t>(number.value)].size;
-  const auto rows = [&](auto pixel, TileKind kind) {
+  const auto rows = [&](auto pixel, TilePart part) {
     using Pixel = decltype(pixel);
     auto made = std::make_shared<TileRows<Pixel>>(
-        size, [this, &tiles, kind](int tile) { return pixels(tiles, kind, tile); });
+        size, [this, number, part](int name) { return tile(number, part, name); });
     return [made](int row, int first_col, int count) { return (*made)(row, first_col, count); };
   };
   ColourNodes nodes;
-  if (tiles.colours) nodes.colours = rows(Rgba{}, TileKind::colours);
-  if (tiles.intensities) nodes.intensities = rows(GreyAlpha{}, TileKind::intensities);
+  if (has(TilePart::colours)) nodes.colours = rows(Rgba{}, TilePart::colours);
+  if (has(TilePart::intensities)) nodes.intensities = rows(GreyAlpha{}, TilePart::intensities);
   return nodes;
 }
 
@@ -366,6 +470,7 @@ const std::filesystem::path& TiledMap::file() const noexcept {
 }
 std::vector<std::filesystem::path> TiledMap::otherFiles() const {
   std::vector<std::filesystem::path> files;
+  if (impl_->published) return impl_->published->files();
   for (const auto& level : impl_->levels) {
     if (level->level > 0) files.push_back(level->heights_file);
     files.push_back(level->origins_file);
@@ -397,12 +502,11 @@ RegionWindow TiledMap::window(const Region& region, double gain) const {
   if (region.level.value < 0 || region.level.value >= impl_->ladder.levels()) {
     throw failure<MessageId::map_has_no_such_level>();
   }
-  const LevelTiles& tiles = *impl_->levels[static_cast<std::size_t>(region.level.value)];
   const GridFrame& frame = impl_->frames[static_cast<std::size_t>(region.level.value)];
-  TileRows<float> heights(frame.size,
-                          [&](int tile) { return impl_->tile(tiles, TileKind::heights, tile); });
+  TileRows<float> heights(
+      frame.size, [&](int tile) { return impl_->tile(region.level, TilePart::heights, tile); });
   TileRows<CellStatus> origins(
-      frame.size, [&](int tile) { return impl_->tile(tiles, TileKind::origins, tile); });
+      frame.size, [&](int tile) { return impl_->tile(region.level, TilePart::origins, tile); });
   return sampleWindow({.map = impl_->frames[0],
                        .nodes = frame,
                        .cells = frame,
@@ -413,7 +517,6 @@ RegionWindow TiledMap::window(const Region& region, double gain) const {
 }
 
 DepthMap TiledMap::part(Level number, Cell first, GridSize size) const {
-  const LevelTiles& tiles = *impl_->levels[static_cast<std::size_t>(number.value)];
   const GridFrame& frame = impl_->frames[static_cast<std::size_t>(number.value)];
   DepthMap map;
   map.frame = frame;
@@ -423,9 +526,9 @@ DepthMap TiledMap::part(Level number, Cell first, GridSize size) const {
   map.heights_mm.reserve(size.count());
   map.origins.reserve(size.count());
   TileRows<float> heights(frame.size,
-                          [&](int tile) { return impl_->tile(tiles, TileKind::heights, tile); });
+                          [&](int tile) { return impl_->tile(number, TilePart::heights, tile); });
   TileRows<CellStatus> origins(
-      frame.size, [&](int tile) { return impl_->tile(tiles, TileKind::origins, tile); });
+      frame.size, [&](int tile) { return impl_->tile(number, TilePart::origins, tile); });
   for (int row = first.row; row < first.row + size.rows; ++row) {
     const float* z = heights(row, first.col, size.cols);
     map.heights_mm.insert(map.heights_mm.end(), z, z + size.cols);
@@ -436,10 +539,10 @@ DepthMap TiledMap::part(Level number, Cell first, GridSize size) const {
 }
 
 bool TiledMap::hasColours() const noexcept {
-  return impl_->levels.front()->colours != nullptr;
+  return impl_->has(TilePart::colours);
 }
 bool TiledMap::hasIntensities() const noexcept {
-  return impl_->levels.front()->intensities != nullptr;
+  return impl_->has(TilePart::intensities);
 }
 const std::string& TiledMap::coloursLeftAside() const noexcept {
   return impl_->left_aside;
@@ -471,30 +574,82 @@ DepthMap TiledMap::levelMap(Level number) const {
   return part(number, {}, impl_->frames[static_cast<std::size_t>(number.value)].size);
 }
 
-void TiledMap::prefetch(const Region& region) const {
-  if (region.level.value < 0 || region.level.value >= impl_->ladder.levels()) return;
-  if (!(region.side_mm > 0) || !std::isfinite(region.x_mm + region.y_mm + region.side_mm)) return;
-  const LevelTiles& tiles = *impl_->levels[static_cast<std::size_t>(region.level.value)];
+std::vector<TileName> TiledMap::tilesUnder(const Region& region) const {
+  if (region.level.value < 0 || region.level.value >= impl_->ladder.levels()) return {};
+  if (!(region.side_mm > 0) || !std::isfinite(region.x_mm + region.y_mm + region.side_mm)) {
+    return {};
+  }
   const GridFrame& frame = impl_->frames[static_cast<std::size_t>(region.level.value)];
   const auto node = [&](double mm, double first_mm, int count) {
     return std::clamp(static_cast<int>(std::clamp((mm - first_mm) / frame.spacing_mm, -1.0,
                                                   static_cast<double>(count))),
                       0, count - 1);
   };
-  const int left = node(region.x_mm, frame.first_x_mm, frame.size.cols);
-  const int right = node(region.x_mm + region.side_mm, frame.first_x_mm, frame.size.cols);
-  const int bottom = node(region.y_mm, frame.first_y_mm, frame.size.rows);
-  const int top = node(region.y_mm + region.side_mm, frame.first_y_mm, frame.size.rows);
-  const int across = TileLayout{frame.size}.across();
-  for (int y = (frame.size.rows - 1 - top) / kTileSide;
-       y <= (frame.size.rows - 1 - bottom) / kTileSide; ++y) {
-    for (int x = left / kTileSide; x <= right / kTileSide; ++x) {
-      impl_->tile(tiles, TileKind::heights, y * across + x);
-      impl_->tile(tiles, TileKind::origins, y * across + x);
-      if (tiles.colours) impl_->pixels(tiles, TileKind::colours, y * across + x);
-      if (tiles.intensities) impl_->pixels(tiles, TileKind::intensities, y * across + x);
+  // A window's outermost samples lie between two nodes.
+  const auto after = [](int first, int count) { return std::min(first + 1, count - 1); };
+  const GridSize size = frame.size;
+  const int left = node(region.x_mm, frame.first_x_mm, size.cols);
+  const int right =
+      after(node(region.x_mm + region.side_mm, frame.first_x_mm, size.cols), size.cols);
+  const int bottom = node(region.y_mm, frame.first_y_mm, size.rows);
+  const int top = after(node(region.y_mm + region.side_mm, frame.first_y_mm, size.rows), size.rows);
+  const int across = TileLayout{size}.across();
+  std::vector<TileName> names;
+  for (const TilePart part :
+       {TilePart::heights, TilePart::origins, TilePart::colours, TilePart::intensities}) {
+    if (!impl_->has(part)) continue;
+    for (int y = (size.rows - 1 - top) / kTileSide; y <= (size.rows - 1 - bottom) / kTileSide;
+         ++y) {
+      for (int x = left / kTileSide; x <= right / kTileSide; ++x) {
+        names.push_back({region.level.value, part, y * across + x});
+      }
     }
   }
+  return names;
+}
+
+void TiledMap::prefetch(const Region& region) const {
+  for (const TileName& name : tilesUnder(region)) {
+    impl_->tile({name.level}, name.part, name.number);
+  }
+}
+
+const std::string& TiledMap::set() const noexcept {
+  return impl_->set;
+}
+const std::string& TiledMap::state() const noexcept {
+  return impl_->state;
+}
+const std::string& TiledMap::place() const noexcept {
+  return impl_->place;
+}
+bool TiledMap::isRemote() const noexcept {
+  return impl_->published && impl_->published->isRemote();
+}
+const PublishedMap* TiledMap::published() const noexcept {
+  return impl_->published ? &impl_->published->map() : nullptr;
+}
+
+TileCache::Tile TiledMap::tile(Level level, TilePart part, int number, const Task& task) const {
+  return impl_->tile(level, part, number, task);
+}
+
+bool TiledMap::isAtHand(const TileName& tile) const {
+  if (impl_->pinned.contains(tile)) return true;
+  return impl_->cache.find(
+             {.level = tile.level, .kind = static_cast<int>(tile.part), .tile = tile.number}) !=
+         nullptr;
+}
+
+std::optional<Level> TiledMap::levelAtHand(const Region& region) const {
+  for (Region at = region; at.level.value < impl_->ladder.levels(); ++at.level.value) {
+    const std::vector<TileName> names = tilesUnder(at);
+    const bool all = std::all_of(names.begin(), names.end(), [this](const TileName& name) {
+      return name.part > TilePart::origins || isAtHand(name);
+    });
+    if (all && !names.empty()) return at.level;
+  }
+  return std::nullopt;
 }
 
 }  // namespace relievo

@@ -2,29 +2,44 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/task.h"
 #include "core/base/transform.h"
 #include "core/depth/colours/colours.h"
+#include "core/io/web/published_map.h"
 #include "core/region/region.h"
 #include "core/region/window.h"
 
 namespace relievo {
 
-/// A map whose levels lie in files (core/tiles/level_files.h) and of which only the tiles under
-/// recent windows are in memory. Immutable but for that cache; safe from every thread.
+/// A tile of a map, counted from the top left.
+struct TileName {
+  int level = 0;
+  TilePart part = TilePart::heights;
+  int number = 0;
+  friend auto operator<=>(const TileName&, const TileName&) = default;
+};
+
+/// A map whose levels lie in files (core/tiles/level_files.h), or that was published
+/// (core/tiles/published), and of which only the tiles under recent windows are in memory.
+/// Immutable but for that cache; safe from every thread.
 class TiledMap {
  public:
   /// Does this file say it is the finest level of a tiled map? False for all other files.
   static bool isOne(const std::filesystem::path& file);
 
-  /// Opens all levels; reads no tile.
+  /// Opens all levels; reads no tile, but of maps from the web the coarsest levels, which stay in
+  /// memory: up to 64 tiles of 320 kB.
+  /// @param finest  or map.json of a published map
   /// @param cache_bytes  for tiles; a window touches up to nine of 256 KiB and nine of 64 KiB
-  /// @throw FileError  a level is missing, belongs to another map, or was rewritten
+  /// @throw FileError  a level is missing, belongs to another map, or was rewritten; WebLost
   explicit TiledMap(const std::filesystem::path& finest,
                     std::size_t cache_bytes = std::size_t{64} << 20U);
   ~TiledMap();
@@ -70,6 +85,26 @@ class TiledMap {
 
   /// Tiles read from files since opening.
   std::size_t tilesRead() const noexcept;
+
+  /// What makes the map this one, and the state that its files carry; empty: they say none.
+  const std::string& set() const noexcept;
+  const std::string& state() const noexcept;
+  /// Does a tile that is not in memory come from the web? Whoever must not wait asks `atHand`.
+  bool isRemote() const noexcept;
+  /// Of a published map, in words for people; else null.
+  const PublishedMap* published() const noexcept;
+  const std::string& place() const noexcept;  ///< Its address or folder; else the file.
+
+  /// As they are in files, but heights outside the object are 0. Waits for it.
+  /// [any thread but the haptic loop] @throw FileError, WebLost, Cancelled
+  std::shared_ptr<const std::vector<std::byte>> tile(Level level, TilePart part, int number,
+                                                     const Task& task = {}) const;
+  bool isAtHand(const TileName& tile) const;
+  /// The tiles that a window needs; none if there is no such level. Heights and origins come first.
+  std::vector<TileName> tilesUnder(const Region& region) const;
+  /// The finest level, from the region's on, of which all tiles under it are in memory: heights and
+  /// origins. Nothing: no level's are. Reads nothing. [any thread but the haptic loop]
+  std::optional<Level> levelAtHand(const Region& region) const;
 
  private:
   struct Impl;

@@ -219,7 +219,7 @@ std::string HaplyWorld::state(bool everything, std::int64_t now_ns) {
                         {"preset", preset_},
                         {"basis", {{"permutation", basis_}}},
                         {"mount", {{"position", tripleJson({0, 0, 0})}}},
-                        {"filters", {{"force_ramp", {{"gain", 0.3}}}}}};
+                        {"filters", {{"force_gate", {{"gain", 0.3}}}}}};
   }
   device["state"] = {{"cursor_position", tripleJson(place)},
                      {"cursor_velocity", tripleJson({0, 0, 0})},

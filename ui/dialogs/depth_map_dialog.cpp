@@ -84,7 +84,7 @@ QString lossesText(const DepthLosses& losses) {
                      .arg(percent(losses.hidden_share), percent(losses.undercut_share),
                           percent(losses.steep_share));
   if (losses.outliers > 0) {
-    text += ' ' + DepthMapDialog::tr("Outliers left out: %1.").arg(losses.outliers);
+    text += ' ' + DepthMapDialog::tr("Stray points left out: %1.").arg(losses.outliers);
   }
   return text;
 }

@@ -7327,6 +7327,74 @@
         <source>Cannot read %1: it is %2; this version reads scans as %3, and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Convert it to one of these, or choose another file.</source>
         <translation>%1 kann nicht gelesen werden: Es ist %2; diese Version liest Scans als %3 und Raster als GeoTIFF, TIFF, PNG oder ESRI-ASCII-Gitter. Wandeln Sie die Datei in eines davon um oder wählen Sie eine andere.</translation>
     </message>
+    <message>
+        <source>Cannot publish to %1: there is something already. It was left as it is. Give a folder that is empty or not there yet.</source>
+        <translation>Nach %1 kann nicht veröffentlicht werden: Dort ist schon etwas. Es blieb, wie es ist. Geben Sie einen Ordner an, der leer ist oder den es noch nicht gibt.</translation>
+    </message>
+    <message>
+        <source>%1 is no map by tiles, and so it cannot be published. Nothing was written. Make one with relievo depthmap --memory, and publish that.</source>
+        <translation>%1 ist keine Karte aus Kacheln und kann darum nicht veröffentlicht werden. Nichts wurde geschrieben. Machen Sie eine mit relievo depthmap --memory und veröffentlichen Sie diese.</translation>
+    </message>
+    <message>
+        <source>The published map %1 has no file %2 (%3). Look at the address, or publish the map again.</source>
+        <translation>Die veröffentlichte Karte %1 hat keine Datei %2 (%3). Prüfen Sie die Adresse oder veröffentlichen Sie die Karte noch einmal.</translation>
+    </message>
+    <message>
+        <source>The file %2 of the published map %1 is damaged: it is not what was published. It was not used. Publish the map again.</source>
+        <translation>Die Datei %2 der veröffentlichten Karte %1 ist beschädigt: Sie ist nicht, was veröffentlicht wurde. Sie wurde nicht verwendet. Veröffentlichen Sie die Karte noch einmal.</translation>
+    </message>
+    <message>
+        <source>A tile of level %2 of the published map %1 is damaged: its checksum is not the one that was published (%3). It was not used. Publish the map again.</source>
+        <translation>Eine Kachel der Ebene %2 der veröffentlichten Karte %1 ist beschädigt: Ihre Prüfsumme ist nicht die veröffentlichte (%3). Sie wurde nicht verwendet. Veröffentlichen Sie die Karte noch einmal.</translation>
+    </message>
+    <message>
+        <source>The map %1 cannot be fetched now: %2. Look at the network, and try again.</source>
+        <translation>Die Karte %1 kann jetzt nicht geholt werden: %2. Prüfen Sie das Netz und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>There is no published map at %1: its map.json is none of this version. Give the address of a folder that relievo publish made.</source>
+        <translation>Bei %1 ist keine veröffentlichte Karte: Die Datei map.json dort ist keine dieser Version. Geben Sie die Adresse eines Ordners an, den relievo publish gemacht hat.</translation>
+    </message>
+    <message>
+        <source>%1 gives no answer. The map is shown as it was when it was last opened, with the tiles that were kept.</source>
+        <translation>%1 antwortet nicht. Die Karte wird gezeigt, wie sie beim letzten Öffnen war, mit den Kacheln, die aufgehoben wurden.</translation>
+    </message>
+    <message>
+        <source>The server gives no answer. The map is shown as it was kept.</source>
+        <translation>Der Server antwortet nicht. Die Karte wird gezeigt, wie sie aufgehoben wurde.</translation>
+    </message>
+    <message>
+        <source>Level %2 is on its way. Until it is here, level %1 is shown and felt.</source>
+        <translation>Ebene %2 ist unterwegs. Bis sie da ist, wird Ebene %1 gezeigt und gefühlt.</translation>
+    </message>
+    <message>
+        <source>Coarser until the tiles are here.</source>
+        <translation>Gröber, bis die Kacheln da sind.</translation>
+    </message>
+    <message>
+        <source>Level %1 is here.</source>
+        <translation>Ebene %1 ist da.</translation>
+    </message>
+    <message>
+        <source>Full detail.</source>
+        <translation>Volles Detail.</translation>
+    </message>
+    <message>
+        <source>%1 gives no answer. What is here can be seen and felt; the rest is asked for again and again.</source>
+        <translation>%1 antwortet nicht. Was da ist, kann gesehen und gefühlt werden; nach dem Übrigen wird immer wieder gefragt.</translation>
+    </message>
+    <message>
+        <source>The server gives no answer. What is here can be felt.</source>
+        <translation>Der Server antwortet nicht. Was da ist, kann gefühlt werden.</translation>
+    </message>
+    <message>
+        <source>%1 answers again.</source>
+        <translation>%1 antwortet wieder.</translation>
+    </message>
+    <message>
+        <source>The server answers again.</source>
+        <translation>Der Server antwortet wieder.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

@@ -7327,6 +7327,74 @@
         <source>Cannot read %1: it is %2; this version reads scans as %3, and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Convert it to one of these, or choose another file.</source>
         <translation>%1 पढ़ी नहीं जा सकती: यह %2 है; यह संस्करण स्कैन %3 के रूप में और रास्टर GeoTIFF, TIFF, PNG या ESRI ASCII ग्रिड के रूप में पढ़ता है। इसे इनमें से किसी में बदलें या दूसरी फ़ाइल चुनें।</translation>
     </message>
+    <message>
+        <source>Cannot publish to %1: there is something already. It was left as it is. Give a folder that is empty or not there yet.</source>
+        <translation>%1 में प्रकाशित नहीं किया जा सकता: वहाँ पहले से कुछ है। वह जैसा था वैसा ही है। ऐसा फ़ोल्डर दें जो खाली हो या अभी न हो।</translation>
+    </message>
+    <message>
+        <source>%1 is no map by tiles, and so it cannot be published. Nothing was written. Make one with relievo depthmap --memory, and publish that.</source>
+        <translation>%1 टाइलों वाला मानचित्र नहीं है, इसलिए प्रकाशित नहीं किया जा सकता। कुछ नहीं लिखा गया। relievo depthmap --memory से एक बनाएँ और उसे प्रकाशित करें।</translation>
+    </message>
+    <message>
+        <source>The published map %1 has no file %2 (%3). Look at the address, or publish the map again.</source>
+        <translation>प्रकाशित मानचित्र %1 में फ़ाइल %2 नहीं है (%3)। पता जाँचें, या मानचित्र फिर से प्रकाशित करें।</translation>
+    </message>
+    <message>
+        <source>The file %2 of the published map %1 is damaged: it is not what was published. It was not used. Publish the map again.</source>
+        <translation>प्रकाशित मानचित्र %1 की फ़ाइल %2 क्षतिग्रस्त है: यह वह नहीं है जो प्रकाशित हुआ था। इसका उपयोग नहीं किया गया। मानचित्र फिर से प्रकाशित करें।</translation>
+    </message>
+    <message>
+        <source>A tile of level %2 of the published map %1 is damaged: its checksum is not the one that was published (%3). It was not used. Publish the map again.</source>
+        <translation>प्रकाशित मानचित्र %1 के स्तर %2 की एक टाइल क्षतिग्रस्त है: उसका चेकसम वह नहीं है जो प्रकाशित हुआ था (%3)। उसका उपयोग नहीं किया गया। मानचित्र फिर से प्रकाशित करें।</translation>
+    </message>
+    <message>
+        <source>The map %1 cannot be fetched now: %2. Look at the network, and try again.</source>
+        <translation>मानचित्र %1 अभी नहीं लाया जा सकता: %2। नेटवर्क जाँचें और फिर से प्रयास करें।</translation>
+    </message>
+    <message>
+        <source>There is no published map at %1: its map.json is none of this version. Give the address of a folder that relievo publish made.</source>
+        <translation>%1 पर कोई प्रकाशित मानचित्र नहीं है: वहाँ की map.json इस संस्करण की नहीं है। ऐसे फ़ोल्डर का पता दें जिसे relievo publish ने बनाया हो।</translation>
+    </message>
+    <message>
+        <source>%1 gives no answer. The map is shown as it was when it was last opened, with the tiles that were kept.</source>
+        <translation>%1 उत्तर नहीं देता। मानचित्र वैसा दिखाया जाता है जैसा पिछली बार खोलने पर था, रखी हुई टाइलों के साथ।</translation>
+    </message>
+    <message>
+        <source>The server gives no answer. The map is shown as it was kept.</source>
+        <translation>सर्वर उत्तर नहीं देता। मानचित्र वैसा दिखाया जाता है जैसा रखा गया था।</translation>
+    </message>
+    <message>
+        <source>Level %2 is on its way. Until it is here, level %1 is shown and felt.</source>
+        <translation>स्तर %2 आ रहा है। उसके आने तक स्तर %1 दिखाया और महसूस किया जाता है।</translation>
+    </message>
+    <message>
+        <source>Coarser until the tiles are here.</source>
+        <translation>टाइलें आने तक कम बारीक।</translation>
+    </message>
+    <message>
+        <source>Level %1 is here.</source>
+        <translation>स्तर %1 आ गया है।</translation>
+    </message>
+    <message>
+        <source>Full detail.</source>
+        <translation>पूरा विवरण।</translation>
+    </message>
+    <message>
+        <source>%1 gives no answer. What is here can be seen and felt; the rest is asked for again and again.</source>
+        <translation>%1 उत्तर नहीं देता। जो यहाँ है उसे देखा और महसूस किया जा सकता है; शेष के लिए बार-बार पूछा जाता है।</translation>
+    </message>
+    <message>
+        <source>The server gives no answer. What is here can be felt.</source>
+        <translation>सर्वर उत्तर नहीं देता। जो यहाँ है उसे महसूस किया जा सकता है।</translation>
+    </message>
+    <message>
+        <source>%1 answers again.</source>
+        <translation>%1 फिर उत्तर देता है।</translation>
+    </message>
+    <message>
+        <source>The server answers again.</source>
+        <translation>सर्वर फिर उत्तर देता है।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

@@ -7,6 +7,7 @@
 
 #include "app/cli/json.h"
 #include "app/cli/map_report.h"
+#include "app/cli/published/published_input.h"
 #include "app/cli/report_text.h"
 #include "app/cli/verb.h"
 #include "core/base/failure.h"
@@ -273,6 +274,9 @@ CommandResult runInfo(const InfoArguments& a, const Task& task) {
   }
   const InputFacts facts = inputFacts(a.file, task);
   if (const auto shown = shownBy(a.file, facts)) return infoOfShown(a, *shown);
+  if (facts.kind == InputKind::tiled_map && std::filesystem::path(a.file).extension() == ".json") {
+    return infoOfPublished(a.file, task);
+  }
   const FileFacts found = readFacts(a, facts, task);
   const ScanInfo& info = found.info;
   ScanInfo without_strays = info;
@@ -333,18 +337,21 @@ CommandResult runInfo(const InfoArguments& a, const Task& task) {
 
 Verb infoVerb() {
   auto arguments = std::make_shared<InfoArguments>();
-  return {.name = "info",
-          .help = "What a file holds: format, points, faces, box, unit",
-          .declare =
-              [arguments](CLI::App& verb) {
-                verb.add_option("FILE", arguments->file, "Scan or raster")->required();
-                verb.add_option("--with", arguments->with,
-                                "Was this file written with FILE? More may follow; exit 5 if one "
-                                "was not");
-                verb.add_option("--unit", arguments->unit, "mm cm m in ft us-ft");
-                addScanOptions(verb, arguments->scan);
-              },
-          .run = [arguments](const Task& task) { return runInfo(*arguments, task); }};
+  return {
+      .name = "info",
+      .help = "What a file holds: format, points, faces, box, unit",
+      .declare =
+          [arguments](CLI::App& verb) {
+            mayBeWebAddress(verb.add_option("FILE", arguments->file,
+                                            "Scan or raster, or the address of a published map"))
+                ->required();
+            verb.add_option("--with", arguments->with,
+                            "Was this file written with FILE? More may follow; exit 5 if one "
+                            "was not");
+            verb.add_option("--unit", arguments->unit, "mm cm m in ft us-ft");
+            addScanOptions(verb, arguments->scan);
+          },
+      .run = [arguments](const Task& task) { return runInfo(*arguments, task); }};
 }
 
 }  // namespace relievo::batch

@@ -173,7 +173,7 @@ void writeVti(const std::filesystem::path& file, const ExportGrid& grid) {
   ExportFile out(file);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\" "
          "byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<ImageData WholeExtent=\""
-      << extent << "\" CellStatus=\"";
+      << extent << "\" Origin=\"";
   out.number(grid.first_x);
   out << " ";
   out.number(grid.first_y);

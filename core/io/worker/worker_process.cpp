@@ -82,13 +82,14 @@ WorkerProcess::WorkerProcess(const ImportAsk& ask) {
 WorkerProcess::WorkerProcess(const WorkerStart& how) {
   OwnedFd child_input(raised(::fcntl(how.input, F_DUPFD_CLOEXEC, 0)));
   const FdForChild input{child_input.get(), kInputFd};
-  const std::string does = "The scans cannot be prepared:";
-  start(workerProgram(how.program, does, ownFolder(does)), how.arguments, answerFile({}), {input});
+  start(workerProgram(how.program, how.does, ownFolder(how.does)), how.arguments, answerFile({}),
+        {input}, how.more_environment);
 }
 
 void WorkerProcess::start(const std::filesystem::path& executable,
                           std::vector<std::string> arguments, OwnedFd child_answer,
-                          const std::vector<FdForChild>& more) {
+                          const std::vector<FdForChild>& more,
+                          std::vector<std::string> more_environment) {
   answer_.reset(raised(::fcntl(child_answer.get(), F_DUPFD_CLOEXEC, 0)));
   OwnedFd child_progress;
   OwnedFd child_words;
@@ -102,7 +103,7 @@ void WorkerProcess::start(const std::filesystem::path& executable,
   fds.insert(fds.end(), more.begin(), more.end());
   child_.start({.program = executable,
                 .arguments = std::move(arguments),
-                .more_environment = {},
+                .more_environment = std::move(more_environment),
                 .environment = workerEnvironment(),
                 .fds = std::move(fds)});
 }

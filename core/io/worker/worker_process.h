@@ -46,6 +46,8 @@ struct WorkerStart {
   std::string program;                 ///< Its name alone; it lies where the import programs do.
   std::vector<std::string> arguments;  ///< After its name.
   int input = -1;                      ///< Ours; kInputFd in the child.
+  std::string does = "The scans cannot be prepared:";  ///< What is not possible without it.
+  std::vector<std::string> more_environment = {};      ///< Beyond workerEnvironment.
 };
 
 /// What an import program is asked for.
@@ -90,7 +92,8 @@ class WorkerProcess {
 
  private:
   void start(const std::filesystem::path& executable, std::vector<std::string> arguments,
-             OwnedFd child_answer, const std::vector<FdForChild>& more);
+             OwnedFd child_answer, const std::vector<FdForChild>& more,
+             std::vector<std::string> more_environment = {});
   void drain(const Task& task);
   void passProgress(const Task& task);
 

@@ -43,9 +43,8 @@ constexpr bool kSanitizer = false;
 #define RELIEVO_AUDIT_ARCH AUDIT_ARCH_AARCH64
 #endif
 
-/// Calls that no reader makes. Those that an architecture does not have are left out.
-constexpr auto kRefused = std::to_array<std::uint32_t>({
-    // Network.
+/// Calls that only the process makes that fetches.
+constexpr auto kNetwork = std::to_array<std::uint32_t>({
     __NR_socket,
     __NR_socketpair,
     __NR_connect,
@@ -56,6 +55,10 @@ constexpr auto kRefused = std::to_array<std::uint32_t>({
     __NR_sendto,
     __NR_sendmsg,
     __NR_sendmmsg,
+});
+
+/// Calls that no reader makes. Those that an architecture does not have are left out.
+constexpr auto kRefused = std::to_array<std::uint32_t>({
     // Programs, and rights.
     __NR_execve,
     __NR_execveat,
@@ -226,7 +229,7 @@ class Filter {
 };
 
 #ifdef RELIEVO_AUDIT_ARCH
-bool installFilter() {
+bool installFilter(SandboxNetwork network) {
   constexpr std::uint32_t kRefuse = SECCOMP_RET_ERRNO | EPERM;
   constexpr std::uint32_t kNone = SECCOMP_RET_ERRNO | ENOSYS;
   constexpr std::uint32_t kWriting = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC | O_APPEND;
@@ -238,6 +241,9 @@ bool installFilter() {
   filter.answerFrom(0x40000000U, SECCOMP_RET_KILL_PROCESS);  // The same calls by other numbers.
 #endif
   for (const std::uint32_t call : kRefused) filter.answerIf(call, kRefuse);
+  if (network == SandboxNetwork::refused) {
+    for (const std::uint32_t call : kNetwork) filter.answerIf(call, kRefuse);
+  }
   for (const std::uint32_t call : kUnknown) filter.answerIf(call, kNone);
   if (!kSanitizer) {
     for (const std::uint32_t call : kTracing) filter.answerIf(call, kRefuse);
@@ -254,7 +260,7 @@ bool installFilter() {
   return filter.install();
 }
 #else
-bool installFilter() {
+bool installFilter(SandboxNetwork /*network*/) {
   return false;
 }
 #endif
@@ -286,10 +292,10 @@ bool dieWithParent() {
   return parent > 0 && ::getppid() == parent;
 }
 
-bool enterWorkerSandbox(int last_fd) {
+bool enterWorkerSandbox(int last_fd, SandboxNetwork network) {
   ::close_range(static_cast<unsigned>(last_fd) + 1, ~0U, 0);
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return false;
-  return installFilter();
+  return installFilter(network);
 }
 
 }  // namespace relievo

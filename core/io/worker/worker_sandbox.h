@@ -20,7 +20,9 @@ bool dieWithParent();
 /// needs: network, other programs and processes, looking into processes, and opening, making,
 /// renaming or removing files for writing. Descriptors that are open stay writable, threads may be
 /// started. docs/adr/0098. [before other threads are started]
+/// @param network  open: of the network nothing is refused, for the process that fetches
 /// @return  false if the kernel does not offer the last; the rest is done all the same
-bool enterWorkerSandbox(int last_fd);
+enum class SandboxNetwork : bool { refused, open };
+bool enterWorkerSandbox(int last_fd, SandboxNetwork network = SandboxNetwork::refused);
 
 }  // namespace relievo

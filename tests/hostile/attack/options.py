@@ -19,6 +19,7 @@ BASES = {
     "fill": ["map.tif", "-o", "out.tif"],
     "pyramid": ["map.tif", "-o", "out.tif"],
     "convert": ["map.tif", "out.ply"],
+    "publish": ["map.tif", "-o", "out", "--licence", "CC0-1.0", "--citation", "none"],
     "render": ["map.tif", "-o", "out.png", "--pixels", "32"],
     "figure": ["map.tif", "-o", "out.svg"],
     "measure": ["map.tif", "--point", "30,30"],
@@ -39,7 +40,7 @@ WITH = {"eye-angle": ["--stereo", "half"], "zero-plane": ["--stereo", "half"],
         "plane": ["--area", "10,10;20,10;20,20"]}
 # Texts, not numbers: any name is a good name.
 NAMES = {"output", "caption", "heights", "window-out", "profile-csv", "profile-svg", "section-csv",
-         "section-svg", "write-recipe", "plot"}
+         "section-svg", "write-recipe", "plot", "licence", "citation", "title"}
 NOT_FINITE = re.compile(rb"(?<![\w.])-?(nan|inf(inity)?)(?![\w.])", re.IGNORECASE)
 
 

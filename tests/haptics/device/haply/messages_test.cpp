@@ -18,7 +18,7 @@ const std::string kInventory35 = R"({"session_id":7,"inverse3":[{"device_id":"04
     "preset":"defaults","basis":{"permutation":"XYZ"},
     "mount":{"position":{"x":0,"y":0,"z":0},"rotation":{"w":1,"x":0,"y":0,"z":0},
              "scale":{"x":1,"y":1,"z":1}},
-    "filters":{"force_ramp":{"gain":0.3},"damping":{"scalar":0.0}}},
+    "filters":{"force_gate":{"gain":0.3},"damping":{"scalar":0.0}}},
   "state":{"cursor_position":{"x":0.01,"y":-0.12,"z":0.15},
     "cursor_velocity":{"x":0,"y":0,"z":0},"current_cursor_force":{"x":0,"y":0.25,"z":0},
     "control_mode":"idle","transform":{"position":{"x":0,"y":0,"z":0}}},
