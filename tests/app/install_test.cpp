@@ -37,7 +37,8 @@ TEST_F(Install, ProgramPluginAndRuleNeedNothingOfTheBuild) {
        {"bin/relievo", "bin/relievo-falcon-emulator", "libexec/relievo/relievo-import",
         "libexec/relievo/relievo-cli", "libexec/relievo/relievo-device-host",
         "libexec/relievo/relievo-import-pcl", "libexec/relievo/relievo-import-libraries",
-        "libexec/relievo/relievo-gdal.so", RELIEVO_LIBDIR "/relievo/devices/force_dimension.so",
+        "libexec/relievo/relievo-import-web", "libexec/relievo/relievo-gdal.so",
+        RELIEVO_LIBDIR "/relievo/devices/force_dimension.so",
         RELIEVO_LIBDIR "/relievo/plugins/haptics_plugin.so"}) {
     const std::string needs = saidBy("ldd " + installed(name));
     EXPECT_EQ(needs.find("not found"), std::string::npos) << name << '\n' << needs;

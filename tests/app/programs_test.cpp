@@ -32,8 +32,9 @@ class Programs : public test::CommandTest {
   void SetUp() override {
     test::CommandTest::SetUp();
     fs::create_directory(path("bin"));
-    for (const char* name : {"relievo", "relievo-cli", "relievo-import", "relievo-import-pcl",
-                             "relievo-import-libraries", "relievo-prepare", "relievo-gdal.so"}) {
+    for (const char* name :
+         {"relievo", "relievo-cli", "relievo-import", "relievo-import-pcl",
+          "relievo-import-libraries", "relievo-import-web", "relievo-prepare", "relievo-gdal.so"}) {
       fs::copy_file(fs::path(RELIEVO_BINARY_DIR) / "bin" / name, path("bin") + "/" + name);
     }
   }
