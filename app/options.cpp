@@ -45,6 +45,16 @@ ViewChoice view(const std::string& name) {
   return {name, {}};
 }
 
+void refuseWhatDoesNotGoTogether(const WindowOptions& options) {
+  if (!options.exhibit.empty() && (!options.files.empty() || options.saysHow() ||
+                                   !options.language.empty() || options.safe_mode)) {
+    refuse("--exhibit says itself what is shown and how; give no other file or option with it.");
+  }
+  if (options.files.size() > 1 && options.saysHow()) {
+    refuse("--unit, --view, --detail and --region belong to one file; several are joined first.");
+  }
+}
+
 }  // namespace
 
 WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
@@ -103,13 +113,7 @@ WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
       refuse("There is no option '" + option + "'.");
     }
   }
-  if (!options.exhibit.empty() && (!options.files.empty() || options.saysHow() ||
-                                   !options.language.empty() || options.safe_mode)) {
-    refuse("--exhibit says itself what is shown and how; give no other file or option with it.");
-  }
-  if (options.files.size() > 1 && options.saysHow()) {
-    refuse("--unit, --view, --detail and --region belong to one file; several are joined first.");
-  }
+  refuseWhatDoesNotGoTogether(options);
   return options;
 }
 
