@@ -191,7 +191,7 @@ std::vector<Message> ExhibitControl::wordsOf(std::size_t index) const {
 void ExhibitControl::openObject(std::size_t index) {
   opening_since_s_ = ways_.now_s();
   if (open_object_ == static_cast<int>(index) && window_.document().isOpen() &&
-      !window_.document().busy()) {
+      !window_.document().loader().busy()) {
     run("whole");
     return objectOpened();
   }
@@ -229,7 +229,7 @@ void ExhibitControl::objectFailed(const QString& why) {
 
 /// What was refused by a question that nobody here can answer.
 void ExhibitControl::watchOpening() {
-  if (visit_.state() != Visit::State::opening || window_.document().busy()) return;
+  if (visit_.state() != Visit::State::opening || window_.document().loader().busy()) return;
   if (ways_.now_s() - opening_since_s_ > kNothingComesS) objectFailed(window_.message());
 }
 
