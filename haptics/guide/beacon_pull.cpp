@@ -11,7 +11,7 @@ using Law = BeaconLaw;
 
 /// Force and energy of the whole potential at a place.
 struct Pull {
-  DeviceN force;
+  DeviceN force{};
   double energy_mj = 0;
   DeviceMm
       direction;  ///< To the beacon along x and y; unit length, or zero where the hand is there.

@@ -12,7 +12,7 @@ namespace relievo {
 /// A marker that the hand is pulled back to while it feels the surface.
 struct BeaconOptions {
   std::uint64_t id = 0;        ///< Another one begins a new pull; 0: none.
-  DeviceMm place;              ///< Mm of hand; its z does not count.
+  DeviceMm place{};            ///< Mm of hand; its z does not count.
   std::uint64_t scene_id = 0;  ///< HapticSpace::scene_id of the surface that it lies on.
   friend bool operator==(const BeaconOptions&, const BeaconOptions&) = default;
 };
@@ -36,7 +36,7 @@ struct BeaconLaw {
 struct BeaconState {
   std::uint64_t id = 0;  ///< Of the last pull; kept after its end, so that it begins once.
   GuideEnd end = GuideEnd::none;
-  DeviceMm place;
+  DeviceMm place{};
   double weight = 0;
   double since_s = 0;  ///< That it was felt.
   double away_s = 0, fast_s = 0;
@@ -45,8 +45,8 @@ struct BeaconState {
 };
 
 struct BeaconStep {
-  BeaconState state;
-  DeviceN force;         ///< On the hand, of full strength.
+  BeaconState state{};
+  DeviceN force{};       ///< On the hand, of full strength.
   double energy_mj = 0;  ///< Stands in it.
   double given_mj = 0;   ///< Of that: put in by the weight in this tick, and owed by nobody.
 };
