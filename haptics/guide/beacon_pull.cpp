@@ -13,9 +13,12 @@ using Law = BeaconLaw;
 struct Pull {
   DeviceN force{};
   double energy_mj = 0;
-  DeviceMm
-      direction;  ///< To the beacon along x and y; unit length, or zero where the hand is there.
+  DeviceMm direction{};  ///< To the beacon, unit length along x and y; zero: the hand is there.
   bool is_there = false;
+};
+double energy_mj = 0;
+DeviceMm direction;  ///< To the beacon along x and y; unit length, or zero where the hand is there.
+bool is_there = false;
 };
 
 Pull pullAt(DeviceMm place, DeviceMm hand) RELIEVO_REALTIME {
