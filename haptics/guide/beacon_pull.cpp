@@ -16,10 +16,6 @@ struct Pull {
   DeviceMm direction{};  ///< To the beacon, unit length along x and y; zero: the hand is there.
   bool is_there = false;
 };
-double energy_mj = 0;
-DeviceMm direction;  ///< To the beacon along x and y; unit length, or zero where the hand is there.
-bool is_there = false;
-};
 
 Pull pullAt(DeviceMm place, DeviceMm hand) RELIEVO_REALTIME {
   const DeviceMm way{place.x - hand.x, place.y - hand.y, 0};
