@@ -17,16 +17,19 @@ struct Pull {
   bool is_there = false;
 };
 
+// At r_0 it ends: with a force that went to zero there, the dry friction of a device's joints,
+// 0.1 N, would hold the hand before it.
 Pull pullAt(DeviceMm place, DeviceMm hand) RELIEVO_REALTIME {
   const DeviceMm way{place.x - hand.x, place.y - hand.y, 0};
   const double away_mm = norm(way);
   if (!(away_mm > Law::kThereMm)) return {.is_there = true};
   const DeviceMm u = (1 / away_mm) * way;
-  const double stretch_mm = away_mm - Law::kThereMm;
   constexpr double kBendMm = Law::kMostN / Law::kNPerMm;  // From here on the force is constant.
-  const double force_n = std::min(Law::kNPerMm * stretch_mm, Law::kMostN);
-  const double energy_mj = stretch_mm < kBendMm ? 0.5 * force_n * stretch_mm
-                                                : Law::kMostN * (stretch_mm - 0.5 * kBendMm);
+  const double force_n = std::min(Law::kNPerMm * away_mm, Law::kMostN);
+  constexpr double kThereMj = 0.5 * Law::kNPerMm * Law::kThereMm * Law::kThereMm;
+  const double energy_mj =
+      (away_mm < kBendMm ? 0.5 * force_n * away_mm : Law::kMostN * (away_mm - 0.5 * kBendMm)) -
+      kThereMj;
   return {{force_n * u.x, force_n * u.y, 0}, energy_mj, u, false};
 }
 

@@ -18,7 +18,7 @@ struct BeaconOptions {
 };
 
 /// The law of a beacon: a potential of the hand's distance r from it along x and y,
-///   V = k (r - r_0)^2 / 2 up to the largest force, from there on linear;  F = -w grad V
+///   V = k (r^2 - r_0^2) / 2 up to the largest force, from there on linear;  F = -w grad V
 /// with a weight w that rises from 0 to 1 so slowly that no more than kMostFedMw is fed in by it.
 /// Added to the surface's force, which goes on being felt.
 struct BeaconLaw {

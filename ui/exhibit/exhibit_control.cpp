@@ -115,8 +115,8 @@ void ExhibitControl::tick() {
       showPin();
     }
   }
-  watchOpening();
   for (const Visit::Order& order : visit_.take(now_s)) carryOut(order);
+  watchOpening();  // After the order to open, from which it counts.
   if (now_s - saved_s_ > kSaveS) saveCounts();
 }
 
