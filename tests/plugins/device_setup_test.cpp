@@ -315,8 +315,8 @@ TEST_F(DeviceSetupTest, WhatSelfTestAndFirmwareSayIsInTheWindowsLanguage) {
   EXPECT_TRUE(said_.last().contains("IT HAS 3 BYTES;")) << said_.last().toStdString();
   QTest::keyClick(child<QPushButton>("setupSelfTest"), Qt::Key_Space);
   EXPECT_TRUE(
-      shows("MOVE THE GRIP ALL ROUND AND PRESS EACH OF THE FOUR BUTTONS. STILL MISSING: "
-            "PLUS, FORWARD, CENTRE, MINUS, "))
+      shows("MOVE THE GRIP TO ITS END ON EVERY SIDE AND PRESS EACH OF THE FOUR BUTTONS. STILL "
+            "MISSING: PLUS, FORWARD, CENTRE, MINUS, "))
       << results->toPlainText().toStdString();
   EXPECT_TRUE(said_.contains("MEASURING HOW EVENLY THE FALCON ANSWERS."));
   emulated_->with([](auto& f) { f.unplug(); });
