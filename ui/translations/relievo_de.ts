@@ -5385,6 +5385,10 @@
         <translation>%1: %2 ist keine ganze Zahl.</translation>
     </message>
     <message>
+        <source>%1: there is no &apos;%2&apos;; there are %3.</source>
+        <translation>%1: „%2“ gibt es nicht; es gibt %3.</translation>
+    </message>
+    <message>
         <source>%1: &apos;%2&apos; is none of %3.</source>
         <translation>%1: „%2“ ist keines von %3.</translation>
     </message>

@@ -5385,6 +5385,10 @@
         <translation>%1: %2 पूर्ण संख्या नहीं है।</translation>
     </message>
     <message>
+        <source>%1: there is no &apos;%2&apos;; there are %3.</source>
+        <translation>%1: '%2' नहीं है; ये हैं: %3।</translation>
+    </message>
+    <message>
         <source>%1: &apos;%2&apos; is none of %3.</source>
         <translation>%1: &apos;%2&apos; इनमें से कोई नहीं है: %3।</translation>
     </message>

@@ -189,8 +189,8 @@ TEST(MakeSurface, AnOwnMapIsTakenAsItIs) {
 TEST(MakeSurface, SaysThatARuleForOneLayerMixesTheFrontWithTheBack) {
   const Scan one = test::latticeScan(60, 60, 1, [](double x, double) { return 20 + x / 10; });
   Scan two = one;
-  // Behind a corner only: where much lies behind, the front alone counts, and nothing mixes.
-  const Scan back = test::latticeScan(12, 12, 1, [](double, double) { return 0; });
+  // Behind a strip only: where much lies behind, the front alone counts, and nothing mixes.
+  const Scan back = test::latticeScan(60, 2, 1, [](double, double) { return 0; });
   two.points.insert(two.points.end(), back.points.begin(), back.points.end());
   test::finishScan(two);
   const auto warned = [](const Scan& scan, std::optional<PointRule> rule) {
