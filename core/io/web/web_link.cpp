@@ -19,6 +19,7 @@
 
 #include "core/base/error.h"
 #include "core/file/owned_fd.h"
+#include "core/file/whole_bytes.h"
 #include "core/io/worker/spawn.h"
 #include "core/io/worker/worker_process.h"
 
@@ -40,19 +41,6 @@ std::vector<std::string> environmentForFetching() {
     if (needed) kept.emplace_back(text);
   }
   return kept;
-}
-
-/// @return  false if the other end is closed
-bool readWhole(int fd, void* out, std::size_t bytes) {
-  auto* to = static_cast<char*>(out);
-  while (bytes > 0) {
-    const ssize_t got = ::read(fd, to, bytes);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    to += got;
-    bytes -= static_cast<std::size_t>(got);
-  }
-  return true;
 }
 
 bool sendWhole(int fd, const void* from, std::size_t bytes) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/web/web_worker.h"
+#include "core/file/whole_bytes.h"
 
 #include <sys/socket.h>
 #include <unistd.h>
@@ -31,18 +32,6 @@ struct Asked {
   WebRequest request;
   std::string name;
 };
-
-bool readWhole(void* out, std::size_t bytes) {
-  auto* to = static_cast<char*>(out);
-  while (bytes > 0) {
-    const ssize_t got = ::read(kInputFd, to, bytes);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    to += got;
-    bytes -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
 
 std::span<const std::byte> bytesOf(const std::string& text) {
   return std::as_bytes(std::span(text));
@@ -79,10 +68,10 @@ class Service {
     for (int i = 0; i < kWebConnections; ++i) {
       threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
     }
-    for (Asked asked; readWhole(&asked.request, sizeof(asked.request));) {
+    for (Asked asked; readWhole(kInputFd, &asked.request, sizeof(asked.request));) {
       if (asked.request.name_bytes > kMostWebName) break;
       asked.name.resize(asked.request.name_bytes);
-      if (!readWhole(asked.name.data(), asked.name.size())) break;
+      if (!readWhole(kInputFd, asked.name.data(), asked.name.size())) break;
       const std::scoped_lock lock(mutex_);
       queue_.push_back(std::move(asked));
       changed_.notify_one();

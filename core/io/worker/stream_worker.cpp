@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/file/whole_bytes.h"
 #include "core/io/formats/lines.h"
 #include "core/io/point_reader.h"
 #include "core/io/worker/answer_text.h"
@@ -20,19 +21,6 @@
 
 namespace relievo {
 namespace {
-
-/// @return  false if the other end is closed
-bool readWhole(int fd, void* out, std::size_t bytes) {
-  auto* to = static_cast<char*>(out);
-  while (bytes > 0) {
-    const ssize_t got = ::read(fd, to, bytes);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    to += got;
-    bytes -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
 
 bool writeWhole(int fd, const void* from, std::size_t bytes) {
   const auto* at = static_cast<const char*>(from);
