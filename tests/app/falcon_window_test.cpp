@@ -24,6 +24,7 @@
 #include "tests/app/program_window.h"
 #include "tests/emulator/made_image.h"
 #include "tests/emulator/mock_usb.h"
+#include "tests/emulator/stall_watch.h"
 
 namespace relievo {
 namespace {
@@ -150,15 +151,16 @@ class FalconWindowTest : public ::testing::Test {
   /// stay off, as they must, and one presses again.
   void switchForcesOn(test::ProgramWindow& program, std::size_t from) {
     constexpr auto kPatience = std::chrono::seconds(20);
-    for (int presses = 0; presses < 5; ++presses) {
+    const auto switchedOn = [&] {
       program.key("F5");
       const auto pressed = std::chrono::steady_clock::now();
       while (std::chrono::steady_clock::now() - pressed < kPatience) {
-        if (events(from).find("forces on") != std::string::npos) return;
+        if (events(from).find("forces on") != std::string::npos) return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
       }
-    }
-    FAIL() << "no forces on\n" << events();
+      return false;
+    };
+    ASSERT_TRUE(stalls_.repeatAfterStalls(5, switchedOn)) << events();
   }
   bool pushed() {
     return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.3; });
@@ -171,23 +173,21 @@ class FalconWindowTest : public ::testing::Test {
   }
   /// Forces on, then down on the surface; again, as a person would, after a stall.
   void touch(test::ProgramWindow& program) {
-    for (int attempt = 0; attempt < 10; ++attempt) {
+    const auto pressed = [&] {
       handTo(kAbove);
-      ASSERT_TRUE(eventually([this] { return !pushed(); }));
+      if (!eventually([this] { return !pushed(); })) return false;
       const std::size_t from = readRecording(file()).rows.size();
       switchForcesOn(program, from);
-      if (HasFatalFailure()) return;
+      if (HasFatalFailure()) return false;
       handTo(kBelow);
-      ASSERT_TRUE(pushedOrStalled(from)) << events();
-      if (!pushed()) continue;
-      ASSERT_TRUE(lit(falcon::green));
-      return;
-    }
-    FAIL() << "ten stalls\n" << events();
+      return pushedOrStalled(from) && pushed();
+    };
+    ASSERT_TRUE(stalls_.repeatAfterStalls(10, pressed)) << events();
+    ASSERT_TRUE(lit(falcon::green));
   }
   /// Plus, pressed shortly: 700 ms are another command. Again if a busy computer made it so long.
   bool plus() {
-    for (int presses = 0; presses < 5; ++presses) {
+    return stalls_.repeatAfterStalls(5, [this] {
       falcon_->with([](FalconEmulator& f) { f.buttons = 1; });
       std::this_thread::sleep_for(std::chrono::milliseconds(150));
       falcon_->with([](FalconEmulator& f) { f.buttons = 0; });
@@ -195,8 +195,8 @@ class FalconWindowTest : public ::testing::Test {
         if (events().find("of detail 2") != std::string::npos) return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
       }
-    }
-    return false;
+      return false;
+    });
   }
   /// The newest recording's file; empty: there is none.
   fs::path file() const {
@@ -229,6 +229,7 @@ class FalconWindowTest : public ::testing::Test {
   QTemporaryDir home_;
   emulator::MockUsb usb_;
   std::shared_ptr<SharedFalcon> falcon_;
+  emulator::StallWatch stalls_;
   fs::path firmware_;
   std::size_t begun_ = 0;
 };

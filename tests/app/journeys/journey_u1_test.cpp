@@ -27,6 +27,7 @@
 #include "tests/app/journeys/journey.h"
 #include "tests/emulator/made_image.h"
 #include "tests/emulator/mock_usb.h"
+#include "tests/emulator/stall_watch.h"
 #include "ui/dialogs/depth_map_dialog.h"
 #include "ui/dialogs/figure/figure_dialog.h"
 #include "ui/figure/figure.h"
@@ -111,15 +112,16 @@ class JourneyU1 : public Journey {
       return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.2; }) &&
              probe()->touching && probe()->hip.z < probe()->proxy.z;
     };
-    for (int attempt = 0; attempt < 5; ++attempt) {
+    return stalls_.repeatAfterStalls(5, [&] {
       handTo(x_mm, y_mm, kAboveZ);
-      if (!proxyNear(x_mm, y_mm, 3)) continue;
+      if (!proxyNear(x_mm, y_mm, 3)) return false;
       if (!action("forces")->isChecked()) key(Qt::Key_F5);
-      if (!QTest::qWaitFor([this] { return probe() && probe()->forces_on; }, kPatienceMs)) continue;
+      if (!QTest::qWaitFor([this] { return probe() && probe()->forces_on; }, kPatienceMs)) {
+        return false;
+      }
       handTo(x_mm, y_mm, z);
-      if (QTest::qWaitFor(pushed, kPatienceMs)) return true;
-    }
-    return false;
+      return QTest::qWaitFor(pushed, kPatienceMs);
+    });
   }
   /// Runs a command that makes another surface; does the hand feel that one then?
   bool otherSurfaceBy(const char* command) {
@@ -141,14 +143,13 @@ class JourneyU1 : public Journey {
   }
   /// Plus, pressed shortly; again if a busy computer took it for a long press.
   bool plus(int wanted_detail) {
-    for (int attempt = 0; attempt < 5; ++attempt) {
+    return stalls_.repeatAfterStalls(5, [&] {
       falcon_->with([](FalconEmulator& f) { f.buttons = 1; });
       QTest::qWait(150);
       falcon_->with([](FalconEmulator& f) { f.buttons = 0; });
       const auto done = [&] { return document().detail() == wanted_detail; };
-      if (QTest::qWaitFor(done, kPatienceMs)) return true;
-    }
-    return false;
+      return QTest::qWaitFor(done, kPatienceMs);
+    });
   }
   /// Down on a place, and up again.
   bool tap(double x_mm, double y_mm) {
@@ -162,6 +163,7 @@ class JourneyU1 : public Journey {
 
   emulator::MockUsb usb_;
   std::shared_ptr<SharedFalcon> falcon_;
+  emulator::StallWatch stalls_;
   DeviceMm aside_;          ///< Of the hand, from where the window alone would have it.
   double depth_ = kAboveZ;  ///< It is held at.
   fs::path log_;            ///< What was recorded.
@@ -373,31 +375,27 @@ void JourneyU1::measureByTouch() {
         read(document().surface()->map, panel.measurements().back()).quantities[quantity];
     return std::abs(height.value - samples::kReliefFStepMm) <= 0.25;
   };
-  bool tapped = false;
-  for (int attempt = 0; attempt < 5 && !tapped; ++attempt) {
+  const auto tappedStep = [&] {
     key(Qt::Key_M, Qt::ControlModifier | Qt::AltModifier);
-    ASSERT_TRUE(panel.byTouch());
-    ASSERT_TRUE(tap(step - 5, y)) << where();
-    ASSERT_TRUE(tap(step + 5, y)) << where();
-    tapped = readsStep(MeasureKind::depth, 0);
-  }
-  ASSERT_TRUE(tapped) << where();
+    return panel.byTouch() && tap(step - 5, y) && tap(step + 5, y) &&
+           readsStep(MeasureKind::depth, 0);
+  };
+  ASSERT_TRUE(stalls_.repeatAfterStalls(5, tappedStep)) << where();
   EXPECT_LE(read(document().surface()->map, panel.measurements().back()).quantities[0].uncertainty,
             0.25);
   EXPECT_TRUE(said().contains("5.00")) << where();
-  bool drawn = false;
-  for (int attempt = 0; attempt < 5 && !drawn; ++attempt) {
-    ASSERT_TRUE(touch(step + 8, y)) << where();
+  const auto drawnOverStep = [&] {
+    if (!touch(step + 8, y)) return false;
     for (double x = step + 8; x > step - 8; x -= 0.25) {
       handTo(x, y, kBelowZ);
       QTest::qWait(12);
     }
-    ASSERT_TRUE(proxyNear(step - 8, y, 1)) << where();
+    if (!proxyNear(step - 8, y, 1)) return false;
     handTo(step - 8, y, kAboveZ);
-    ASSERT_TRUE(eventually([this] { return probe() && !probe()->touching; }));
-    drawn = QTest::qWaitFor([&] { return readsStep(MeasureKind::profile, 1); }, kPatienceMs);
-  }
-  EXPECT_TRUE(drawn) << "the stroke's height range";
+    return eventually([this] { return probe() && !probe()->touching; }) &&
+           QTest::qWaitFor([&] { return readsStep(MeasureKind::profile, 1); }, kPatienceMs);
+  };
+  EXPECT_TRUE(stalls_.repeatAfterStalls(5, drawnOverStep)) << "height range; " << where();
   picture("6_by_touch");
   for (int i = 0; i < 3 && (panel.byTouch() || action("forces")->isChecked()); ++i) {
     key(Qt::Key_Escape);
