@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <initializer_list>
 #include <mutex>
 #include <random>
 
@@ -239,14 +240,25 @@ class Heard {
                   changed_.notify_all();
                 }};
   }
-  bool waitFor(const std::function<bool()>& seen) {
+  bool waitToHear(std::initializer_list<MessageId> any_of) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, std::chrono::minutes(2), seen);
+    return changed_.wait_for(lock, kPatience, [&] {
+      return std::find_first_of(said_.begin(), said_.end(), any_of.begin(), any_of.end()) !=
+             said_.end();
+    });
   }
-  bool hasSaid(MessageId id) const { return std::count(said_.begin(), said_.end(), id) > 0; }
-  const WindowsAhead::Given* last() const { return given_.empty() ? nullptr : &given_.back(); }
+  /// The newest window once it is as asked for, as it was then: others may follow. Null: none was.
+  std::shared_ptr<const RegionWindow> waitForWindow(
+      const std::function<bool(const RegionWindow&)>& is_right) {
+    std::unique_lock lock(mutex_);
+    const bool came = changed_.wait_for(
+        lock, kPatience, [&] { return !given_.empty() && is_right(*given_.back().window); });
+    return came ? given_.back().window : nullptr;
+  }
 
  private:
+  static constexpr std::chrono::minutes kPatience{2};
+
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<WindowsAhead::Given> given_;
@@ -263,29 +275,33 @@ TEST_F(Publishing, ACoarserWindowComesAtOnceAndTheRestWhenTheServerIsBack) {
   WindowsAhead ahead(web, heard.calls());
   ahead.want(here);
   const auto complete = [&](const Region& region) {
-    return heard.last() != nullptr && heard.last()->window->region == region;
+    return heard.waitForWindow(
+        [&region](const RegionWindow& window) { return window.region == region; });
   };
-  ASSERT_TRUE(heard.waitFor([&] { return complete(here); }));
-  EXPECT_EQ(heard.last()->window->id, original.window(here).id);
-  EXPECT_TRUE(heard.hasSaid(MessageId::web_level_coarser));
-  EXPECT_TRUE(heard.waitFor([&] { return heard.hasSaid(MessageId::web_level_complete); }));
+  const auto arrived = complete(here);
+  ASSERT_TRUE(arrived);
+  EXPECT_EQ(arrived->id, original.window(here).id);
+  EXPECT_TRUE(heard.waitToHear({MessageId::web_level_coarser}));
+  EXPECT_TRUE(heard.waitToHear({MessageId::web_level_complete}));
 
   server.stop();
   ahead.want(there);
-  ASSERT_TRUE(heard.waitFor([&] { return heard.hasSaid(MessageId::web_server_lost); }));
-  ASSERT_TRUE(heard.waitFor([&] { return heard.last()->window->region.x_mm == there.x_mm; }));
-  const Level coarser = heard.last()->window->region.level;
-  EXPECT_GT(coarser.value, 0);
+  ASSERT_TRUE(heard.waitToHear({MessageId::web_server_lost}));
+  const auto coarser = heard.waitForWindow(
+      [&](const RegionWindow& window) { return window.region.x_mm == there.x_mm; });
+  ASSERT_TRUE(coarser);
+  EXPECT_GT(coarser->region.level.value, 0);
   Region as_given = there;
-  as_given.level = coarser;
-  EXPECT_EQ(heard.last()->window->id, original.window(as_given).id);
+  as_given.level = coarser->region.level;
+  EXPECT_EQ(coarser->id, original.window(as_given).id);
   EXPECT_NE(refusalOf<WebLost>([&] { web->window(there); }).find("cannot be fetched now"),
             std::string::npos);
 
   server.start();
-  ASSERT_TRUE(heard.waitFor([&] { return complete(there); }));
-  EXPECT_EQ(heard.last()->window->id, original.window(there).id);
-  EXPECT_TRUE(heard.waitFor([&] { return heard.hasSaid(MessageId::web_server_back); }));
+  const auto back = complete(there);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->id, original.window(there).id);
+  EXPECT_TRUE(heard.waitToHear({MessageId::web_server_back}));
 }
 
 TEST_F(Publishing, ADamagedTileIsSaidAndTheCoarserLevelStays) {
@@ -298,12 +314,11 @@ TEST_F(Publishing, ADamagedTileIsSaidAndTheCoarserLevelStays) {
   Heard heard;
   WindowsAhead ahead(web, heard.calls());
   ahead.want(region);
-  ASSERT_TRUE(heard.waitFor([&] {
-    return heard.hasSaid(MessageId::published_tile_damaged) ||
-           heard.hasSaid(MessageId::published_file_damaged);
-  }));
-  ASSERT_TRUE(heard.waitFor([&] { return heard.last() != nullptr; }));
-  EXPECT_GT(heard.last()->window->region.level.value, 0);
+  ASSERT_TRUE(
+      heard.waitToHear({MessageId::published_tile_damaged, MessageId::published_file_damaged}));
+  const auto coarser = heard.waitForWindow([](const RegionWindow&) { return true; });
+  ASSERT_TRUE(coarser);
+  EXPECT_GT(coarser->region.level.value, 0);
 }
 
 TEST_F(Publishing, AMapOfTenToTheTwelveCellsIsOpenedByItsListAlone) {
