@@ -16,6 +16,7 @@ void HapticsPlugin::attach(Host& host) {
   parts_ = std::make_unique<TouchParts>(TouchParts{host, settings_, requested_device_});
   device_ = std::make_unique<HandDevice>(*parts_);
   device_->open();
+  return_ = std::make_unique<ForceReturn>(*parts_, *device_);
   parts_->panel = new HapticsPanel;  // The host owns it from addPanel on.
   parts_->showSettings();
   host.controls.addPanel(tr("Touch"), parts_->panel);
@@ -50,13 +51,15 @@ void HapticsPlugin::detach() noexcept {
   announcer_.reset();
   surface_.reset();
   recording_.reset();
+  return_.reset();
   device_.reset();  // Zero force, joins, closes an open recording.
   parts_.reset();
   shown_ = {};
+  wants_forces_ = false;
 }
 
 void HapticsPlugin::connectParts() {
-  connect(device_.get(), &HandDevice::forcesEnd, this, &HapticsPlugin::endForces);
+  connect(device_.get(), &HandDevice::forcesEnd, this, &HapticsPlugin::dropForces);
   connect(device_.get(), &HandDevice::leaving, this, [this] {
     guide_->end();
     buttons_->cancelMoving();
@@ -64,7 +67,7 @@ void HapticsPlugin::connectParts() {
   });
   connect(device_.get(), &HandDevice::changed, this, &HapticsPlugin::takeDevice);
   connect(surface_.get(), &TouchedSurface::given, this, [this] { shown_ = {}; });
-  connect(announcer_.get(), &LoopAnnouncer::forcesEnd, this, &HapticsPlugin::endForces);
+  connect(announcer_.get(), &LoopAnnouncer::forcesEnd, this, &HapticsPlugin::dropForces);
   connect(buttons_.get(), &ButtonControl::changed, this, &HapticsPlugin::applySettings);
   connect(guide_.get(), &GuideControl::changed, this, &HapticsPlugin::applySettings);
   connect(guide_.get(), &GuideControl::forcesAsked, this, &HapticsPlugin::setForces);
@@ -75,6 +78,7 @@ void HapticsPlugin::connectActions() {
   const TouchActions& actions = parts_->actions;
   connect(actions.forces, &QAction::toggled, this, &HapticsPlugin::setForces);
   connect(actions.forces_off, &QAction::triggered, this, [this] { setForces(false); });
+  connect(actions.take_back, &QAction::triggered, this, &HapticsPlugin::takeForceBack);
   connect(actions.stronger, &QAction::triggered, this, [this] { changeStrength(kStrengthStep); });
   connect(actions.weaker, &QAction::triggered, this, [this] { changeStrength(-kStrengthStep); });
   connect(actions.record, &QAction::toggled, guide_.get(), &GuideControl::setRecording);
@@ -86,6 +90,7 @@ void HapticsPlugin::connectPanel() {
   const HapticsPanel* const panel = parts_->panel;
   connect(panel, &HapticsPanel::devicesWanted, device_.get(), &HandDevice::lookForPlugins);
   connect(panel, &HapticsPanel::forcesAsked, this, &HapticsPlugin::setForces);
+  connect(panel, &HapticsPanel::takeBackAsked, this, &HapticsPlugin::takeForceBack);
   connect(panel, &HapticsPanel::firmnessAsked, surface_.get(), &TouchedSurface::chooseFirmness);
   connect(panel, &HapticsPanel::settingsChanged, device_.get(), [this] { takePanelSettings(); });
 }
@@ -105,8 +110,32 @@ void HapticsPlugin::takePanelSettings() {
 void HapticsPlugin::takeDevice() {
   shown_ = {};
   announcer_->forgetFault();
+  return_->forget();
   applySettings();
   surface_->showWindow();
+  if (device_->isReplaced()) wants_forces_ = false;
+}
+
+void HapticsPlugin::takeForceBack() {
+  if (!session() || !return_->isPossible()) return;
+  device_->openAnew();
+  wants_forces_ = !device_->isReplaced();
+  slowReadouts();  // Escape must know at once that there is something to stop.
+}
+
+/// Its first readings say that it is not ready yet.
+void HapticsPlugin::watchReturn() {
+  if (!wants_forces_ || device_->isOpening()) return;
+  const bool is_ready = return_->wasReady();
+  if (!is_ready && !return_->mustOpenAnew()) return;
+  wants_forces_ = false;
+  if (is_ready && !return_->mustOpenAnew()) setForces(true);
+}
+
+void HapticsPlugin::dropForces(SaidBecause why) {
+  const bool is_waited_for = why == SaidBecause::noticed && wants_forces_;
+  endForces(why);
+  wants_forces_ = is_waited_for;
 }
 
 void HapticsPlugin::setForces(bool on) {
@@ -116,13 +145,10 @@ void HapticsPlugin::setForces(bool on) {
     parts_->host.messages.announce(tr("Nothing to touch yet. Open a scan first."));
     on = false;
   }
-  const foreign::ForeignDevice* const of_plugin = session()->foreign();
-  const bool is_unplugged = announcer_->fault() == DeviceFault::disconnected;
-  if (on && of_plugin != nullptr && (of_plugin->isLost() || is_unplugged)) {
-    // Its host is no more, or its cable was pulled: it is opened anew, and forces wait for another
-    // wish.
-    device_->change();
-    on = false;
+  if (!on) wants_forces_ = false;
+  if (on && return_->mustOpenAnew()) {
+    takeForceBack();
+    on = parts_->forces_asked;  // Later: it takes a while to open.
   }
   if (on) session()->retryDevice();
   const bool changed = on != parts_->forces_asked;
@@ -131,7 +157,7 @@ void HapticsPlugin::setForces(bool on) {
     const QSignalBlocker blocker(parts_->actions.forces);
     parts_->actions.forces->setChecked(on);
   }
-  parts_->actions.forces_off->setEnabled(on);
+  parts_->actions.forces_off->setEnabled(on || wants_forces_);
   if (parts_->panel) parts_->panel->setForcesAsked(on);
   session()->loop().sayAlive();  // Whoever asks is there, though no frame came for a while.
   applySettings();
@@ -171,6 +197,8 @@ void HapticsPlugin::frame() {
     if (parts_->panel) parts_->panel->plot(plot);
   }
   announcer_->follow(sample);
+  return_->follow(sample);
+  watchReturn();
   recording_->watch();
   buttons_->follow(sample);
   guide_->follow(sample);
@@ -197,6 +225,9 @@ void HapticsPlugin::slowReadouts(bool with_status) {
   report.stats = session()->stats();
   report.realtime = session()->loop().realtime();
   device_->report(report);
+  report.take_back = return_->remedy();
+  parts_->actions.take_back->setEnabled(return_->isPossible());
+  parts_->actions.forces_off->setEnabled(parts_->forces_asked || wants_forces_);
   if (parts_->panel) parts_->panel->show(report);
   if (with_status) tellStatus(report);
   device_->watchPlugs();
@@ -211,7 +242,7 @@ void HapticsPlugin::tellStatus(const LoopReport& report) {
   status.late_ticks = report.stats.late_ticks;
   status.realtime = report.realtime.realtime;
   status.realtime_note = QString::fromStdString(report.realtime.note);
-  status.forces_on = parts_->forces_asked;
+  status.forces_on = parts_->forces_asked || wants_forces_;
   status.recording = session()->recorder().running();
   status.recorded_samples = session()->recorder().samples();
   status.stiffness_n_per_mm = report.sample.stiffness_n_per_mm;

@@ -8,6 +8,7 @@
 #include "haptics/rt/sleep_watch.h"
 #include "plugins/api/plugin.h"
 #include "plugins/haptics/buttons/button_control.h"
+#include "plugins/haptics/device/force_return.h"
 #include "plugins/haptics/device/hand_device.h"
 #include "plugins/haptics/guide/guide_control.h"
 #include "plugins/haptics/loop_announcer.h"
@@ -44,6 +45,10 @@ class HapticsPlugin : public QObject, public Plugin {
   void connectPanel();
   void setForces(bool on);
   void endForces(SaidBecause why);
+  /// Of a device that took it away: opens it, and asks for forces once it is open.
+  void takeForceBack();
+  void watchReturn();
+  void dropForces(SaidBecause why);  // Not by the person, whose wish may wait for an opening.
   void changeStrength(int percent);
   void takePanelSettings();
   void takeDevice();  // Another one, with a session of its own.
@@ -61,6 +66,7 @@ class HapticsPlugin : public QObject, public Plugin {
   // While attached, each made from those before it.
   std::unique_ptr<TouchParts> parts_;
   std::unique_ptr<HandDevice> device_;
+  std::unique_ptr<ForceReturn> return_;
   std::unique_ptr<RecordingControl> recording_;
   std::unique_ptr<TouchedSurface> surface_;
   std::unique_ptr<LoopAnnouncer> announcer_;
@@ -68,6 +74,7 @@ class HapticsPlugin : public QObject, public Plugin {
   std::unique_ptr<GuideControl> guide_;
   std::unique_ptr<SleepWatch> sleep_;
   QTimer timer_;
+  bool wants_forces_ = false;  // Of the device that is being opened.
   SaidBecause forces_because_ = SaidBecause::asked;
   Probe shown_;  // Last given to the host; window_id 0: none yet.
   int frames_ = 0;

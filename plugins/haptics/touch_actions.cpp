@@ -146,6 +146,15 @@ void makeForceActions(TouchActions& actions) {
             QT_TRANSLATE_NOOP("relievo::TouchActions", "Escape always stops the forces first.")},
            {}, false);
   actions.forces_off->setEnabled(false);
+  actions.take_back = made(
+      {"takeForcesBack", QT_TRANSLATE_NOOP("relievo::TouchActions", "Ta&ke the forces back"),
+       QT_TRANSLATE_NOOP("relievo::TouchActions",
+                         "Open a device again that took its forces away (Shift+F5)"),
+       QT_TRANSLATE_NOOP("relievo::TouchActions",
+                         "The device is closed and opened; its forces rise from zero once the hand "
+                         "is clear of the surface.")},
+      {QKeySequence(QStringLiteral("Shift+F5"))}, false);
+  actions.take_back->setEnabled(false);
   actions.stronger =
       made({"stronger", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Stronger"),
             QT_TRANSLATE_NOOP("relievo::TouchActions", "Raise the strength of all forces by 10 %"),
@@ -197,8 +206,8 @@ TouchActions addTouchActions(Host& host) {
   makeGuideActions(actions);
   makeDeviceActions(actions);
   for (QAction* action :
-       {actions.forces, actions.forces_off, actions.stronger, actions.weaker, actions.setup,
-        actions.use_mouse, actions.move_mode, actions.move_back, actions.where_am_i,
+       {actions.forces, actions.forces_off, actions.take_back, actions.stronger, actions.weaker,
+        actions.setup, actions.use_mouse, actions.move_mode, actions.move_back, actions.where_am_i,
         actions.where_am_i_long, actions.say_detail, actions.guide, actions.guide_along,
         actions.training, actions.next_shape, actions.button_help, actions.rumble}) {
     host.controls.addAction(touch, action);

@@ -9,15 +9,16 @@ struct Host;
 
 /// The plugin's entries in the menus Touch and Record. Owned by the host.
 struct TouchActions {
-  QAction* forces = nullptr;           ///< "forces": on and off; F5, Ctrl+T.
-  QAction* forces_off = nullptr;       ///< "forcesOff": off at once; the window runs it on Escape.
-  QAction* stronger = nullptr;         ///< "stronger"
-  QAction* weaker = nullptr;           ///< "weaker"
-  QAction* setup = nullptr;            ///< "deviceSetup": the assistant for the Falcon.
-  QAction* use_mouse = nullptr;        ///< "useMouse": the mouse is the hand; leaves a homing, too.
-  QAction* move_mode = nullptr;        ///< "moveMode": on, or confirm and leave; Ctrl+Shift+M.
-  QAction* move_back = nullptr;        ///< "moveBack": out of Move mode, to the old window.
-  QAction* where_am_i = nullptr;       ///< "whereAmI": Ctrl+I.
+  QAction* forces = nullptr;      ///< "forces": on and off; F5, Ctrl+T.
+  QAction* forces_off = nullptr;  ///< "forcesOff": off at once; the window runs it on Escape.
+  QAction* take_back = nullptr;   ///< "takeForcesBack": opens a device that was lost; Shift+F5.
+  QAction* stronger = nullptr;    ///< "stronger"
+  QAction* weaker = nullptr;      ///< "weaker"
+  QAction* setup = nullptr;       ///< "deviceSetup": the assistant for the Falcon.
+  QAction* use_mouse = nullptr;   ///< "useMouse": the mouse is the hand; leaves a homing, too.
+  QAction* move_mode = nullptr;   ///< "moveMode": on, or confirm and leave; Ctrl+Shift+M.
+  QAction* move_back = nullptr;   ///< "moveBack": out of Move mode, to the old window.
+  QAction* where_am_i = nullptr;  ///< "whereAmI": Ctrl+I.
   QAction* where_am_i_long = nullptr;  ///< "whereAmILong": Ctrl+Alt+I.
   QAction* say_detail = nullptr;       ///< "sayDetail": detail, window and scale; Ctrl+Shift+I.
   QAction* guide = nullptr;            ///< "guide": along the outline, or off; Ctrl+Alt+G.

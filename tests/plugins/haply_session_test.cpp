@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <QComboBox>
+#include <QFocusEvent>
+#include <QKeyEvent>
 #include <string>
 
 #include "core/base/error.h"
@@ -58,6 +61,49 @@ TEST_F(HaplySession, TheHandIsWhereTheGripIsThroughUnpluggingAndBack) {
 TEST_F(HaplySession, OneThatIsNotThereIsSaid) {
   plant(HaplyFault::device_absent);
   EXPECT_THROW(LoopSession("haply"), DeviceError);
+}
+
+/// The whole plugin, whose list of devices asks the service.
+class HaplyInTheList : public test::PluginTest {
+ protected:
+  HaplyInTheList() {
+    setenv("RELIEVO_HAPLY_SERVICE", std::to_string(mock_.port()).c_str(), 1);
+    setenv("RELIEVO_HAPLY_PATIENCE_S", "60", 1);
+  }
+  ~HaplyInTheList() override {
+    unsetenv("RELIEVO_HAPLY_SERVICE");
+    unsetenv("RELIEVO_HAPLY_PATIENCE_S");
+  }
+  QComboBox* devices() { return inPanel<QComboBox>("deviceList"); }
+  bool isListed(const char* id) { return devices()->findData(id) >= 0; }
+  void lookAtTheList() {
+    attach();
+    QFocusEvent focus(QEvent::FocusIn);
+    QCoreApplication::sendEvent(devices(), &focus);
+  }
+
+  InverseService mock_;
+};
+
+TEST_F(HaplyInTheList, EveryDeviceThatTheServiceSeesStandsThereByItsId) {
+  mock_.with([](HaplyWorld& world) { world.fault = HaplyFault::second_device; });
+  lookAtTheList();
+  EXPECT_TRUE(eventually([this] { return isListed("haply:049D") && isListed("haply:04BA"); }));
+  EXPECT_EQ(devices()->itemText(devices()->findData("haply:049D")), "Haply Inverse3 049D");
+  EXPECT_FALSE(isListed("haply")) << "which one would it be?";
+  EXPECT_EQ(mock_.with([](const HaplyWorld& world) { return world.configurations; }), 0U)
+      << "to look changes nothing";
+}
+
+TEST_F(HaplyInTheList, OneIsChosenByAKey) {
+  lookAtTheList();
+  ASSERT_TRUE(eventually([this] { return isListed("haply:049D"); }));
+  QKeyEvent end(QEvent::KeyPress, Qt::Key_End, Qt::NoModifier);
+  QCoreApplication::sendEvent(devices(), &end);
+  EXPECT_EQ(devices()->currentData().toString(), "haply:049D");
+  EXPECT_TRUE(eventually([this] {
+    return mock_.with([](const HaplyWorld& world) { return world.configurations > 0; });
+  }));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "plugins/haptics/panel/haptics_panel.h"
 
 #include <gtest/gtest.h>
+#include <QComboBox>
 #include <QLabel>
 
 namespace relievo {
@@ -57,6 +58,25 @@ TEST_F(HapticsPanelTest, WhetherADeviceWasTriedOnHardwareStandsBesideIt) {
   settings.device = "virtual:light";
   panel_.setSettings(settings);
   EXPECT_TRUE(label("triedOnHardware")->isHidden());
+}
+
+TEST_F(HapticsPanelTest, DevicesWithTheSameNameAreToldApartAndEachSaysWhetherItWasTried) {
+  panel_.setPluginDevices({{"plugin:force_dimension/device.0", "Arm"},
+                           {"plugin:force_dimension/device.1", "Arm"},
+                           {"haply:049D", "Haply Inverse3 049D"}});
+  auto* devices = panel_.findChild<QComboBox*>("deviceList");
+  const auto at = [&](const char* id) { return devices->findData(id); };
+  const auto tried = [&](const char* id) {
+    return devices->itemData(at(id), Qt::AccessibleDescriptionRole).toString();
+  };
+  EXPECT_EQ(devices->itemText(at("plugin:force_dimension/device.0")),
+            "Arm (plugin:force_dimension/device.0)");
+  EXPECT_EQ(devices->itemText(at("plugin:force_dimension/device.1")),
+            "Arm (plugin:force_dimension/device.1)");
+  EXPECT_EQ(devices->itemText(at("haply:049D")), "Haply Inverse3 049D");
+  EXPECT_EQ(tried("plugin:force_dimension/device.1"), "Tried on hardware: never.");
+  EXPECT_EQ(tried("haply:049D"), "Tried on hardware: never.");
+  EXPECT_EQ(tried("mouse"), "");
 }
 
 TEST_F(HapticsPanelTest, WarmMotorsAreSaid) {

@@ -3703,6 +3703,21 @@
     </message>
 </context>
 <context>
+    <name>relievo::ForceReturn</name>
+    <message>
+        <source>The device can push again. Lift the hand and press F5, or hold its button Centre: the forces rise from zero.</source>
+        <translation>Das Gerät kann wieder drücken. Die Hand anheben und F5 drücken oder seine Taste Mitte halten: Die Kräfte steigen von null an.</translation>
+    </message>
+    <message>
+        <source>Lift the hand and press F5: the device is opened anew, and its forces rise from zero.</source>
+        <translation>Die Hand anheben und F5 drücken: Das Gerät wird neu geöffnet, und seine Kräfte steigen von null an.</translation>
+    </message>
+    <message>
+        <source>Shift+F5 opens the chosen device again and takes its forces back.</source>
+        <translation>Umschalt+F5 öffnet das gewählte Gerät wieder und holt seine Kräfte zurück.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ForeignFiles</name>
     <message numerus="yes">
         <source>and %n more</source>
@@ -3891,6 +3906,22 @@
     <message>
         <source>The new surface comes under the hand: %1 %.</source>
         <translation>Die neue Oberfläche kommt unter die Hand: %1 %.</translation>
+    </message>
+    <message>
+        <source>Off: %1. %2</source>
+        <translation>Aus: %1. %2</translation>
+    </message>
+    <message>
+        <source>Take the forces bac&amp;k</source>
+        <translation>Kräfte zurückh&amp;olen</translation>
+    </message>
+    <message>
+        <source>Take the forces back</source>
+        <translation>Kräfte zurückholen</translation>
+    </message>
+    <message>
+        <source>Opens the device again (Shift+F5). Its forces rise from zero once the hand is clear.</source>
+        <translation>Öffnet das Gerät wieder (Umschalt+F5). Seine Kräfte steigen von null an, sobald die Hand frei ist.</translation>
     </message>
 </context>
 <context>
@@ -11748,6 +11779,18 @@
     <message>
         <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. The panel Buttons has the same switch.</source>
         <translation>Ein Klopfen, wenn die Hand die Oberfläche trifft, und ein leises Brummen am Rand des Ausschnitts. Das Feld Knöpfe am Gerät hat denselben Schalter.</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke the forces back</source>
+        <translation>Kräfte zurückh&amp;olen</translation>
+    </message>
+    <message>
+        <source>Open a device again that took its forces away (Shift+F5)</source>
+        <translation>Ein Gerät wieder öffnen, das seine Kräfte weggenommen hat (Umschalt+F5)</translation>
+    </message>
+    <message>
+        <source>The device is closed and opened; its forces rise from zero once the hand is clear of the surface.</source>
+        <translation>Das Gerät wird geschlossen und geöffnet; seine Kräfte steigen von null an, sobald die Hand von der Oberfläche frei ist.</translation>
     </message>
 </context>
 <context>

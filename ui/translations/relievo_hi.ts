@@ -3703,6 +3703,21 @@
     </message>
 </context>
 <context>
+    <name>relievo::ForceReturn</name>
+    <message>
+        <source>The device can push again. Lift the hand and press F5, or hold its button Centre: the forces rise from zero.</source>
+        <translation>उपकरण फिर बल दे सकता है। हाथ उठाएँ और F5 दबाएँ, या उसका बटन बीच दबाए रखें: बल शून्य से बढ़ते हैं।</translation>
+    </message>
+    <message>
+        <source>Lift the hand and press F5: the device is opened anew, and its forces rise from zero.</source>
+        <translation>हाथ उठाएँ और F5 दबाएँ: उपकरण नए सिरे से खुलता है, और उसके बल शून्य से बढ़ते हैं।</translation>
+    </message>
+    <message>
+        <source>Shift+F5 opens the chosen device again and takes its forces back.</source>
+        <translation>Shift+F5 चुने हुए उपकरण को फिर खोलता है और उसके बल वापस लेता है।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ForeignFiles</name>
     <message numerus="yes">
         <source>and %n more</source>
@@ -3891,6 +3906,22 @@
     <message>
         <source>The new surface comes under the hand: %1 %.</source>
         <translation>नई सतह हाथ के नीचे आ रही है: %1 %।</translation>
+    </message>
+    <message>
+        <source>Off: %1. %2</source>
+        <translation>बंद: %1। %2</translation>
+    </message>
+    <message>
+        <source>Take the forces bac&amp;k</source>
+        <translation>बल वापस लें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Take the forces back</source>
+        <translation>बल वापस लें</translation>
+    </message>
+    <message>
+        <source>Opens the device again (Shift+F5). Its forces rise from zero once the hand is clear.</source>
+        <translation>उपकरण को फिर खोलता है (Shift+F5)। हाथ के अलग होते ही उसके बल शून्य से बढ़ते हैं।</translation>
     </message>
 </context>
 <context>
@@ -5386,7 +5417,7 @@
     </message>
     <message>
         <source>%1: there is no &apos;%2&apos;; there are %3.</source>
-        <translation>%1: '%2' नहीं है; ये हैं: %3।</translation>
+        <translation>%1: &apos;%2&apos; नहीं है; ये हैं: %3।</translation>
     </message>
     <message>
         <source>%1: &apos;%2&apos; is none of %3.</source>
@@ -11748,6 +11779,18 @@
     <message>
         <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. The panel Buttons has the same switch.</source>
         <translation>हाथ के सतह से मिलने पर एक ठोकर, और विंडो के किनारे पर हल्की गूँज। पैनल बटन में यही स्विच है।</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke the forces back</source>
+        <translation>बल वापस लें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Open a device again that took its forces away (Shift+F5)</source>
+        <translation>जिस उपकरण ने अपने बल हटा लिए, उसे फिर खोलें (Shift+F5)</translation>
+    </message>
+    <message>
+        <source>The device is closed and opened; its forces rise from zero once the hand is clear of the surface.</source>
+        <translation>उपकरण बंद करके खोला जाता है; हाथ के सतह से अलग होते ही उसके बल शून्य से बढ़ते हैं।</translation>
     </message>
 </context>
 <context>

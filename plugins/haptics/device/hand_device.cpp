@@ -108,6 +108,11 @@ void HandDevice::change() {
   parts_.host.messages.announce(tr("Device: %1.").arg(name));
 }
 
+void HandDevice::openAnew() {
+  if (isReplaced()) return choose(parts_.requested);
+  change();
+}
+
 void HandDevice::useSettings() {
   if (session_ && parts_.settings.device != opened_) change();
 }

@@ -46,6 +46,11 @@ class HandDevice : public QObject {
   void useSettings();
   /// Opens the device of the settings anew.
   void change();
+  /// Opens the one that the person asked for anew, also where the mouse has taken its place.
+  void openAnew();
+  bool isOpening() const { return opening_ != nullptr; }
+  /// The mouse is the hand, because the one that was asked for could not be opened.
+  bool isReplaced() const { return !opening_ && !setup_ && !fallback_.isEmpty(); }
 
   /// Adds to a report what the device says of itself, and announces what is new of it.
   void report(LoopReport& report);

@@ -7,6 +7,8 @@
 #include "core/base/error.h"
 #include "haptics/device/foreign/ask_host.h"
 #include "haptics/device/foreign/plugin_files.h"
+#include "haptics/device/haply/device_search.h"
+#include "haptics/device/haply/service_address.h"
 #include "haptics/device_catalog.h"
 
 namespace relievo {
@@ -18,9 +20,22 @@ bool isReady(const auto& future) {
   return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
+/// In a session that only listens, beside the one that may drive. [worker]
+std::vector<PluginDevice> seenByHaply(const Task& task) {
+  std::vector<PluginDevice> devices;
+  if (!haply::isServiceThere()) return devices;
+  const std::unique_ptr<haply::Service> service = haply::inverseService(haply::serviceAddress());
+  const haply::Inventory inventory = haply::lookAround(*service, task.stop);
+  for (const haply::ServiceDevice& seen : inventory.seen.told()) {
+    devices.push_back({QString::fromStdString(haply::idOf(seen.id.view())),
+                       QString::fromStdString(haply::nameOf(seen.type.view(), seen.id.view()))});
+  }
+  return devices;
+}
+
 /// One that cannot be asked has none; `relievo devices` says why. [worker]
 std::vector<PluginDevice> asked(const Task& task) {
-  std::vector<PluginDevice> devices;
+  std::vector<PluginDevice> devices = seenByHaply(task);
   for (const foreign::PluginFile& file : foreign::pluginFiles()) {
     if (!file.trusted) continue;
     try {

@@ -18,13 +18,14 @@ namespace foreign {
 class ForeignDevice;
 }
 
-/// One that a trusted plug-in for devices has found.
+/// One that had to be asked for: by a trusted plug-in for devices, or by Haply's service.
 struct PluginDevice {
   QString id, name;  ///< As makeDevice() takes it; for people.
 };
 
-/// Asks the plug-ins for devices which devices they find, each in a process of its own and beside
-/// the window. Without such a plug-in nothing is started. All calls: GUI thread.
+/// Asks the plug-ins for devices which devices they find, each in a process of its own, and Haply's
+/// service which it sees; beside the window. Without such a plug-in nothing is started, and without
+/// the service nobody is spoken to. All calls: GUI thread.
 class PluginDevices : public QObject {
   Q_OBJECT
  public:

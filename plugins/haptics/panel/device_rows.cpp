@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/haptics/panel/device_rows.h"
 
+#include <algorithm>
+#include <map>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
@@ -14,6 +16,21 @@
 #include "plugins/haptics/panel/panel_widgets.h"
 
 namespace relievo {
+
+namespace {
+/// What the catalogue of devices says of one; empty: nobody can feel it.
+QString triedText(const QString& id) {
+  const auto tried = triedOnHardware(id.toStdString());
+  if (!tried) return DeviceRows::tr("Tried on hardware: ask who made the plug-in.");
+  if (*tried == "never") return DeviceRows::tr("Tried on hardware: never.");
+  if (tried->empty()) return {};
+  return DeviceRows::tr("Tried on hardware: %1.").arg(QString::fromStdString(*tried));
+}
+
+bool isOfHaply(const QString& id) {
+  return id.startsWith(QLatin1String("haply:"));
+}
+}  // namespace
 
 DeviceRows::DeviceRows(QObject* parent) : QObject(parent) {
   device_ = choice("deviceList", tr("Device"), {});
@@ -46,14 +63,38 @@ void DeviceRows::list() {
   const QSignalBlocker blocker(device_);
   const QString chosen = device_->currentData().toString();
   device_->clear();
+  // Each by its name, once they are known; until then the only one.
+  const bool names_haplys = std::any_of(plugin_devices_.begin(), plugin_devices_.end(),
+                                        [](const PluginDevice& d) { return isOfHaply(d.id); });
   for (const DeviceDriver& driver : deviceCatalog()) {
     for (const std::string& id : driver.scan()) {
-      device_->addItem(QString::fromStdString(driver.make(id)->info().name),
-                       QString::fromStdString(id));
+      const QString name = QString::fromStdString(driver.make(id)->info().name);
+      if (id == "haply" && names_haplys && chosen != QLatin1String("haply")) continue;
+      add(name, QString::fromStdString(id));
     }
   }
-  for (const PluginDevice& device : plugin_devices_) device_->addItem(device.name, device.id);
+  for (const PluginDevice& device : plugin_devices_) add(device.name, device.id);
+  tellApart();
   if (!chosen.isEmpty()) choose(chosen);
+}
+
+void DeviceRows::add(const QString& name, const QString& id) {
+  device_->addItem(name, id);
+  const int place = device_->count() - 1;
+  const QString tried = triedText(id);
+  device_->setItemData(place, tried, Qt::ToolTipRole);
+  device_->setItemData(place, tried, Qt::AccessibleDescriptionRole);
+}
+
+/// Several with the same name have their ids, too.
+void DeviceRows::tellApart() {
+  std::map<QString, int> times;
+  for (int i = 0; i < device_->count(); ++i) ++times[device_->itemText(i)];
+  for (int i = 0; i < device_->count(); ++i) {
+    const QString name = device_->itemText(i);
+    if (times[name] == 1) continue;
+    device_->setItemText(i, QStringLiteral("%1 (%2)").arg(name, device_->itemData(i).toString()));
+  }
 }
 
 void DeviceRows::setPluginDevices(std::vector<PluginDevice> devices) {
@@ -71,15 +112,7 @@ bool DeviceRows::eventFilter(QObject* watched, QEvent* event) {
 
 /// What the catalogue of devices says of the chosen one.
 void DeviceRows::showTried() {
-  const auto tried = triedOnHardware(device_->currentData().toString().toStdString());
-  QString text;
-  if (!tried) {
-    text = tr("Tried on hardware: ask who made the plug-in.");
-  } else if (*tried == "never") {
-    text = tr("Tried on hardware: never.");
-  } else if (!tried->empty()) {
-    text = tr("Tried on hardware: %1.").arg(QString::fromStdString(*tried));
-  }
+  const QString text = triedText(device_->currentData().toString());
   setTextIfNew(tried_, text);
   tried_->setVisible(!text.isEmpty());
 }
@@ -93,9 +126,8 @@ void DeviceRows::choose(const QString& id) {
       // Known to no driver: its id must do.
     }
     // Whether one of a plug-in, or a certain one of Haply's, is here, nobody has asked yet.
-    const bool may_be_here =
-        isPluginDevice(id.toStdString()) || id.startsWith(QLatin1String("haply:"));
-    device_->addItem(may_be_here ? name : tr("%1 (not here now)").arg(name), id);
+    const bool may_be_here = isPluginDevice(id.toStdString()) || isOfHaply(id);
+    add(may_be_here ? name : tr("%1 (not here now)").arg(name), id);
   }
   device_->setCurrentIndex(device_->findData(id));
   showTried();

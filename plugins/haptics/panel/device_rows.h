@@ -41,6 +41,8 @@ class DeviceRows : public QObject {
 
  private:
   void choose(const QString& id);
+  void add(const QString& name, const QString& id);
+  void tellApart();
   void showTried();
   void takeChange();
 

@@ -5,6 +5,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QVBoxLayout>
@@ -23,6 +24,10 @@ namespace {
 QString stateText(const LoopReport& report) {
   const HapticSample& sample = report.sample;
   if (!report.not_ready.isEmpty()) return report.not_ready;
+  if (sample.fault != DeviceFault::none && !report.take_back.isEmpty()) {
+    return HapticsPanel::tr("Off: %1. %2")
+        .arg(messageText(messageOf(sample.fault)), report.take_back);
+  }
   if (sample.fault != DeviceFault::none) {
     return HapticsPanel::tr("Off: %1. Switch off and on to try again.")
         .arg(messageText(messageOf(sample.fault)));
@@ -84,6 +89,7 @@ QFormLayout* HapticsPanel::rows() {
   strength_row->addWidget(strength_value_);
   form->addRow(forces_);
   form->addRow(state_);
+  form->addRow(take_back_);
   form->addRow(change_);
   auto* label = new QLabel(tr("St&rength"));
   label->setBuddy(strength_);
@@ -115,12 +121,18 @@ void HapticsPanel::buildControls() {
   strength_value_->setMinimumWidth(
       strength_value_->fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
   state_ = readout("forceState", tr("State of the forces"));
+  take_back_ = named(new QPushButton(tr("Take the forces bac&k")), "takeBackButton",
+                     tr("Take the forces back"));
+  take_back_->setToolTip(
+      tr("Opens the device again (Shift+F5). Its forces rise from zero once the hand is clear."));
+  take_back_->hide();
   change_ = readout("surfaceChange", tr("A new surface under the hand"));
   change_->hide();
 }
 
 void HapticsPanel::connectControls() {
   connect(forces_, &QCheckBox::toggled, this, &HapticsPanel::forcesAsked);
+  connect(take_back_, &QPushButton::clicked, this, &HapticsPanel::takeBackAsked);
   connect(strength_, &QSlider::valueChanged, this, &HapticsPanel::changed);
   connect(feel_, &FeelForm::changed, this, &HapticsPanel::changed);
   connect(firmness_, &FirmnessRow::asked, this, &HapticsPanel::firmnessAsked);
@@ -178,7 +190,9 @@ void HapticsPanel::setForcesAsked(bool on) {
 void HapticsPanel::show(const LoopReport& report) {
   const HapticSample& sample = report.sample;
   const QString state = stateText(report);
-  setTextIfNew(state_, report.fallback.isEmpty() ? state : report.fallback + '\n' + state);
+  const QString helps = report.take_back.isEmpty() ? QString() : ' ' + report.take_back;
+  setTextIfNew(state_, report.fallback.isEmpty() ? state : report.fallback + helps + '\n' + state);
+  take_back_->setVisible(!report.take_back.isEmpty());
   const bool changes = sample.change < 1 && sample.engaged != EngagePhase::off;
   if (changes) {
     const int percent = static_cast<int>(kPercent * sample.change);

@@ -5,14 +5,15 @@
 #include <span>
 #include <vector>
 
-#include "plugins/haptics/device/plugin_devices.h"
 #include "core/recording/force_point.h"
+#include "plugins/haptics/device/plugin_devices.h"
 #include "plugins/haptics/panel/loop_health.h"
 #include "plugins/haptics/touch_settings.h"
 
 class QCheckBox;
 class QFormLayout;
 class QLabel;
+class QPushButton;
 class QSlider;
 
 namespace relievo {
@@ -44,6 +45,7 @@ class HapticsPanel : public QWidget {
 
  Q_SIGNALS:
   void forcesAsked(bool on);
+  void takeBackAsked();  ///< A force that was taken away.
   void settingsChanged();
   void firmnessAsked(const QString& file);  ///< Empty: none.
   void devicesWanted();                     ///< Somebody turns to the list of devices.
@@ -64,7 +66,8 @@ class HapticsPanel : public QWidget {
   QSlider* strength_ = nullptr;
   QLabel* strength_value_ = nullptr;
   QLabel* state_ = nullptr;
-  QLabel* change_ = nullptr;  // Hidden while none comes.
+  QPushButton* take_back_ = nullptr;  // Hidden while no force was taken away.
+  QLabel* change_ = nullptr;          // Hidden while none comes.
 };
 
 }  // namespace relievo

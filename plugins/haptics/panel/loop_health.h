@@ -18,6 +18,7 @@ struct LoopReport {
   QString device;
   QString not_ready;      ///< Why the device cannot be used now, and what helps; empty: it can.
   QString fallback;       ///< Why it is not the device that was chosen; empty: it is.
+  QString take_back;      ///< What brings back a force that was taken away; empty: none was.
   QString heat;           ///< How warm its motors are; empty: it does not say.
   bool actuated = false;  ///< The device can push back.
 };

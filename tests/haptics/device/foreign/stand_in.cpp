@@ -68,6 +68,7 @@ enum class Fault {
   warms,  // Motors that can show 1 N for good.
   hot,    // At its limit.
   wants_guard,
+  takes_force,  // Away, once the file beside its log is there, until it is opened again.
 };
 constexpr Fault kFault = Fault::FAULT;
 constexpr bool is(Fault fault) {
@@ -93,6 +94,7 @@ void note(StandInEntry::What what, double force_n) {
 
 std::atomic<int> steps{0};
 bool was_closed = false;
+bool force_taken = false;
 
 /// Whether a thread of this process has that name.
 bool hasThread(const char* name) {
@@ -131,6 +133,7 @@ relievo_status openIt(void* /*self*/) {
   if (is(Fault::open_hangs)) pause(600'000);
   if (is(Fault::never_reopens) && was_closed) return RELIEVO_BUSY;
   steps = 0;
+  force_taken = false;
   return RELIEVO_OK;
 }
 
@@ -189,6 +192,11 @@ relievo_status stepIt(void* /*self*/, const double force_n[3], std::int64_t now_
   out->position_mm[2] = 3;
   out->time_ns = now_ns;
   out->hottest_motor = is(Fault::hot) && isTime() ? 1 : -1;
+  if (is(Fault::takes_force)) {
+    const std::string sign = std::string(std::getenv("RELIEVO_STAND_IN_LOG")) + ".takes";
+    force_taken = force_taken || ::access(sign.c_str(), F_OK) == 0;
+    if (force_taken) return RELIEVO_FORCE_OFF;
+  }
   constexpr double kPushedN = 0.2;
   if (std::abs(force_n[0]) > kPushedN) {
     if (const relievo_status status = pushed(); status < 0) return status;
