@@ -118,8 +118,9 @@ std::string heightText(double value) {
 std::string suspectWords(const SuspectHeight& suspect) {
   return grouped(suspect.count) + " of " + grouped(suspect.all) + " heights are " +
          heightText(suspect.value) +
-         ", which often stands for a missing one; they were taken as heights. Say --nodata " +
-         heightText(suspect.value) + " to leave them out, --nodata none to keep them.";
+         ", which often stands for a missing one; they were left out. Say --nodata none to take "
+         "them as heights, --nodata " +
+         heightText(suspect.value) + " to leave them out without this message.";
 }
 
 std::string missingWords(std::uint64_t missing, double value) {

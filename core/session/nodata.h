@@ -11,7 +11,8 @@ namespace relievo {
 struct Scan;       // core/cloud/scan.h
 struct RasterMap;  // core/io/raster/raster.h
 
-/// What somebody said of heights that stand for none and are not declared as such in the file.
+/// What somebody said of heights that stand for none and are not declared as such in the file;
+/// while nothing is said, a suspect one is left out (docs/adr/0216).
 struct NodataChoice {
   std::optional<double> value;  ///< This height is none, file unit; nothing: every height is one.
   friend bool operator==(const NodataChoice&, const NodataChoice&) = default;
@@ -37,7 +38,7 @@ std::optional<SuspectHeight> suspectAmong(const Heights& each);
 /// Whether a height is one that programs write for none; cheap, and says nothing of the others.
 bool isUsualNodata(double value);
 
-/// "1 204 of 40 000 heights are -9999, which often stands for none; ..."
+/// "1 204 of 40 000 heights are -9999, which often stands for a missing one; ..."
 std::string suspectWords(const SuspectHeight& suspect);
 std::string missingWords(std::uint64_t missing, double value);
 

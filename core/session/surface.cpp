@@ -17,6 +17,7 @@
 #include "core/session/colours/surface_colours.h"
 #include "core/session/large/memory_guard.h"
 #include "core/session/loss_report.h"
+#include "core/session/source/missing_height.h"
 #include "core/session/source/unit_guess.h"
 
 namespace relievo {
@@ -179,42 +180,35 @@ void finish(Surface& surface, const SurfaceOptions& options, Stopwatch& watch, c
   surface.seconds.pyramid = watch.lap();
 }
 
-std::optional<double> missingHeight(const SurfaceOptions& options) {
-  return options.nodata ? options.nodata->value : std::nullopt;
-}
-
-/// What of the scan is not in the surface, and what is that should perhaps not be.
-void takeLeftOut(Surface& surface, const ScanInUse& in_use, const Scan& whole,
-                 const SurfaceOptions& options) {
-  surface.strays = in_use.strays();
-  surface.missing = in_use.missing();
-  if (surface.missing > 0) {
-    surface.messages.push_back(missingWords(surface.missing, *options.nodata->value));
-  }
-  for (std::string words : {strayWords(surface.strays), groupWords(surface.strays)}) {
-    if (!words.empty()) surface.messages.push_back(std::move(words));
-  }
-  if (!options.nodata) surface.suspect_height = suspectHeight(whole);
+/// What was left out as no height, by whom.
+void sayMissing(Surface& surface, const std::optional<double>& value) {
   if (surface.suspect_height) {
     surface.messages.push_back(suspectWords(*surface.suspect_height));
+  } else if (surface.missing > 0) {
+    surface.messages.push_back(missingWords(surface.missing, *value));
+  }
+}
+
+/// What of the scan is not in the surface.
+void takeLeftOut(Surface& surface, const ScanInUse& in_use, const std::optional<double>& missing) {
+  surface.strays = in_use.strays();
+  surface.missing = in_use.missing();
+  sayMissing(surface, missing);
+  for (std::string words : {strayWords(surface.strays), groupWords(surface.strays)}) {
+    if (!words.empty()) surface.messages.push_back(std::move(words));
   }
 }
 
 /// The raster without the heights that stand for none; nothing: there are none.
 std::optional<RasterMap> withoutMissing(const RasterMap& raster, Surface& surface,
                                         const SurfaceOptions& options) {
-  const std::optional<double> value = missingHeight(options);
-  if (!value) {
-    if (!options.nodata) surface.suspect_height = suspectHeight(raster);
-    if (surface.suspect_height) {
-      surface.messages.push_back(suspectWords(*surface.suspect_height));
-    }
-    return std::nullopt;
-  }
+  if (!options.nodata) surface.suspect_height = suspectHeight(raster);
+  const std::optional<double> value = missingHeight(options.nodata, surface.suspect_height);
+  if (!value) return std::nullopt;
   RasterMap cleaned = raster;
   surface.missing = takeAsMissing(cleaned, *value);
   if (surface.missing == 0) return std::nullopt;
-  surface.messages.push_back(missingWords(surface.missing, *value));
+  sayMissing(surface, value);
   return cleaned;
 }
 
@@ -313,7 +307,9 @@ Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const Dept
   Surface surface;
   surface.messages = whole.info.warnings;
   Stopwatch watch;
-  ScanInUse in_use(whole, options.strays, missingHeight(options), task);
+  if (!options.nodata) surface.suspect_height = suspectHeight(whole);
+  const std::optional<double> missing = missingHeight(options.nodata, surface.suspect_height);
+  ScanInUse in_use(whole, options.strays, missing, task);
   surface.info = in_use.scan().info;
   chooseUnit(surface, options);
   const NamedRotation view = chosenRotation(
@@ -322,7 +318,7 @@ Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const Dept
   surface.view_is_weak = view.is_weak;
   in_use.dropAlong(view.rotation, task);
   const Scan& scan = in_use.scan();
-  takeLeftOut(surface, in_use, whole, options);
+  takeLeftOut(surface, in_use, missing);
   const double mm = mmPer(surface.unit);
   const RotatedBounds box = rotatedBounds(scan, view.rotation, mm);
   const std::optional<ClosedCloud> closed = closedCloud(scan, view.rotation, mm, box, task);

@@ -66,9 +66,9 @@ struct Surface {
   QualityMap quality;                 ///< Points and spread per cell; empty if not known.
   std::optional<DepthLosses> losses;  ///< Nothing for rasters: their points are gone.
   Strays strays;                      ///< Of scans.
-  /// A height that most likely stands for none, and is taken for one all the same.
+  /// A height that most likely stands for none, left out though nobody said so.
   std::optional<SuspectHeight> suspect_height;
-  std::uint64_t missing = 0;  ///< Points or cells left out because of options.nodata.
+  std::uint64_t missing = 0;  ///< Points or cells left out as none: options.nodata, or suspect.
   Pyramid pyramid;
   std::vector<StoredColours> colours;  ///< Per level of it; empty: the scan has none.
   /// Where the levels are if they are not in memory (core/session/large/tiled_surface.h); else

@@ -122,13 +122,12 @@ void QuestionController::askNodata() {
   const SuspectHeight suspect = *document_.surface()->suspect_height;
   const auto answer = [this](const NodataChoice& nodata) { document_.choices().setNodata(nodata); };
   messages_.show(
-      tr("%1 of %2 heights are %3, which often stands for a missing one. They are shown as "
-         "heights.")
+      tr("%1 of %2 heights are %3, which often stands for a missing one. They were left out.")
           .arg(countText(suspect.count), countText(suspect.all),
                QString::fromStdString(heightText(suspect.value))),
-      {{tr("&Take as missing"),
-        [answer, value = suspect.value] { answer(NodataChoice{.value = value}); }},
-       {tr("&Keep as heights"), [answer] { answer(NodataChoice{}); }}});
+      {{tr("&Keep as heights"), [answer] { answer(NodataChoice{}); }},
+       {tr("&Take as missing"),
+        [answer, value = suspect.value] { answer(NodataChoice{.value = value}); }}});
 }
 
 void QuestionController::drawFaces() {

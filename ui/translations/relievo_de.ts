@@ -9616,8 +9616,8 @@
         <translation>Sie bleiben, da sie zum Objekt gehören können.</translation>
     </message>
     <message>
-        <source>%1 of %2 heights are %3, which often stands for a missing one. They are shown as heights.</source>
-        <translation>%1 von %2 Höhen sind %3, was oft für eine fehlende steht. Sie werden als Höhen gezeigt.</translation>
+        <source>%1 of %2 heights are %3, which often stands for a missing one. They were left out.</source>
+        <translation>%1 von %2 Höhen sind %3, was oft für eine fehlende steht. Sie wurden weggelassen.</translation>
     </message>
     <message>
         <source>&amp;Take as missing</source>

@@ -9616,8 +9616,8 @@
         <translation>रखे गए हैं, क्योंकि वे वस्तु के हो सकते हैं।</translation>
     </message>
     <message>
-        <source>%1 of %2 heights are %3, which often stands for a missing one. They are shown as heights.</source>
-        <translation>%2 में से %1 ऊँचाइयाँ %3 हैं, जो अक्सर अनुपस्थित ऊँचाई के लिए लिखा जाता है। वे ऊँचाइयों की तरह दिखाई गई हैं।</translation>
+        <source>%1 of %2 heights are %3, which often stands for a missing one. They were left out.</source>
+        <translation>%2 में से %1 ऊँचाइयाँ %3 हैं, जो अक्सर अनुपस्थित ऊँचाई के लिए लिखा जाता है। वे छोड़ दी गई हैं।</translation>
     </message>
     <message>
         <source>&amp;Take as missing</source>

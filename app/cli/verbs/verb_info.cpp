@@ -50,6 +50,12 @@ std::vector<std::string> strayTexts(const Strays& strays) {
   return texts;
 }
 
+std::string suspectText(const SuspectHeight& suspect) {
+  const std::string words = suspectWords(suspect);
+  return words.substr(0, words.find("they were left out.")) +
+         "surfaces are made without them, unless --nodata none is given.";
+}
+
 Json jsonOf(const FilePoint& p) {
   return Json{p.x, p.y, p.z};
 }
@@ -293,7 +299,7 @@ UnitFacts unitFacts(const FileFacts& found, const std::optional<LengthUnit>& giv
 void tellDoubts(const FileFacts& found, const UnitFacts& unit) {
   for (const std::string& warning : found.info.warnings) tell(warning);
   for (const std::string& text : strayTexts(found.strays)) tell(text);
-  if (found.suspect_height) tell(suspectWords(*found.suspect_height));
+  if (found.suspect_height) tell(suspectText(*found.suspect_height));
   const std::string words = unitWords(unit.without_strays, {unit.unit, unit.source});
   if (!words.empty()) tell(words);
 }

@@ -16,6 +16,9 @@ namespace {
 
 // Points scattered by chance leave a circle of this radius, in their spacing, free once in 280 000.
 constexpr float kVoidRadius = 2;
+// What is narrower than a spacing may be longer: the same room, and no point could be in it.
+constexpr float kNarrow = 0.25F;  // Of the widest void.
+constexpr float kLonger = 1.5F;
 constexpr int kMostSteps = 64;       // Pixels that are looked at in one direction.
 constexpr float kWallShare = 0.25F;  // Of the points that a wall around a hollow would have.
 constexpr float kFewestOfWall = 2;
@@ -52,8 +55,8 @@ class VoidFinder {
       : pieces_(pieces), size_(size), pixel_mm_(static_cast<float>(pixel_mm)) {
     float widest = 0;
     for (const FrontPiece& piece : pieces) widest = std::max(widest, piece.spacing);
-    // A void is no wider than twice this from rim to rim, so no rim is farther off.
-    const float farthest = 2 * kVoidRadius * widest / pixel_mm_;
+    // A void is no longer than twice this from rim to rim, so no rim is farther off.
+    const float farthest = 2 * kLonger * kVoidRadius * widest / pixel_mm_;
     most_steps_ = farthest < kMostSteps ? static_cast<int>(farthest) + 2 : kMostSteps;
     most_steps_ = std::min(most_steps_, kMostSteps);
   }
@@ -113,20 +116,25 @@ class VoidFinder {
     const float deep = std::isnan(own) ? kNone : own;
     FrontPiece sum{.z = 0, .tolerance = 0, .spacing = 0};
     float weights = 0;
-    float across = 0;  // The void, from side to side.
-    float limit = 0;
+    // Of each two directions: the void from side to side, and how wide one is at most.
+    std::array<float, kDirections.size() / 2> across{}, widest{};
     for (std::size_t i = 0; i < kDirections.size(); ++i) {
       float distance = 0;
       const FrontPiece* piece = frontToward(pixel, kDirections[i], deep, distance);
       if (piece == nullptr) return std::nullopt;
-      across = i % 2 == 0 ? distance : across + distance;
-      limit = i % 2 == 0 ? kVoidRadius * piece->spacing : limit + kVoidRadius * piece->spacing;
-      if (across > limit && i % 2 == 1) return std::nullopt;
+      across[i / 2] += distance;
+      widest[i / 2] += kVoidRadius * piece->spacing;
+      if (i % 2 == 1 && across[i / 2] > kLonger * widest[i / 2]) return std::nullopt;
       const float weight = 1 / (distance * distance);
       weights += weight;
       sum.z += weight * piece->z;
       sum.tolerance += weight * piece->tolerance;
       sum.spacing += weight * piece->spacing;
+    }
+    for (std::size_t i = 0; i < across.size(); ++i) {
+      const std::size_t crosswise = i ^ 1U;
+      const bool is_narrow = across[crosswise] <= kNarrow * widest[crosswise];
+      if (across[i] > (is_narrow ? kLonger : 1) * widest[i]) return std::nullopt;
     }
     return FrontPiece{.z = sum.z / weights,
                       .tolerance = sum.tolerance / weights,

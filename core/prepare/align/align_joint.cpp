@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/prepare/align/align_joint.h"
 
+#include <algorithm>
 #include <array>
 #include <Eigen/Cholesky>
 
@@ -10,6 +11,9 @@ namespace {
 constexpr std::array<double, 3> kDistances{3, 1.5, 1};  ///< Cells.
 constexpr int kRounds = 5;                              ///< At each of them, at most.
 constexpr double kStillCells = 1e-4;
+
+// Below it scans hold each other so loosely that every point counts (docs/adr/0112).
+constexpr double kLooseStability = 0.03;
 
 constexpr Eigen::Index kFixed = -1;
 
@@ -59,38 +63,74 @@ class Normals {
   Eigen::VectorXd pull_;
 };
 
+/// All poses at once, by matches no farther than each of some distances, one after the other.
+class Together {
+ public:
+  Together(std::span<const Link> links, const std::vector<bool>& fixed, const Scale& scale,
+           std::vector<LocalPose>& poses, const Task& task)
+      : links_(links), fixed_(fixed), scale_(scale), poses_(poses), task_(task) {
+    for (const bool is_fixed : fixed) columns_.push_back(is_fixed ? kFixed : count_++);
+  }
+
+  bool hasFree() const { return count_ > 0; }
+
+  /// @param set_of  the points of a scan by its number @return false: there is no solution
+  template <class SetOf>
+  bool solve(const SetOf& set_of, double farthest) {
+    const double arm = 0.5 * scale_.diagonal;
+    for (int round = 0; round < kRounds; ++round) {
+      Normals normals(columns_, count_, arm);
+      for (const Link& link : links_) {
+        if (fixed_[link.scan] && fixed_[link.onto]) continue;
+        task_.check();
+        const LocalPose between = poses_[link.onto].inverse(Eigen::Isometry) * poses_[link.scan];
+        const Matches matches =
+            matchesOf(set_of(link.scan), set_of(link.onto), between, farthest, task_);
+        normals.add(link.scan, link.onto, matches.list, poses_[link.onto]);
+      }
+      const Eigen::VectorXd motion = normals.solve();
+      if (!motion.allFinite()) return false;
+      for (std::size_t s = 0; s < poses_.size(); ++s) {
+        if (columns_[s] == kFixed) continue;
+        const Vector6d m = motion.segment<6>(6 * columns_[s]);
+        poses_[s] = exactlyRigid(
+            motionAbout(Eigen::Vector3d::Zero(), m.head<3>() / arm, m.tail<3>()) * poses_[s]);
+      }
+      if (motion.cwiseAbs().maxCoeff() < kStillCells * scale_.fine) break;
+    }
+    return true;
+  }
+
+ private:
+  std::span<const Link> links_;
+  const std::vector<bool>& fixed_;
+  const Scale& scale_;
+  std::vector<LocalPose>& poses_;
+  const Task& task_;
+  std::vector<Eigen::Index> columns_;
+  Eigen::Index count_ = 0;
+};
+
+/// Does a pair hold so loosely that every point counts?
+bool isLoose(const Link& link) {
+  return link.fit.judgement.stability < kLooseStability;
+}
+
 }  // namespace
 
 void solveTogether(std::span<const Cloud> clouds, std::span<const Link> links,
                    const std::vector<bool>& fixed, const Scale& scale,
                    std::vector<LocalPose>& poses, const Task& task) {
-  std::vector<Eigen::Index> columns;
-  Eigen::Index count = 0;
-  for (const bool is_fixed : fixed) columns.push_back(is_fixed ? kFixed : count++);
-  if (count == 0) return;
+  Together together(links, fixed, scale, poses, task);
+  if (!together.hasFree()) return;
+  const auto fine = [&](std::size_t s) -> const OrientedSet& { return clouds[s].fine; };
   for (const double cells : kDistances) {
-    for (int round = 0; round < kRounds; ++round) {
-      Normals normals(columns, count, 0.5 * scale.diagonal);
-      for (const Link& link : links) {
-        if (fixed[link.scan] && fixed[link.onto]) continue;
-        task.check();
-        const LocalPose between = poses[link.onto].inverse(Eigen::Isometry) * poses[link.scan];
-        const Matches matches = matchesOf(clouds[link.scan].fine, clouds[link.onto].fine, between,
-                                          cells * scale.fine, task);
-        normals.add(link.scan, link.onto, matches.list, poses[link.onto]);
-      }
-      const Eigen::VectorXd motion = normals.solve();
-      if (!motion.allFinite()) return;
-      for (std::size_t s = 0; s < poses.size(); ++s) {
-        if (columns[s] == kFixed) continue;
-        const Vector6d m = motion.segment<6>(6 * columns[s]);
-        poses[s] = exactlyRigid(motionAbout(Eigen::Vector3d::Zero(),
-                                            m.head<3>() / (0.5 * scale.diagonal), m.tail<3>()) *
-                                poses[s]);
-      }
-      if (motion.cwiseAbs().maxCoeff() < kStillCells * scale.fine) break;
-    }
+    if (!together.solve(fine, cells * scale.fine)) return;
   }
+  if (std::none_of(links.begin(), links.end(), isLoose)) return;
+  std::vector<OrientedSet> finest;
+  for (const Cloud& cloud : clouds) finest.push_back(finestOf(cloud, scale, task));
+  together.solve([&](std::size_t s) -> const OrientedSet& { return finest[s]; }, scale.fine);
 }
 
 }  // namespace relievo::align

@@ -26,6 +26,7 @@
 #include "core/session/large/large_memory.h"
 #include "core/session/large/large_points.h"
 #include "core/session/loss_report.h"
+#include "core/session/source/missing_height.h"
 #include "core/session/source/raster_in_use.h"
 #include "core/session/source/source_in_use.h"
 #include "core/tiles/band_fill.h"
@@ -283,12 +284,12 @@ LargeMap fromPoints(const std::vector<std::filesystem::path>& inputs, const Surf
   made.info = stream.info();
   made.messages = stream.info().warnings;
   Scan sample = sampleOf(stream, evenRuns(stream, kSecondSample), task);
-  const ScanInUse sample_in_use(sample, options.strays,
-                                options.nodata ? options.nodata->value : std::nullopt, task);
+  const std::optional<double> missing = missingHeight(options.nodata, suspectHeight(sample));
+  const ScanInUse sample_in_use(sample, options.strays, missing, task);
   const Placed placed = place(made, stream, sample_in_use.scan(), options, asked, task);
   map.strays = placed.points.strays;
   map.missing = placed.points.missing;
-  sayLeftOut(made, placed.points, stream, options);
+  sayLeftOut(made, placed.points, options);
   LargeMapOptions large = asked;
   const bool merges = options.rule && isMergeable(*options.rule);
   const MemoryPlan plan =

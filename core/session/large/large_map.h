@@ -61,7 +61,7 @@ struct LargeMap {
   std::vector<Hole> holes;                            ///< Enclosed holes, largest first.
   std::optional<DepthLosses> losses;  ///< Of points that were not merged as they came.
   Strays strays;                      ///< Of clouds.
-  std::uint64_t missing = 0;          ///< Points or cells left out because of options.nodata.
+  std::uint64_t missing = 0;          ///< Points or cells left out as none, as of a Surface.
   std::vector<std::string> not_done;  ///< Steps that were asked for, in sentences.
   std::vector<std::string> messages;
   StageSeconds seconds;

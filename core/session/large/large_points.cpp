@@ -128,18 +128,14 @@ DepthRows withFront(const FrontSurface& front, const GridFrame& frame, DepthRows
 
 }  // namespace
 
-void sayLeftOut(Surface& facts, const SourceInUse& points, const PointFiles& stream,
-                const SurfaceOptions& options) {
-  if (points.missing > 0) {
+void sayLeftOut(Surface& facts, const SourceInUse& points, const SurfaceOptions& options) {
+  if (points.suspect) {
+    facts.messages.push_back(suspectWords(*points.suspect));
+  } else if (points.missing > 0) {
     facts.messages.push_back(missingWords(points.missing, *options.nodata->value));
   }
   for (std::string words : {strayWords(points.strays), groupWords(points.strays)}) {
     if (!words.empty()) facts.messages.push_back(std::move(words));
-  }
-  const FileBounds& box = points.bounds.file;
-  if (options.nodata || !(isUsualNodata(box.min.z) || isUsualNodata(box.max.z))) return;
-  if (const auto suspect = suspectHeight(sourceOf(stream))) {
-    facts.messages.push_back(suspectWords(*suspect));
   }
 }
 

@@ -42,8 +42,7 @@ Placed place(Surface& facts, const PointFiles& stream, const Scan& sample,
              const SurfaceOptions& options, const LargeMapOptions& large, const Task& task);
 
 /// Says which points were left out. [worker]
-void sayLeftOut(Surface& facts, const SourceInUse& points, const PointFiles& stream,
-                const SurfaceOptions& options);
+void sayLeftOut(Surface& facts, const SourceInUse& points, const SurfaceOptions& options);
 
 /// Depths of all cells, on disk.
 struct StoredDepths {

@@ -7,6 +7,7 @@
 
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
+#include "core/session/source/missing_height.h"
 #include "core/session/strays.h"
 
 namespace relievo {
@@ -14,15 +15,15 @@ namespace relievo {
 RasterInUse::RasterInUse(const RasterRows& raster, const std::optional<NodataChoice>& nodata,
                          const Task& task)
     : raster_(raster),
-      value_(nodata ? nodata->value : std::nullopt),
       lowest_(raster.head().info.bounds->min.z),
       highest_(raster.head().info.bounds->max.z) {
   const FileBounds& box = *raster.head().info.bounds;
+  std::optional<SuspectHeight> suspect;
   if (!nodata && (isUsualNodata(box.min.z) || isUsualNodata(box.max.z))) {
-    if (const auto suspect = suspectAmong(heights(task))) {
-      messages_.push_back(suspectWords(*suspect));
-    }
+    suspect = suspectAmong(heights(task));
   }
+  if (suspect) messages_.push_back(suspectWords(*suspect));
+  value_ = missingHeight(nodata, suspect);
   if (!value_) return;
   lowest_ = std::numeric_limits<double>::infinity();
   highest_ = -lowest_;
@@ -37,7 +38,7 @@ RasterInUse::RasterInUse(const RasterRows& raster, const std::optional<NodataCho
   if (!std::isfinite(lowest_)) {
     throw failure<MessageId::every_height_is_none>(shownName(raster.head().info.file));
   }
-  if (missing_ > 0) messages_.push_back(missingWords(missing_, *value_));
+  if (missing_ > 0 && !suspect) messages_.push_back(missingWords(missing_, *value_));
 }
 
 Heights RasterInUse::heights(const Task& task) const {

@@ -7,6 +7,7 @@
 
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
+#include "core/session/source/missing_height.h"
 
 namespace relievo {
 namespace {
@@ -41,25 +42,42 @@ std::function<bool(const FilePoint&)> insideOf(const AxisBox& box,
   };
 }
 
+/// The box tells of nearly every file that there is nothing to look for.
+std::optional<SuspectHeight> suspectIn(const PointSource& source, const SourceBounds& bounds) {
+  const FileBounds& box = bounds.file;
+  if (!isUsualNodata(box.min.z) && !isUsualNodata(box.max.z)) return std::nullopt;
+  return suspectAmong([&source](const std::function<void(double)>& take) {
+    forEachBlock(source, 0, source.count, [&take](std::span<const FilePoint> block) {
+      for (const FilePoint& p : block) {
+        if (isFinite(p)) take(p.z);
+      }
+    });
+  });
+}
+
 }  // namespace
 
 SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rotation,
                         const ViewFromFile& view_from_file, const SurfaceOptions& options,
                         int threads, const Task& task) {
   SourceInUse in_use{.source = std::move(all), .keeps = {}, .bounds = {}, .strays = {}};
-  const std::optional<double> missing = options.nodata ? options.nodata->value : std::nullopt;
-  std::uint64_t finite = 0;
-  if (missing) {
-    finite = boundsOf(in_use.source, view_from_file, threads, task).finite_points;
+  const auto look = [&] {
+    return boundsAndCountsOf(in_use.source, view_from_file,
+                             gridInView(sample, rotation, view_from_file), threads, task);
+  };
+  BoundsAndCounts found = look();
+  const std::uint64_t finite = found.bounds.finite_points;
+  if (!options.nodata) in_use.suspect = suspectIn(in_use.source, found.bounds);
+  if (const auto missing = missingHeight(options.nodata, in_use.suspect)) {
     in_use.keeps = [value = *missing](const FilePoint& p) { return !isHeight(p.z, value, 0); };
     in_use.source = filtered(std::move(in_use.source), in_use.keeps);
+    found = look();
   }
-  const auto [bounds, counts] = boundsAndCountsOf(
-      in_use.source, view_from_file, gridInView(sample, rotation, view_from_file), threads, task);
+  const auto& [bounds, counts] = found;
   if (bounds.finite_points == 0) {
     throw failure<MessageId::no_point_left>(shownName(sample.info.file));
   }
-  if (missing) in_use.missing = finite - bounds.finite_points;
+  in_use.missing = finite - bounds.finite_points;
   in_use.bounds = bounds;
   in_use.strays.all = bounds.finite_points;
   const StrayLimits limits = counts.limits(boxOf(bounds));
@@ -93,16 +111,6 @@ SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rot
     left = rest.finite_points;
   }
   return in_use;
-}
-
-std::optional<SuspectHeight> suspectHeight(const PointSource& source) {
-  return suspectAmong([&source](const std::function<void(double)>& take) {
-    forEachBlock(source, 0, source.count, [&take](std::span<const FilePoint> block) {
-      for (const FilePoint& p : block) {
-        if (isFinite(p)) take(p.z);
-      }
-    });
-  });
 }
 
 }  // namespace relievo

@@ -21,18 +21,16 @@ struct SourceInUse {
   SourceBounds bounds;  ///< Of these points, in view mm as `view_from_file` gives them.
   Strays strays;
   std::uint64_t missing = 0;
+  std::optional<SuspectHeight> suspect = std::nullopt;  ///< Left out though nobody said so.
 };
 
-/// Strays are decided from all points, seen along the view's axes; where they stretch the box it
-/// takes a second look at the file. [worker]
+/// Strays and heights that stand for none are decided from all points, strays seen along the view's
+/// axes; where there are some it takes another look at the file. [worker]
 /// @param sample          points of the file without strays: where its middle is
 /// @param view_from_file  rotation and scale
 /// @throw FileError  nothing is left; Cancelled
 SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rotation,
                         const ViewFromFile& view_from_file, const SurfaceOptions& options,
                         int threads, const Task& task);
-
-/// suspectHeight of all points of a file. [worker]
-std::optional<SuspectHeight> suspectHeight(const PointSource& source);
 
 }  // namespace relievo

@@ -74,6 +74,21 @@ inline MadeObject gargoyle() {
   return ballsObject("gargoyle", gargoyleBalls());
 }
 
+/// Slender, upright along y, nearly round: small balls on it are all that holds its parts from
+/// turning about it.
+inline MadeObject column() {
+  std::vector<Ball> balls;
+  for (int i = 0; i < 15; ++i) {
+    balls.push_back({{5 * std::cos(2.1 * i), 12.0 * i - 84, 5 * std::sin(1.7 * i)},
+                     15 + 3 * std::sin(2.7 * i)});
+  }
+  for (int i = 0; i < 8; ++i) {
+    const double turn = 2.4 * i;
+    balls.push_back({{17 * std::cos(turn), 22.0 * i - 80, 17 * std::sin(turn)}, 6});
+  }
+  return ballsObject("column", std::move(balls));
+}
+
 /// A plate of 100 x 80 mm whose front rises by `height_mm`; 0: flat.
 inline MadeObject relief(double height_mm) {
   MadeObject object{

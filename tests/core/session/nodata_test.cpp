@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
 #include <random>
 
 #include "core/base/error.h"
+#include "core/depth/rules/rasterize.h"
 #include "core/io/import.h"
 #include "core/io/raster/raster.h"
 #include "core/session/large/large_map.h"
@@ -63,21 +67,30 @@ TEST(SuspectHeight, DoesNotDependOnTheOrderOfCells) {
   EXPECT_EQ(suspectHeight(raster), first);
 }
 
-TEST(Nodata, OfARasterIsAskedAboutTakenOrKept) {
+TEST(Nodata, OfARasterIsLeftOutAndAskedAboutTakenOrKept) {
   const RasterMap raster = rasterWith(-9999, 7);
   SurfaceOptions options;
   options.unit = LengthUnit::m;
   const Surface asked = makeSurface(raster, options);
   ASSERT_TRUE(asked.suspect_height.has_value());
-  EXPECT_EQ(heightRange(asked.map).max_mm, 10'259'000.0F);
+  EXPECT_EQ(asked.missing, 172U);
+  EXPECT_EQ(heightRange(asked.map).max_mm, 60'000.0F) << "left out though nobody said so";
+  EXPECT_NE(std::find_if(asked.messages.begin(), asked.messages.end(),
+                         [](const std::string& m) {
+                           return m.starts_with("172 of 1 200 heights are -9999") &&
+                                  m.find("--nodata none") != m.npos;
+                         }),
+            asked.messages.end());
   options.nodata = NodataChoice{.value = -9999};
   const Surface taken = makeSurface(raster, options);
   EXPECT_EQ(taken.missing, 172U);
+  EXPECT_EQ(taken.map.heights_mm, asked.map.heights_mm);
   EXPECT_EQ(heightRange(taken.map).max_mm, 60'000.0F);
   EXPECT_FALSE(taken.suspect_height.has_value());
   options.nodata = NodataChoice{};
   const Surface kept = makeSurface(raster, options);
-  EXPECT_EQ(kept.map.heights_mm, asked.map.heights_mm);
+  EXPECT_EQ(heightRange(kept.map).max_mm, 10'259'000.0F);
+  EXPECT_EQ(kept.missing, 0U);
   EXPECT_FALSE(kept.suspect_height.has_value());
 }
 
@@ -95,12 +108,45 @@ TEST(Nodata, OfAMapByTilesIsThatOfTheMapInMemory) {
   EXPECT_NE(std::find_if(asked.messages.begin(), asked.messages.end(),
                          [](const std::string& m) { return m.find("-32768") != m.npos; }),
             asked.messages.end());
+  EXPECT_EQ(asked.missing, 172U);
+  options.nodata = NodataChoice{};
+  EXPECT_EQ(makeLargeMap(file, options, large).missing, 0U);
   options.nodata = NodataChoice{.value = -32768};
   const LargeMap map = makeLargeMap(file, options, large);
   const Surface surface = makeSurface(importRaster(file), options);
   EXPECT_EQ(map.missing, 172U);
+  EXPECT_EQ(asked.heights.max_mm, map.heights.max_mm);
   EXPECT_EQ(surface.missing, 172U);
   EXPECT_EQ(map.heights.max_mm, heightRange(surface.map).max_mm);
+  EXPECT_EQ(map.view_from_file, surface.view_from_file);
+}
+
+TEST(Nodata, OfACloudByTilesIsThatOfTheCloudInMemory) {
+  const test::TemporaryFolder folder;
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4000\nproperty float x\n"
+      "property float y\nproperty float z\nend_header\n";
+  for (int i = 0; i < 4000; ++i) {
+    const auto col = static_cast<float>(i % 80);
+    const auto row = static_cast<float>(i / 80);
+    const std::array<float, 3> point{
+        0.5F * col, 0.5F * row, i % 9 == 0 ? -9999 : 20 + std::sin(static_cast<float>(i) / 300)};
+    std::array<char, sizeof point> stored{};
+    std::memcpy(stored.data(), point.data(), sizeof point);
+    bytes.append(stored.data(), stored.size());
+  }
+  const auto file = folder.write("cloud.ply", bytes);
+  SurfaceOptions options;
+  options.unit = LengthUnit::mm;
+  options.view = ViewChoice{.name = "top", .rotation = {}};
+  options.cells = 60;
+  const LargeMapOptions large{.file = folder.path() / "map.tif", .on_view = {}};
+  const LargeMap map = makeLargeMap(file, options, large);
+  const Surface surface = makeSurface(importScan(file), options, rasterize);
+  EXPECT_EQ(map.missing, 445U);
+  EXPECT_EQ(surface.missing, 445U);
+  EXPECT_EQ(map.heights.max_mm, heightRange(surface.map).max_mm);
+  EXPECT_LT(map.heights.max_mm, 5) << "left out though nobody said so";
   EXPECT_EQ(map.view_from_file, surface.view_from_file);
 }
 

@@ -223,15 +223,20 @@ TEST(Strays, HeightsThatStandForNoneAreLeftOutFirst) {
   const Surface asked = makeSurface(scan, options, rasterize);
   ASSERT_TRUE(asked.suspect_height.has_value());
   EXPECT_EQ(asked.suspect_height->value, -9999);
-  EXPECT_GT(asked.map.heightExtentMm(), 0);
+  EXPECT_EQ(asked.missing, (scan.points.size() + 9) / 10);
+  EXPECT_LT(heightRange(asked.map).max_mm - heightRange(asked.map).min_mm, 10)
+      << "left out though nobody said so";
   options.nodata = NodataChoice{.value = -9999};
   const Surface surface = makeSurface(scan, options, rasterize);
   EXPECT_FALSE(surface.suspect_height.has_value());
   EXPECT_EQ(surface.missing, (scan.points.size() + 9) / 10);
+  EXPECT_EQ(surface.map.heights_mm, asked.map.heights_mm);
   const HeightRange range = heightRange(surface.map);
   EXPECT_LT(range.max_mm - range.min_mm, 10);
   options.nodata = NodataChoice{};
-  EXPECT_FALSE(makeSurface(scan, options, rasterize).suspect_height.has_value());
+  const Surface kept = makeSurface(scan, options, rasterize);
+  EXPECT_FALSE(kept.suspect_height.has_value());
+  EXPECT_EQ(kept.missing, 0U);
 }
 
 TEST(Strays, ThePartOfAScanKeepsWhatBelongsToEachPoint) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/depth/layers/front_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "core/depth/layers/front_voids.h"
 #include "core/depth/layers/layers.h"
 
 namespace relievo {
@@ -140,6 +142,31 @@ TEST(FrontSurface, AVoidClosesFromRimToRim) {
     EXPECT_NEAR(closed.depthAt(50 + off, 50), 50, 1e-3) << off;
     EXPECT_NEAR(closed.depthAt(50, 50 + off), 50, 1e-3) << off;
   }
+}
+
+/// Is a gap of so many pixels in a front 40 mm above its back closed? A spacing is four pixels.
+bool isClosed(int cols, int rows) {
+  constexpr GridSize size{.cols = 80, .rows = 80};
+  constexpr FrontPiece front{.z = 50, .tolerance = 1.4F, .spacing = 1};
+  std::vector<FrontPiece> pieces(size.count(), front);
+  for (int row = 20; row < 20 + rows; ++row) {
+    for (int col = 20; col < 20 + cols; ++col) pieces[size.index({.col = col, .row = row})].z = 10;
+  }
+  closeVoids(pieces, size, 0.25, {}, {});
+  return std::all_of(pieces.begin(), pieces.end(),
+                     [](const FrontPiece& p) { return std::abs(p.z - 50) < 1e-3F; });
+}
+
+TEST(FrontSurface, AVoidNarrowerThanASpacingMayBeLonger) {
+  EXPECT_TRUE(isClosed(10, 10)) << "less than four spacings from corner to corner";
+  EXPECT_FALSE(isClosed(18, 18));
+  for (const int wide : {1, 3}) {
+    EXPECT_TRUE(isClosed(wide, 18)) << wide;
+    EXPECT_TRUE(isClosed(18, wide)) << wide;
+    EXPECT_FALSE(isClosed(wide, 26)) << "a slit " << wide;
+    EXPECT_FALSE(isClosed(26, wide)) << "a slit " << wide;
+  }
+  EXPECT_FALSE(isClosed(6, 18)) << "a window";
 }
 
 TEST(FrontSurface, LiesInTheMiddleOfNoisyPoints) {
