@@ -33,7 +33,7 @@ struct RenderArguments {
   double eyeAngleDeg() const { return eye_angle_deg.value_or(StereoOptions{}.eye_angle_deg); }
   LookArguments look;
   int pixels = 800;
-  bool scale_bar = false, swap_eyes = false;
+  bool scale_bar = false, swap_eyes = false, both_eyes = false;
   std::string out, caption;
   HostFileArguments host_file;
   // Given beside a state, they take the place of what it says.
@@ -41,6 +41,7 @@ struct RenderArguments {
 };
 
 constexpr const char* kStereoWords = "off anaglyph half dubois sidebyside overunder interlaced";
+constexpr const char* kEyesOfRender = "a kind of --stereo, or --both-eyes";
 constexpr int kLeastPixelsOfTwo = 32, kMostPixelsOfTwo = 8192;
 
 /// Two eyes' pictures in one file, each whole.
@@ -91,10 +92,10 @@ Stored fromArguments(const RenderArguments& a, const Task& task) {
   const ReliefLook look = reliefLook(a.look);
   const StereoPrint print = stereoPrint(a.stereo).value_or(StereoPrint::off);
   const StereoOptions stereo = isTwoPictures(print) ? StereoOptions{} : stereoOptions(a);
-  const bool eyes = isTwoPictures(print) || stereo.mode != StereoMode::off;
-  requireUse("--eye-angle", a.eye_angle_deg.has_value(), eyes, "a kind of --stereo");
-  requireUse("--zero-plane", a.zero_plane_mm.has_value(), eyes, "a kind of --stereo");
-  requireUse("--swap-eyes", a.swap_eyes, eyes, "a kind of --stereo");
+  const bool eyes = isTwoPictures(print) || stereo.mode != StereoMode::off || a.both_eyes;
+  requireUse("--eye-angle", a.eye_angle_deg.has_value(), eyes, kEyesOfRender);
+  requireUse("--zero-plane", a.zero_plane_mm.has_value(), eyes, kEyesOfRender);
+  requireUse("--swap-eyes", a.swap_eyes, eyes, kEyesOfRender);
   std::optional<FigureRequest> pair;
   if (isTwoPictures(print)) pair = pairOf(a, print, look);
   Stored state{.surface = openForVerb(a.map, task), .project = {}};
@@ -129,6 +130,7 @@ Stored fromState(const RenderArguments& a, const Task& task) {
     return state;
   }
   if (a.stereo_given) p.stereo = stereoOptions(a);
+  if (a.stereo_given && p.picture) p.picture->eye = FigureEye::both;
   if (!p.picture || p.picture->source != PictureChoice{}.source) {
     p.picture = PictureChoice{.width_px = a.pixels, .height_px = a.pixels};
   }
@@ -152,6 +154,7 @@ CommandResult drawAsFigure(const RenderArguments& a, const Stored& stored, Outpu
                            const Task& task) {
   const DisplayGuard display;
   const FigureSession session;
+  if (a.both_eyes) writeEyes(stored.surface, stored.project, set.file(a.out), task);
   OutputSet picture;
   const FigureFacts facts = writeFigure(stored.surface, stored.project, picture.file(a.out), task);
   takePlaces(a, facts.caption, set, picture, task);
@@ -194,6 +197,7 @@ CommandResult runRender(const RenderArguments& a, const Task& task) {
   writeWindowIfAsked(a.region, surface, window, set);
   tellRivalry(surface, window, p.look.kind, printed(p.stereo.mode));
   const DisplayGuard display;
+  if (a.both_eyes) writeViewEyes(surface, window, p, set.file(a.out), task);
   OutputSet picture;
   const ViewPictureFacts facts = writeViewPicture(surface, window, p, picture.file(a.out), task);
   takePlaces(a, facts.caption, set, picture, task);
@@ -222,6 +226,9 @@ VerbFiles filesOf(const RenderArguments& a) {
   VerbFiles files;
   files.readsStateOf(a.host_file, a.map.file);
   files.writes(a.out);
+  if (a.both_eyes) {
+    for (const auto& eye : viewEyeFiles(a.out)) files.writes(eye);
+  }
   files.writes(a.caption);
   files.writesMap(a.region.window_out);
   return files;
@@ -239,14 +246,14 @@ void checkUse(const CLI::App& verb, RenderArguments& a) {
     a.look_given = a.look_given || given(option);
   }
   if (a.host_file.given()) {
-    const bool eyes = a.stereo_given && a.stereo != name(StereoMode::off);
+    const bool eyes = (a.stereo_given && a.stereo != name(StereoMode::off)) || a.both_eyes;
     for (const char* option : {"--eye-angle", "--zero-plane", "--swap-eyes"}) {
-      requireUse(option, given(option), eyes, "a kind of --stereo");
+      requireUse(option, given(option), eyes, kEyesOfRender);
     }
     refuseBeside(verb, a.host_file,
                  {"place", "view", "region", "level", "gain", "window-out", "pixels", "scale-bar",
                   "relief", "colours", "light", "radius", "range", "shading", "stereo", "eye-angle",
-                  "zero-plane", "swap-eyes"});
+                  "zero-plane", "swap-eyes", "both-eyes"});
   } else if (a.map.file.empty()) {
     throw CLI::RequiredError("FILE");
   }
@@ -267,6 +274,8 @@ Verb renderVerb() {
                 "--stereo", arguments->stereo,
                 std::string("Red and cyan, two pictures, or rows by turns: ") + kStereoWords);
             verb.add_flag("--swap-eyes", arguments->swap_eyes, "Left and right eye change places");
+            verb.add_flag("--both-eyes", arguments->both_eyes,
+                          "Also write NAME.left.png and NAME.right.png");
             takes(verb.add_option("--eye-angle", arguments->eye_angle_deg,
                                   "Angle between the eyes' directions in degrees"),
                   {.low = 0.5, .high = 10, .unit = "degrees"});

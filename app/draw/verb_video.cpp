@@ -32,9 +32,13 @@ struct VideoArguments {
   std::vector<std::string> without;
   VideoRequest request;
   std::optional<std::uint64_t> frame;
-  bool changed_input = false;
+  bool changed_input = false, both_eyes = false;
   OutsideFiles outside_files = OutsideFiles::refuse;
 };
+
+VideoFiles filesOfVideo(const VideoArguments& a) {
+  return {.video = a.out, .both_eyes = a.both_eyes && !a.frame};
+}
 
 template <class T>
 T chosen(const char* option, const std::string& word, const std::optional<T>& value) {
@@ -55,8 +59,9 @@ VideoRequest requestOf(const VideoArguments& a) {
   if (grey) v.stereo = StereoPrint::grey;
   if (!a.stereo.empty()) v.stereo = chosen("--stereo", a.stereo, stereoPrint(a.stereo));
   const bool eyes = v.stereo != StereoPrint::off;
-  requireUse("--eye-angle", a.eye_angle_deg.has_value(), eyes, "a kind of --stereo");
-  requireUse("--swap-eyes", v.swap_eyes, eyes, "a kind of --stereo");
+  const std::string what = "a kind of --stereo, or --both-eyes";
+  requireUse("--eye-angle", a.eye_angle_deg.has_value(), eyes || a.both_eyes, what);
+  requireUse("--swap-eyes", v.swap_eyes, eyes || a.both_eyes, what);
   v.eye_angle_deg = a.eye_angle_deg.value_or(v.eye_angle_deg);
   v.look = reliefLook(a.look, v.look);
   for (const std::string& part : a.without) {
@@ -145,13 +150,16 @@ CommandResult runVideo(const VideoArguments& a, const Task& task) {
          " windows lay; they are shown around what was touched.");
   }
   const fs::path folder = fs::absolute(a.out).parent_path();
-  const std::string state =
-      videoState(recorded.provenance, request,
-                 shown != nullptr ? inputFile(a.recording, folder, task) : InputFile{});
+  const InputFile log = shown != nullptr ? inputFile(a.recording, folder, task) : InputFile{};
   const DisplayGuard display;
   const FigureSession session;
-  if (a.frame) return drawOne(surface, shown, request, a, state);
-  const VideoFacts facts = writeVideo(surface, shown, request, state, a.out, task);
+  if (a.frame) {
+    return drawOne(surface, shown, request, a, videoState(recorded.provenance, request, log));
+  }
+  const auto state_of = [&](const VideoRequest& one) {
+    return videoState(recorded.provenance, one, log);
+  };
+  const VideoFacts facts = writeVideo(surface, shown, request, state_of, filesOfVideo(a), task);
   Json json;
   json["file"] = a.out;
   json["profile"] = name(request.profile);
@@ -175,7 +183,7 @@ VerbFiles filesOf(const VideoArguments& a) {
   } else if (!a.path.empty()) {
     files.readsStateOf({.from_image = {}, .project = a.path}, a.input);
   }
-  files.writes(a.out);
+  for (const auto& out : namesOf(filesOfVideo(a))) files.writes(out);
   return files;
 }
 
@@ -203,6 +211,8 @@ void declareVideo(CLI::App& verb, VideoArguments& a) {
                   "off, grey, half, dubois, sidebyside, overunder or interlaced; anaglyph: grey");
   takes(verb.add_option("--eye-angle", a.eye_angle_deg, "Degrees between the eyes; 4"),
         {.low = 0.01, .high = 20, .unit = "degrees"});
+  verb.add_flag("--both-eyes", a.both_eyes,
+                "Also write each eye's video, NAME.left.mp4 and NAME.right.mp4");
   verb.add_flag("--swap-eyes", a.request.swap_eyes, "Red for the right eye");
   verb.add_option("--relief", a.look.relief, "How heights are painted, as for figure");
   verb.add_option("--colours", a.look.colours, listOf(kColourMapNames));

@@ -130,7 +130,7 @@ std::string lookText(const ReliefLook& look, double spacing_mm, const ShownLengt
 }
 
 std::string stereoText(const CaptionFacts& facts) {
-  if (facts.stereo == StereoPrint::off) return {};
+  if (facts.stereo == StereoPrint::off && facts.eye == FigureEye::both) return {};
   constexpr std::array<const char*, 7> kWords{"",
                                               "grey red-cyan anaglyph",
                                               "half-colour red-cyan anaglyph",
@@ -153,7 +153,9 @@ std::string seenText(const Project& p, const CaptionFacts& facts, double spacing
             shortNumber(p.elevation_deg) + "\u00b0";
   }
   if (facts.look.unmeasured) text += "; interpolated cells in orange";
-  return text + stereoText(facts) + ".";
+  text += stereoText(facts);
+  if (facts.hand_by_shape) text += "; ball: proxy, ring with a cross: hand";
+  return text + ".";
 }
 
 std::string scaleText(const CaptionFacts& facts, const ShownLengths& lengths) {
@@ -232,7 +234,9 @@ CaptionFacts pictureFacts(const Project& p, double mm_per_pixel) {
   const bool measured = p.picture && !p.picture->lines.empty();
   return {.look = p.look,
           .stereo = printed(p.stereo.mode),
+          .eye = p.picture ? p.picture->eye : FigureEye::both,
           .swap_eyes = p.stereo.swap_eyes,
+          .hand_by_shape = p.picture && p.picture->hand && p.stereo.mode == StereoMode::anaglyph,
           .eye_angle_deg = p.stereo.eye_angle_deg,
           .mm_per_pixel = mm_per_pixel,
           .measurements = measured ? p.measurements : std::vector<Measurement>{}};

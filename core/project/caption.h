@@ -19,6 +19,7 @@ struct CaptionFacts {
   StereoPrint stereo = StereoPrint::off;
   FigureEye eye = FigureEye::both;
   bool swap_eyes = false;
+  bool hand_by_shape = false;                            ///< Drawn, and told by its shape alone.
   double eye_angle_deg = 0;                              ///< As drawn.
   std::optional<double> mm_per_pixel = std::nullopt;     ///< On the object; nothing: not of pixels.
   std::optional<double> paper_mm_per_mm = std::nullopt;  ///< On paper; nothing: not printed.

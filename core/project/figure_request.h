@@ -26,17 +26,6 @@ inline constexpr std::string_view name(FigureLayout layout) noexcept {
 }
 std::optional<FigureLayout> figureLayout(std::string_view name);
 
-/// Whose picture of the region.
-enum class FigureEye {
-  both,  ///< As the request's stereo says.
-  left,  ///< That which the left eye is to see, alone (layout `detail`); eyes swapped: the other's.
-  right,
-};
-inline constexpr std::array<std::string_view, 3> kFigureEyeNames{"both", "left", "right"};
-inline constexpr std::string_view name(FigureEye eye) noexcept {
-  return kFigureEyeNames[static_cast<std::size_t>(eye)];
-}
-
 /// Everything about a figure that the relief itself does not decide; one record for the dialog
 /// "Figure..." and `relievo figure`. Lengths are millimetres and points (1/72 inch) on paper.
 struct FigureRequest {

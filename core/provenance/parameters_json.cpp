@@ -328,6 +328,7 @@ bool isColour(const std::string& text) {
 Json jsonOf(const PictureChoice& picture) {
   Json json{{"pixels", {picture.width_px, picture.height_px}}, {"scale_bar", picture.scale_bar}};
   if (picture.source != PictureChoice{}.source) json["source"] = picture.source;
+  if (picture.eye != FigureEye::both) json["eye"] = name(picture.eye);
   if (!picture.background.empty()) json["background"] = picture.background;
   for (const auto& line : picture.lines) {
     Json& points = json["lines_mm"].emplace_back(Json::array());
@@ -365,6 +366,12 @@ PictureChoice pictureFrom(const Json& json) {
       std::vector<ViewMm>& line = picture.lines.emplace_back();
       for (const Json& point : points) line.push_back(tripleFrom<ViewMm>(point));
     }
+  }
+  if (json.contains("eye")) {
+    const auto eye = json.at("eye").get<std::string>();
+    const auto* const found = std::find(kFigureEyeNames.begin(), kFigureEyeNames.end(), eye);
+    if (found == kFigureEyeNames.end()) throw failure<MessageId::field_beyond>("eye");
+    picture.eye = static_cast<FigureEye>(found - kFigureEyeNames.begin());
   }
   if (json.contains("hand")) picture.hand = handFrom(json.at("hand"));
   return picture;

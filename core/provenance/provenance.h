@@ -11,6 +11,7 @@
 #include "core/provenance/sha256.h"
 #include "core/region/region.h"
 #include "core/relief/look.h"
+#include "core/relief/stereo.h"
 #include "core/session/surface.h"
 
 namespace relievo {
@@ -45,6 +46,8 @@ struct PictureChoice {
   std::string background = {};                   ///< "#rrggbb"; empty: the usual dark grey.
   std::vector<std::vector<ViewMm>> lines = {};   ///< Measurements, as drawn.
   std::optional<DrawnHand> hand = std::nullopt;  ///< Nothing: no hand was on the surface.
+  /// One of the two pictures that the view's stereo would mix, by its eye separation.
+  FigureEye eye = FigureEye::both;
   friend bool operator==(const PictureChoice&, const PictureChoice&) = default;
 };
 

@@ -81,6 +81,10 @@ std::optional<StereoMode> stereoMode(std::string_view name) {
   return static_cast<StereoMode>(found - kStereoModeNames.begin());
 }
 
+std::filesystem::path eyeFile(std::filesystem::path file, FigureEye eye, std::string_view ending) {
+  return file.replace_extension("." + std::string(name(eye)) + std::string(ending));
+}
+
 std::optional<StereoPrint> stereoPrint(std::string_view name) {
   const auto* const found = std::find(kStereoPrintNames.begin(), kStereoPrintNames.end(), name);
   if (found == kStereoPrintNames.end()) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -47,6 +48,20 @@ constexpr bool showsHalves(StereoPrint print) noexcept {
 constexpr StereoPrint printed(StereoMode mode) noexcept {
   return static_cast<StereoPrint>(static_cast<int>(mode));
 }
+
+/// Whose picture.
+enum class FigureEye {
+  both,  ///< As the stereo of the picture says.
+  left,  ///< That which the left eye is to see, alone; eyes swapped: the other's.
+  right,
+};
+inline constexpr std::array<std::string_view, 3> kFigureEyeNames{"both", "left", "right"};
+inline constexpr std::string_view name(FigureEye eye) noexcept {
+  return kFigureEyeNames[static_cast<std::size_t>(eye)];
+}
+/// Where one eye's picture lies beside that of both: NAME.left.ENDING, NAME.right.ENDING.
+/// @param ending  with its point; empty: of a folder
+std::filesystem::path eyeFile(std::filesystem::path file, FigureEye eye, std::string_view ending);
 
 /// Mixes two pictures for red (left eye) and cyan glasses into `left`. Grey: both eyes' lightness.
 /// Half colour: the left eye's lightness, the right eye's colours. Dubois: least squares through

@@ -43,7 +43,8 @@ struct VideoRequest {
   StereoPrint stereo = StereoPrint::off;  ///< Pairs are of the whole frame.
   double eye_angle_deg = 4;
   bool swap_eyes = false;
-  std::optional<CameraPath> path;  ///< Nothing: the camera looks at the recorded window.
+  FigureEye eye = FigureEye::both;  ///< One of the two pictures that stereo would mix.
+  std::optional<CameraPath> path;   ///< Nothing: the camera looks at the recorded window.
 };
 
 /// @throw ArgumentError  a number beyond its limits, or choices that exclude each other

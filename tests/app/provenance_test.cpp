@@ -118,6 +118,33 @@ TEST_F(Repeatable, AnImageIsDrawnAgainFromItself) {
   EXPECT_FALSE(samePixels(first, path("other.png")));
 }
 
+TEST_F(Repeatable, EachEyesPictureComesBackFromItself) {
+  const std::string both = path("figures/e.png");
+  ASSERT_EQ(runRelievo({"render", path("scans/a.xyz"), "--unit", "cm", "--region",
+                        "100,100,300,200", "--stereo", "half", "--eye-angle", "5", "--pixels",
+                        "150", "--both-eyes", "-o", both})
+                .exit_code,
+            0);
+  const std::string left = path("figures/e.left.png"), right = path("figures/e.right.png");
+  EXPECT_FALSE(samePixels(left, right));
+  for (const std::string& eye : {left, right}) {
+    const CommandResult again =
+        runRelievo({"render", "--from-image", eye, "-o", path("eye.png"), "--report", "json"});
+    ASSERT_EQ(again.exit_code, 0) << again.err;
+    EXPECT_TRUE(samePixels(eye, path("eye.png"))) << eye;
+    EXPECT_THAT(json::parse(again.out)["caption"].get<std::string>(),
+                ::testing::HasSubstr(eye == left ? "left eye's picture" : "right eye's picture"));
+  }
+  // Eyes that change places.
+  ASSERT_EQ(runRelievo({"render", path("scans/a.xyz"), "--unit", "cm", "--region",
+                        "100,100,300,200", "--eye-angle", "5", "--pixels", "150", "--both-eyes",
+                        "--swap-eyes", "-o", path("s.png")})
+                .exit_code,
+            0);
+  EXPECT_TRUE(samePixels(path("s.left.png"), right));
+  EXPECT_TRUE(samePixels(path("s.right.png"), left));
+}
+
 TEST_F(Repeatable, TheSameCommandGivesTheSameBytes) {
   const auto bytes = [&] {
     EXPECT_EQ(runRelievo({"render", path("scans/a.xyz"), "--pixels", "60", "-o", path("b.png")})

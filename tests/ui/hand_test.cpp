@@ -165,5 +165,25 @@ TEST_F(HandTest, AProbeIsDrawnOnlyOnTheWindowItBelongsTo) {
   EXPECT_FALSE(view().sceneState().probe.has_value());
 }
 
+TEST_F(HandTest, AGreyAnaglyphHasALegendOfHandAndProxy) {
+  Probe probe;
+  probe.window_id = document().window()->id;
+  probe.proxy = probe.hip = {100, 90, 20};
+  window().controllers().touch.showProbe(probe);
+  auto* legend = view().findChild<QWidget*>("cell_legend");
+  ASSERT_NE(legend, nullptr);
+  EXPECT_FALSE(legend->isVisible());
+  view().setStereo({.mode = StereoMode::anaglyph});
+  EXPECT_TRUE(legend->isVisible());
+  EXPECT_EQ(legend->accessibleDescription(),
+            "ball: proxy, on the surface, ring with a cross: hand");
+  view().clearProbe();
+  EXPECT_FALSE(legend->isVisible()) << "no hand, no legend";
+  window().controllers().touch.showProbe(probe);
+  EXPECT_TRUE(legend->isVisible());
+  view().setStereo({.mode = StereoMode::half_colour});
+  EXPECT_FALSE(legend->isVisible()) << "red and blue are told apart";
+}
+
 }  // namespace
 }  // namespace relievo

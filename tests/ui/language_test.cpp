@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QGroupBox>
 #include <QLabel>
@@ -76,6 +77,38 @@ bool isTranslated(const QString& text) {
     }
   }
   return true;
+}
+
+/// What tasks tell of themselves, from the sources.
+QStringList stepsOfWork() {
+  static const QRegularExpression kStep(QStringLiteral("\\.report\\(\\s*\"([^\"]+)\""));
+  QStringList steps;
+  for (const char* folder : {"/core", "/ui"}) {
+    QDirIterator files(QStringLiteral(RELIEVO_SOURCE_DIR) + QLatin1String(folder), {"*.cpp"},
+                       QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+      QFile file(files.next());
+      EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << file.fileName().toStdString();
+      auto found = kStep.globalMatch(QString::fromUtf8(file.readAll()));
+      while (found.hasNext()) steps << found.next().captured(1);
+    }
+  }
+  steps.removeDuplicates();
+  return steps;
+}
+
+TEST(StepsOfWork, AreWordsOfEachLanguage) {
+  const QStringList steps = stepsOfWork();
+  ASSERT_GT(steps.size(), 25) << "they are told in another way now";
+  for (const char* language : {"de", "hi"}) {
+    QTranslator translator;
+    ASSERT_TRUE(translator.load(
+        QStringLiteral(":/translations/relievo_%1.qm").arg(QLatin1String(language))));
+    for (const QString& step : steps) {
+      EXPECT_FALSE(translator.translate("Core", step.toUtf8().constData()).isEmpty())
+          << language << ": " << step.toStdString();
+    }
+  }
 }
 
 class PseudoTest : public GuiTest {

@@ -306,6 +306,10 @@ TEST_F(VideoWindowTest, PartSpeedContentAndEyesAreChosenInTheDialog) {
   take(VideoProfile::talk);
   EXPECT_EQ(dialog->request().stereo, StereoPrint::off);
   EXPECT_NO_THROW(check(dialog->request()));
+  EXPECT_FALSE(dialog->bothEyes());
+  EXPECT_FALSE(number("video_eye_angle")->isEnabled());
+  box("video_both_eyes")->setChecked(true);
+  EXPECT_TRUE(number("video_eye_angle")->isEnabled()) << "the eyes' files have one";
   // One second of recording at half speed, eight pictures a second.
   take(VideoProfile::images);
   dialog->findChild<QComboBox*>("video_size")->setCurrentIndex(0);
@@ -314,8 +318,10 @@ TEST_F(VideoWindowTest, PartSpeedContentAndEyesAreChosenInTheDialog) {
   QTest::mouseClick(dialog->findChild<QPushButton*>("video_next"), Qt::LeftButton);
   Q_EMIT child<QFileDialog>("video_dialog")->fileSelected(path("part"));
   ASSERT_TRUE(waitFor([this] { return !video().writing(); }));
-  EXPECT_EQ(QDir(path("part")).entryList({"*.png"}).size(), 17)
-      << said().toStdString() << window().message().toStdString();
+  for (const char* folder : {"part", "part.left", "part.right"}) {
+    EXPECT_EQ(QDir(path(folder)).entryList({"*.png"}).size(), 17)
+        << folder << said().toStdString() << window().message().toStdString();
+  }
 }
 
 TEST_F(VideoWindowTest, AReplayIsFilmedAlongTheCameraPathIfThatIsChosen) {

@@ -4,6 +4,7 @@
 #include <QAccessible>
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -273,6 +274,29 @@ TEST_F(WindowTest, TheImageDialogAsksForPictureSizeAndPlaceAndSavesIt) {
   ASSERT_TRUE(waitFor([&] { return !window().savingImage(); }));
   EXPECT_EQ(QImage(path("new folder/dome.png")).size(), QSize(200, 120));
   EXPECT_TRUE(child<QLabel>("status_message")->text().contains("dome.png"));
+}
+
+TEST_F(WindowTest, ThePictureOfADetailIsSavedWithTheTwoOfTheEyes) {
+  openRelief();
+  window().runCommand("image");
+  auto* dialog = child<QDialog>("image_dialog");
+  ASSERT_NE(dialog, nullptr);
+  auto* eyes = dialog->findChild<QCheckBox*>("image_both_eyes");
+  auto* source = dialog->findChild<QComboBox*>("image_source");
+  eyes->setChecked(true);
+  source->setCurrentIndex(1);
+  EXPECT_FALSE(eyes->isEnabled()) << "of the detail only";
+  source->setCurrentIndex(0);
+  ASSERT_TRUE(eyes->isEnabled());
+  dialog->findChild<QLineEdit*>("image_file")->setText(path("pair.png"));
+  QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save),
+                    Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return !window().savingImage(); }));
+  const QImage both(path("pair.png")), left(path("pair.left.png")), right(path("pair.right.png"));
+  ASSERT_FALSE(both.isNull() || left.isNull() || right.isNull());
+  EXPECT_EQ(left.size(), both.size());
+  EXPECT_NE(left, right);
+  EXPECT_NE(left, both);
 }
 
 /// Counts the layouts that are asked for anywhere in the program.

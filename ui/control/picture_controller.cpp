@@ -63,15 +63,19 @@ void PictureController::chooseImage() {
   auto* dialog = new ImageDialog(stemOf(document_.file(), QStringLiteral("-reference-9999.png")),
                                  detail_.size(), &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &ImageDialog::chosen, this,
-          [this](const ImageChoice& choice) { save(choice.source, choice.pixels, choice.file); });
+  connect(dialog, &ImageDialog::chosen, this, [this](const ImageChoice& choice) {
+    save(choice.source, choice.pixels, choice.file, choice.both_eyes);
+  });
   dialog->open();
 }
 
-void PictureController::save(ImageSource source, const QSize& pixels, const QString& file) {
+void PictureController::save(ImageSource source, const QSize& pixels, const QString& file,
+                             bool both_eyes) {
   const auto error = std::make_shared<QString>();
+  PictureOrder order = this->order(source, pixels, file);
+  order.both_eyes = both_eyes && source == ImageSource::detail;
   work_.add(
-      [order = order(source, pixels, file), error](const Task& task) {
+      [order = std::move(order), error](const Task& task) {
         try {
           writePicture(order, task);
         } catch (const Cancelled&) {  // Its end is not told.

@@ -24,7 +24,8 @@ class PictureController : public Controller {
 
   /// PNG of a view or the window, exactly `pixels` large, drawn and written in the background; the
   /// strip says what went wrong.
-  void save(ImageSource source, const QSize& pixels, const QString& file);
+  /// @param both_eyes  of the detail: each eye's picture as a file of its own, too
+  void save(ImageSource source, const QSize& pixels, const QString& file, bool both_eyes = false);
   bool busy() const { return work_.busy(); }
   /// Another file is open. @param restored_look  for a state with a figure whose look was chosen
   void begin(bool restored_look);

@@ -20,6 +20,7 @@
 #include "ui/panels/replay_panel.h"
 #include "ui/plots/time_plot.h"
 #include "ui/style/text.h"
+#include "ui/video/video.h"
 #include "ui/video/video_file.h"
 #include "ui/views/detail_view.h"
 #include "ui/work/file_names.h"
@@ -106,11 +107,12 @@ void VideoController::choose() {
   start.request.swap_eyes = stereo.swap_eyes;
   auto* dialog = new VideoDialog(start, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &QDialog::accepted, this, [this, dialog] { chooseFile(dialog->request()); });
+  connect(dialog, &QDialog::accepted, this,
+          [this, dialog] { chooseFile(dialog->request(), dialog->bothEyes()); });
   dialog->open();
 }
 
-void VideoController::chooseFile(const VideoRequest& chosen) {
+void VideoController::chooseFile(const VideoRequest& chosen, bool both_eyes) {
   auto* dialog = new QFileDialog(&window_, tr("Video"), videoFolder());
   dialog->setObjectName(QStringLiteral("video_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -119,20 +121,23 @@ void VideoController::chooseFile(const VideoRequest& chosen) {
   dialog->setNameFilter(folder ? tr("A folder of pictures (*)") : tr("Videos (*.mp4)"));
   dialog->selectFile(
       stemOf(replay_.showing() ? replay_.file() : document_.file(), QStringLiteral(".mp4.json")));
-  connect(dialog, &QFileDialog::fileSelected, this, [this, chosen, folder](const QString& file) {
-    const bool whole = folder || file.endsWith(QLatin1String(".mp4"));
-    write(chosen, whole ? file : file + QLatin1String(".mp4"));
-  });
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, chosen, folder, both_eyes](const QString& file) {
+            const bool whole = folder || file.endsWith(QLatin1String(".mp4"));
+            write(chosen, whole ? file : file + QLatin1String(".mp4"), both_eyes);
+          });
   dialog->open();
 }
 
-void VideoController::write(const VideoRequest& chosen, const QString& file) {
+void VideoController::write(const VideoRequest& chosen, const QString& file, bool both_eyes) {
   try {
-    requireNotAnInput(
-        QFile::encodeName(file).toStdString(),
-        {{.file = QFile::encodeName(document_.file()).toStdString()},
-         {.file = QFile::encodeName(replay_.showing() ? replay_.file() : QString()).toStdString(),
-          .what = "the recording that is shown"}});
+    for (const auto& name : namesOf(VideoFiles{QFile::encodeName(file).toStdString(), both_eyes})) {
+      requireNotAnInput(
+          name,
+          {{.file = QFile::encodeName(document_.file()).toStdString()},
+           {.file = QFile::encodeName(replay_.showing() ? replay_.file() : QString()).toStdString(),
+            .what = "the recording that is shown"}});
+    }
   } catch (const Error& error) {
     messages_.show(shownError(error));
     return;
@@ -150,6 +155,7 @@ void VideoController::write(const VideoRequest& chosen, const QString& file) {
   }
   order.provenance = document_.provenanceIn(file);
   order.provenance.view.reset();  // The video goes its own way.
+  order.both_eyes = both_eyes;
   order.file = QFileInfo(file).absoluteFilePath();
   video_.write(order);
 }

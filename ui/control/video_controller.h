@@ -21,7 +21,8 @@ class VideoController : public Controller {
 
   /// A video of the replay, or of the camera path, in the background.
   /// @param chosen  light and relief image are as the view shows them
-  void write(const VideoRequest& chosen, const QString& file);
+  /// @param both_eyes  each eye's video as a file of its own, too
+  void write(const VideoRequest& chosen, const QString& file, bool both_eyes = false);
   VideoControl& control() { return video_; }
   PathPreview& preview() { return preview_; }
   VideoControl::LiveSource liveSource();  ///< What a video of the view shows.
@@ -32,7 +33,7 @@ class VideoController : public Controller {
   void makeCommands();
   bool hasPath() const;
   void choose();
-  void chooseFile(const VideoRequest& chosen);
+  void chooseFile(const VideoRequest& chosen, bool both_eyes);
   void setLive(bool on);
   void addKeyView();
   void previewPath();

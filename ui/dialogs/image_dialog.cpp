@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/dialogs/image_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -14,6 +15,7 @@
 #include <QStandardPaths>
 
 #include "ui/language/core_text.h"
+#include "ui/style/mnemonic.h"
 
 namespace relievo {
 namespace {
@@ -48,7 +50,8 @@ ImageDialog::ImageDialog(const QString& model, const QSize& first_size, QWidget*
       source_(new QComboBox),
       width_(pixelField(QStringLiteral("image_width"), tr("Width"), first_size.width())),
       height_(pixelField(QStringLiteral("image_height"), tr("Height"), first_size.height())),
-      file_(new QLineEdit(freeName(model))) {
+      file_(new QLineEdit(freeName(model))),
+      both_eyes_(new QCheckBox(tr("Both &eyes as files"))) {
   setObjectName(QStringLiteral("image_dialog"));
   setWindowTitle(tr("Save picture"));
   source_->setObjectName(QStringLiteral("image_source"));
@@ -61,6 +64,12 @@ ImageDialog::ImageDialog(const QString& model, const QSize& first_size, QWidget*
   file_->setAccessibleName(tr("File"));
   file_->setToolTip(tr("Where the picture is saved"));
   file_->setMinimumWidth(360);
+  both_eyes_->setObjectName(QStringLiteral("image_both_eyes"));
+  both_eyes_->setAccessibleName(withoutMnemonic(both_eyes_->text()));
+  both_eyes_->setToolTip(
+      tr("Also each eye's picture of the detail, as NAME.left.png and NAME.right.png"));
+  connect(source_, QOverload<int>::of(&QComboBox::currentIndexChanged), both_eyes_,
+          [this] { both_eyes_->setEnabled(choice().source == ImageSource::detail); });
   auto* browse = new QPushButton(tr("&Browse\u2026"));
   browse->setAccessibleName(tr("Browse"));
   browse->setToolTip(tr("Choose another place"));
@@ -95,6 +104,7 @@ ImageDialog::ImageDialog(const QString& model, const QSize& first_size, QWidget*
   };
   addRow(tr("Si&ze"), sizes, width_);
   addRow(tr("&File"), place, file_);
+  layout->addRow(QString(), both_eyes_);
   layout->addRow(buttons);
 }
 
@@ -103,7 +113,8 @@ ImageChoice ImageDialog::choice() const {
   if (!file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive)) file += QLatin1String(".png");
   return {static_cast<ImageSource>(source_->currentData().toInt()),
           {width_->value(), height_->value()},
-          file};
+          file,
+          both_eyes_->isEnabled() && both_eyes_->isChecked()};
 }
 
 }  // namespace relievo

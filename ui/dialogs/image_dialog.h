@@ -6,6 +6,7 @@
 
 #include "ui/window/main_window.h"
 
+class QCheckBox;
 class QLineEdit;
 class QSpinBox;
 
@@ -15,6 +16,7 @@ struct ImageChoice {
   ImageSource source = ImageSource::detail;
   QSize pixels;
   QString file;
+  bool both_eyes = false;  ///< Of the detail: each eye's picture as a file of its own, too.
 };
 
 /// Asks which picture to save, how large and where. [GUI thread]
@@ -32,6 +34,7 @@ class ImageDialog : public QDialog {
   QComboBox* source_;
   QSpinBox *width_, *height_;
   QLineEdit* file_;
+  QCheckBox* both_eyes_;
 };
 
 }  // namespace relievo

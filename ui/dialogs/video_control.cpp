@@ -89,9 +89,10 @@ void VideoControl::write(const Order& order) {
           if (order.recording && !order.recording_file.isEmpty()) {
             recording = inputFile(pathOf(order.recording_file), folder, task);
           }
-          outcome->facts =
-              writeVideo(*order.surface, order.recording.get(), order.request,
-                         videoState(order.provenance, order.request, recording), file, task);
+          outcome->facts = writeVideo(
+              *order.surface, order.recording.get(), order.request,
+              [&](const VideoRequest& one) { return videoState(order.provenance, one, recording); },
+              VideoFiles{.video = file, .both_eyes = order.both_eyes}, task);
         } catch (const Cancelled&) {
           return;
         } catch (const Error& error) {

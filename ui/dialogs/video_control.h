@@ -32,6 +32,7 @@ class VideoControl : public QObject {
     Provenance provenance;
     VideoRequest request;
     QString file;
+    bool both_eyes = false;  ///< Each eye's video, too (VideoFiles).
   };
   void write(const Order& order);
   bool writing() const { return worker_.busy(); }

@@ -171,10 +171,25 @@ void VideoDialog::addStereo(QFormLayout* form) {
   swap_->setToolTip(tr("For glasses whose red filter is at the right eye"));
   swap_->setChecked(start_.request.swap_eyes);
   form->addRow(QString(), swap_);
-  connect(stereo_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int kind) {
-    angle_->setEnabled(kind > 0);
-    swap_->setEnabled(kind > 0);
-  });
+  both_eyes_ = new QCheckBox(tr("Both eyes as f&iles"));
+  both_eyes_->setObjectName(QStringLiteral("video_both_eyes"));
+  both_eyes_->setAccessibleName(withoutMnemonic(both_eyes_->text()));
+  both_eyes_->setToolTip(
+      tr("Also each eye's video as a file of its own: NAME.left.mp4 and NAME.right.mp4"));
+  form->addRow(QString(), both_eyes_);
+  connect(stereo_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          &VideoDialog::enableEyes);
+  connect(both_eyes_, &QCheckBox::toggled, this, &VideoDialog::enableEyes);
+}
+
+void VideoDialog::enableEyes() {
+  const bool eyes = stereo_->currentIndex() > 0 || both_eyes_->isChecked();
+  angle_->setEnabled(eyes);
+  swap_->setEnabled(eyes);
+}
+
+bool VideoDialog::bothEyes() const {
+  return both_eyes_->isChecked();
 }
 
 void VideoDialog::showStereoFor(VideoProfile profile) {
@@ -183,8 +198,7 @@ void VideoDialog::showStereoFor(VideoProfile profile) {
   if (!possible) stereo_->setCurrentIndex(0);
   const bool missing = profile == VideoProfile::anaglyph && stereo_->currentIndex() == 0;
   if (missing) stereo_->setCurrentIndex(1);
-  angle_->setEnabled(stereo_->currentIndex() > 0);
-  swap_->setEnabled(stereo_->currentIndex() > 0);
+  enableEyes();
 }
 
 VideoRequest VideoDialog::request() const {

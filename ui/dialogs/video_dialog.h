@@ -29,6 +29,7 @@ class VideoDialog : public QDialog {
 
   /// As chosen; what the dialog does not ask for is as it was.
   VideoRequest request() const;
+  bool bothEyes() const;  ///< Each eye's video, too.
 
  private:
   void addPacking(QFormLayout* form);
@@ -37,13 +38,14 @@ class VideoDialog : public QDialog {
   void addStereo(QFormLayout* form);
   /// A profile that halves the colours' size cannot keep two eyes apart.
   void showStereoFor(VideoProfile profile);
+  void enableEyes();
 
   Start start_;
   QComboBox *profile_ = nullptr, *size_ = nullptr, *stereo_ = nullptr;
   QDoubleSpinBox *fps_ = nullptr, *speed_ = nullptr, *from_ = nullptr, *to_ = nullptr,
                  *angle_ = nullptr;
   QCheckBox *plots_ = nullptr, *overview_ = nullptr, *scale_bar_ = nullptr, *along_path_ = nullptr,
-            *swap_ = nullptr;
+            *swap_ = nullptr, *both_eyes_ = nullptr;
 };
 
 }  // namespace relievo

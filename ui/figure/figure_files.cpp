@@ -161,8 +161,8 @@ QByteArray svgOf(const Surface& surface, const Project& project, const DrawnShee
                                     "</metadata>\n"));
 }
 
-fs::path eyeFile(fs::path figure, int eye) {
-  return figure.replace_extension(eye < 0 ? ".left.png" : ".right.png");
+fs::path eyeFile(const fs::path& figure, int eye) {
+  return eyeFile(figure, eye < 0 ? FigureEye::left : FigureEye::right, ".png");
 }
 
 /// In errors; a folder is named whole.

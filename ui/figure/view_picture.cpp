@@ -66,7 +66,14 @@ RgbImage draw(const Surface& surface, const RegionWindow& window, const Project&
                    .azimuth_deg = p.azimuth_deg,
                    .elevation_deg = p.elevation_deg});
   scene.setInterpolated(interpolatedMark(p.look));
-  scene.setStereo(p.stereo);
+  StereoOptions stereo = p.stereo;
+  if (p.picture->eye != FigureEye::both) {
+    stereo.mode = StereoMode::off;
+    const bool left = (p.picture->eye == FigureEye::left) != stereo.swap_eyes;
+    scene.setEyeTurn((left ? -0.5 : 0.5) * stereo.eye_angle_deg);
+  }
+  scene.setStereo(stereo);
+  scene.setColourless(p.stereo.mode == StereoMode::anaglyph);  // Each eye's picture, too.
   scene.setLight(p.look.light);
   scene.setScaleBar(p.picture->scale_bar);
   if (!p.picture->background.empty()) {
@@ -120,6 +127,19 @@ ViewPictureFacts writeViewPicture(const Surface& surface, const RegionWindow& wi
                 {"Software", "relievo " + std::string(programVersion())},
                 {std::string(kStateKey), projectJson(shown)}});
   return facts;
+}
+
+void writeViewEyes(const Surface& surface, const RegionWindow& window, const Project& project,
+                   const OutputFile& file, const Task& task) {
+  for (const FigureEye eye : {FigureEye::left, FigureEye::right}) {
+    Project one = project;
+    one.picture->eye = eye;
+    writeViewPicture(surface, window, one, {eyeFile(file.path, eye, ".png"), file.set}, task);
+  }
+}
+
+std::vector<std::filesystem::path> viewEyeFiles(const std::filesystem::path& file) {
+  return {eyeFile(file, FigureEye::left, ".png"), eyeFile(file, FigureEye::right, ".png")};
 }
 
 }  // namespace relievo

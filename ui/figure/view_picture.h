@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/base/task.h"
 #include "core/file/atomic_file.h"
@@ -31,5 +32,14 @@ RgbImage drawViewPicture(const Surface& surface, const RegionWindow& window, con
 ViewPictureFacts writeViewPicture(const Surface& surface, const RegionWindow& window,
                                   const Project& project, const OutputFile& file,
                                   const Task& task = {});
+
+/// The pictures of the two eyes that the project's stereo mixes, as files of their own: the left
+/// eye's, NAME.left.png, and the right eye's; made as writeViewPicture makes its own, all of them
+/// members of the file's set. [any thread that may use OpenGL] @throw as writeViewPicture
+/// @param file  the picture of both  @pre a set
+void writeViewEyes(const Surface& surface, const RegionWindow& window, const Project& project,
+                   const OutputFile& file, const Task& task = {});
+/// Their names. @param file  the picture of both
+std::vector<std::filesystem::path> viewEyeFiles(const std::filesystem::path& file);
 
 }  // namespace relievo

@@ -278,6 +278,54 @@
         <source>force</source>
         <translation>Kraft</translation>
     </message>
+    <message>
+        <source>Finding the front</source>
+        <translation>Vorderste Schicht wird gesucht</translation>
+    </message>
+    <message>
+        <source>Laying the scans on each other</source>
+        <translation>Scans werden aufeinandergelegt</translation>
+    </message>
+    <message>
+        <source>Looking at colours</source>
+        <translation>Farben werden angesehen</translation>
+    </message>
+    <message>
+        <source>Looking at the scans</source>
+        <translation>Scans werden angesehen</translation>
+    </message>
+    <message>
+        <source>Opening the files</source>
+        <translation>Dateien werden geöffnet</translation>
+    </message>
+    <message>
+        <source>Publishing</source>
+        <translation>Veröffentlichen</translation>
+    </message>
+    <message>
+        <source>Searching where the scans meet</source>
+        <translation>Gemeinsame Stellen der Scans werden gesucht</translation>
+    </message>
+    <message>
+        <source>Solving all poses together</source>
+        <translation>Alle Lagen werden gemeinsam berechnet</translation>
+    </message>
+    <message>
+        <source>Sorting colours into tiles</source>
+        <translation>Farben werden auf Kacheln verteilt</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>Writing colours</source>
+        <translation>Farben werden geschrieben</translation>
+    </message>
+    <message>
+        <source>reading pictures</source>
+        <translation>Bilder werden gelesen</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -836,10 +884,6 @@
         <translation>weniger als %1 %</translation>
     </message>
     <message>
-        <source>Legend of unmeasured cells</source>
-        <translation>Legende der nicht gemessenen Zellen</translation>
-    </message>
-    <message>
         <source>interpolated: %1</source>
         <translation>interpoliert: %1</translation>
     </message>
@@ -850,6 +894,18 @@
     <message>
         <source>All cells in view were measured</source>
         <translation>Alle Zellen im Bild wurden gemessen</translation>
+    </message>
+    <message>
+        <source>Legend of marks</source>
+        <translation>Legende der Zeichen</translation>
+    </message>
+    <message>
+        <source>ball: proxy, on the surface</source>
+        <translation>Kugel: Proxy, auf der Oberfläche</translation>
+    </message>
+    <message>
+        <source>ring with a cross: hand</source>
+        <translation>Ring mit Kreuz: Hand</translation>
     </message>
 </context>
 <context>
@@ -4066,6 +4122,14 @@
     <message>
         <source>Overview</source>
         <translation>Übersicht</translation>
+    </message>
+    <message>
+        <source>Both &amp;eyes as files</source>
+        <translation>Beide &amp;Augen als Dateien</translation>
+    </message>
+    <message>
+        <source>Also each eye&apos;s picture of the detail, as NAME.left.png and NAME.right.png</source>
+        <translation>Auch das Bild jedes Auges vom Detail, als NAME.left.png und NAME.right.png</translation>
     </message>
 </context>
 <context>
@@ -12149,6 +12213,14 @@
     <message>
         <source>Interlaced</source>
         <translation>Zeilenweise</translation>
+    </message>
+    <message>
+        <source>Both eyes as f&amp;iles</source>
+        <translation>Beide Augen als Dateie&amp;n</translation>
+    </message>
+    <message>
+        <source>Also each eye&apos;s video as a file of its own: NAME.left.mp4 and NAME.right.mp4</source>
+        <translation>Auch das Video jedes Auges als eigene Datei: NAME.left.mp4 und NAME.right.mp4</translation>
     </message>
 </context>
 <context>

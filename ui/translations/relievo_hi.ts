@@ -278,6 +278,54 @@
         <source>force</source>
         <translation>बल</translation>
     </message>
+    <message>
+        <source>Finding the front</source>
+        <translation>सामने की परत ढूँढना</translation>
+    </message>
+    <message>
+        <source>Laying the scans on each other</source>
+        <translation>स्कैन एक दूसरे पर रखना</translation>
+    </message>
+    <message>
+        <source>Looking at colours</source>
+        <translation>रंग देखना</translation>
+    </message>
+    <message>
+        <source>Looking at the scans</source>
+        <translation>स्कैन देखना</translation>
+    </message>
+    <message>
+        <source>Opening the files</source>
+        <translation>फ़ाइलें खोलना</translation>
+    </message>
+    <message>
+        <source>Publishing</source>
+        <translation>प्रकाशित करना</translation>
+    </message>
+    <message>
+        <source>Searching where the scans meet</source>
+        <translation>स्कैन कहाँ मिलते हैं, यह ढूँढना</translation>
+    </message>
+    <message>
+        <source>Solving all poses together</source>
+        <translation>सभी स्थितियाँ एक साथ निकालना</translation>
+    </message>
+    <message>
+        <source>Sorting colours into tiles</source>
+        <translation>रंग टाइलों में बाँटना</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>लिखना</translation>
+    </message>
+    <message>
+        <source>Writing colours</source>
+        <translation>रंग लिखना</translation>
+    </message>
+    <message>
+        <source>reading pictures</source>
+        <translation>चित्र पढ़ना</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -836,10 +884,6 @@
         <translation>%1 % से कम</translation>
     </message>
     <message>
-        <source>Legend of unmeasured cells</source>
-        <translation>बिना मापी कोशिकाओं की कुंजी</translation>
-    </message>
-    <message>
         <source>interpolated: %1</source>
         <translation>अंतर्वेशित: %1</translation>
     </message>
@@ -850,6 +894,18 @@
     <message>
         <source>All cells in view were measured</source>
         <translation>दिखने वाली सभी कोशिकाएँ मापी गई हैं</translation>
+    </message>
+    <message>
+        <source>Legend of marks</source>
+        <translation>चिह्नों की कुंजी</translation>
+    </message>
+    <message>
+        <source>ball: proxy, on the surface</source>
+        <translation>गोला: प्रॉक्सी, सतह पर</translation>
+    </message>
+    <message>
+        <source>ring with a cross: hand</source>
+        <translation>क्रॉस वाला छल्ला: हाथ</translation>
     </message>
 </context>
 <context>
@@ -4066,6 +4122,14 @@
     <message>
         <source>Overview</source>
         <translation>अवलोकन</translation>
+    </message>
+    <message>
+        <source>Both &amp;eyes as files</source>
+        <translation>दोनों आँखें फ़ाइलों में (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Also each eye&apos;s picture of the detail, as NAME.left.png and NAME.right.png</source>
+        <translation>विवरण का हर आँख का चित्र भी, NAME.left.png और NAME.right.png नाम से</translation>
     </message>
 </context>
 <context>
@@ -12149,6 +12213,14 @@
     <message>
         <source>Interlaced</source>
         <translation>पंक्ति-दर-पंक्ति</translation>
+    </message>
+    <message>
+        <source>Both eyes as f&amp;iles</source>
+        <translation>दोनों आँखें फ़ाइलों में (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Also each eye&apos;s video as a file of its own: NAME.left.mp4 and NAME.right.mp4</source>
+        <translation>हर आँख का वीडियो भी अलग फ़ाइल में: NAME.left.mp4 और NAME.right.mp4</translation>
     </message>
 </context>
 <context>

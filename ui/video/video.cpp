@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/video/video.h"
 
+#include <array>
 #include <chrono>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -35,6 +36,7 @@ QJsonObject jsonOf(const VideoRequest& v) {
                    {"stereo", word(name(v.stereo))},
                    {"eye_angle_deg", v.eye_angle_deg},
                    {"swap_eyes", v.swap_eyes}};
+  if (v.eye != FigureEye::both) json["eye"] = word(name(v.eye));
   if (v.from_s) json["from_s"] = *v.from_s;
   if (v.to_s) json["to_s"] = *v.to_s;
   if (!v.path) return json;
@@ -59,6 +61,52 @@ std::uint64_t sizeOf(const fs::path& file) {
   return bytes;
 }
 
+/// Adds its life to a sum of seconds.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum) {}
+  ~Stopwatch() { sum_ += secondsSince(start_); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+constexpr std::array<FigureEye, 2> kEyes{FigureEye::left, FigureEye::right};
+
+/// A video that is being written, and whose pictures it has.
+struct Packed {
+  FigureEye eye;
+  std::unique_ptr<VideoFile> file;
+};
+
+Packed begin(OutputSet& set, const VideoRequest& request, const std::string& state,
+             const fs::path& file) {
+  fs::path beside = file;
+  beside += ".json";
+  writeTextFile(set.file(beside), state + "\n");  // While there is room for it.
+  return {.eye = request.eye,
+          .file = openVideo(set.file(file), {.profile = request.profile,
+                                             .width_px = request.width_px,
+                                             .height_px = request.height_px,
+                                             .fps = request.fps,
+                                             .state = state,
+                                             .title = file.stem().string()})};
+}
+
+/// Where the disk is full, what was whole stays.
+template <class Work>
+void keepingWhole(OutputSet& set, const VideoFile& file, const Work& work) {
+  try {
+    work();
+  } catch (const WriteError&) {
+    if (file.isPartKept()) set.commit();
+    throw;
+  }
+}
+
 }  // namespace
 
 std::string videoState(const Provenance& provenance, const VideoRequest& request,
@@ -73,44 +121,62 @@ std::string videoState(const Provenance& provenance, const VideoRequest& request
   return toJson(made, -1);
 }
 
+std::vector<fs::path> namesOf(const VideoFiles& files) {
+  std::vector<fs::path> names;
+  if (files.both_eyes) {
+    const std::string ending = files.video.extension().string();
+    for (const FigureEye eye : kEyes) names.push_back(eyeFile(files.video, eye, ending));
+  }
+  names.push_back(files.video);
+  return names;
+}
+
 VideoFacts writeVideo(const Surface& surface, const TouchRecording* recording,
                       const VideoRequest& request, const std::string& state, const fs::path& file,
                       const Task& task) {
+  return writeVideo(
+      surface, recording, request, [&state](const VideoRequest&) { return state; },
+      VideoFiles{.video = file}, task);
+}
+
+VideoFacts writeVideo(const Surface& surface, const TouchRecording* recording,
+                      const VideoRequest& request,
+                      const std::function<std::string(const VideoRequest&)>& state,
+                      const VideoFiles& files, const Task& task) {
   VideoFrames frames(surface, recording, request, task);
+  if (files.both_eyes) frames.keepEyes();
   OutputSet set;
-  fs::path beside = file;
-  beside += ".json";
-  writeTextFile(set.file(beside), state + "\n");  // While there is room for it.
-  const std::unique_ptr<VideoFile> out = openVideo(set.file(file), {.profile = request.profile,
-                                                                    .width_px = request.width_px,
-                                                                    .height_px = request.height_px,
-                                                                    .fps = request.fps,
-                                                                    .state = state,
-                                                                    .title = file.stem().string()});
+  std::vector<Packed> videos;
+  for (const fs::path& name : namesOf(files)) {
+    VideoRequest one = request;
+    if (videos.size() + 1 < namesOf(files).size()) one.eye = kEyes.at(videos.size());
+    videos.push_back(begin(set, one, state(one), name));
+  }
   VideoFacts facts;
   const std::uint64_t count = frames.times().frames;
-  try {
-    for (std::uint64_t i = 0; i < count; ++i) {
-      task.check();
-      task.report("Video", static_cast<double>(i) / static_cast<double>(count));
-      const auto start = std::chrono::steady_clock::now();
-      const RgbaImage& frame = frames.draw(i);
-      facts.drawing_s += secondsSince(start);
-      const auto drawn = std::chrono::steady_clock::now();
-      out->add(frame, task);
-      facts.packing_s += secondsSince(drawn);
+  const auto timed = [](double& sum, const auto& work) -> decltype(auto) {
+    const Stopwatch watch(sum);
+    return work();
+  };
+  for (std::uint64_t i = 0; i < count; ++i) {
+    task.check();
+    task.report("Video", static_cast<double>(i) / static_cast<double>(count));
+    const RgbaImage& whole =
+        timed(facts.drawing_s, [&]() -> const RgbaImage& { return frames.draw(i); });
+    for (Packed& video : videos) {
+      const RgbaImage& frame = video.eye == FigureEye::both ? whole : frames.ofEye(video.eye);
+      timed(facts.packing_s,
+            [&] { keepingWhole(set, *video.file, [&] { video.file->add(frame, task); }); });
     }
-    const auto last = std::chrono::steady_clock::now();
-    out->finish(task);
-    facts.packing_s += secondsSince(last);
-  } catch (const WriteError&) {
-    if (out->isPartKept()) set.commit();
-    throw;
+  }
+  for (Packed& video : videos) {
+    timed(facts.packing_s,
+          [&] { keepingWhole(set, *video.file, [&] { video.file->finish(task); }); });
   }
   set.commit();
-  facts.frames = out->frames();
+  facts.frames = videos.back().file->frames();
   facts.seconds = static_cast<double>(facts.frames) / request.fps;
-  facts.bytes = sizeOf(file);
+  for (const fs::path& name : namesOf(files)) facts.bytes += sizeOf(name);
   return facts;
 }
 

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "core/base/task.h"
 #include "core/provenance/provenance.h"
@@ -26,6 +28,15 @@ struct VideoFacts {
 std::string videoState(const Provenance& provenance, const VideoRequest& request,
                        const InputFile& recording);
 
+/// The files that one video is written as.
+struct VideoFiles {
+  std::filesystem::path video;
+  /// Each eye's video, too, beside it: NAME.left.mp4 and NAME.right.mp4, of the same frames.
+  bool both_eyes = false;
+};
+/// Their names, the video's own last.
+std::vector<std::filesystem::path> namesOf(const VideoFiles& files);
+
 /// Draws and packs a whole video, frame by frame; frame i shows its own time, however long drawing
 /// takes. Writes FILE.json beside it with `state`. Needs a FigureSession. [worker that may use
 /// OpenGL] @param recording  null: the request's camera path alone
@@ -33,5 +44,12 @@ std::string videoState(const Provenance& provenance, const VideoRequest& request
 VideoFacts writeVideo(const Surface& surface, const TouchRecording* recording,
                       const VideoRequest& request, const std::string& state,
                       const std::filesystem::path& file, const Task& task = {});
+
+/// The same for several files; all of them are there, or none is. What is told of bytes and time is
+/// of all of them. @param state  of the request, or of that request for one eye
+VideoFacts writeVideo(const Surface& surface, const TouchRecording* recording,
+                      const VideoRequest& request,
+                      const std::function<std::string(const VideoRequest&)>& state,
+                      const VideoFiles& files, const Task& task = {});
 
 }  // namespace relievo

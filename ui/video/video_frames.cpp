@@ -2,14 +2,17 @@
 #include "ui/video/video_frames.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <QRect>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/relief/relief_image.h"
 #include "core/session/large/tiled_surface.h"
+#include "ui/figure/hand_signs.h"
 #include "ui/figure/plot_strip.h"
 #include "ui/video/video_surface.h"
 #include "ui/vtk/frame_renderer.h"
@@ -94,7 +97,10 @@ struct VideoFrames::Impl {
   std::optional<PlotStrip> plots;
   VideoSurface shown;
   std::optional<Region> overview_region;
-  RgbaImage left, page, right_page;
+  RgbaImage left, page, right_page, eye_page;
+  bool keeps_eyes;
+  std::array<RgbaImage, 2> eyes;  ///< The detail, left and right; if they are kept.
+  bool legend = false;            ///< Over the detail.
 
   Impl(const Surface& s, const TouchRecording* r, const VideoRequest& v, const Task& t)
       : surface(s),
@@ -104,7 +110,8 @@ struct VideoFrames::Impl {
         times(timesOf(v, r)),
         places(layOut(v, r != nullptr && v.plots)),
         detail(places.detail.width, places.detail.height),
-        shown(s, v.look) {
+        shown(s, v.look),
+        keeps_eyes(v.eye != FigureEye::both) {
     page = {
         v.width_px, v.height_px,
         std::vector<std::uint8_t>(
@@ -124,6 +131,7 @@ struct VideoFrames::Impl {
     scene.setBackground(1, 1, 1);
     scene.setLight(request.look.light);
     scene.setMarkScale(std::max(1.0, request.height_px / kMarkHeightPx));
+    scene.setColourless(request.stereo == StereoPrint::grey);
   }
 
   void startOverview() {
@@ -163,16 +171,19 @@ struct VideoFrames::Impl {
     scene.setCamera({rect, view.azimuth_deg, view.elevation_deg});
     scene.setProbe(probe, kBallOfSide * r.side_mm);
     scene.setStereo({.mode = StereoMode::off, .zero_plane_mm = shown.midHeightMm()});
+    legend = probe && request.stereo == StereoPrint::grey;
     if (request.stereo == StereoPrint::off) {
       scene.setEyeTurn(0);
       paste(detail.draw(task), places.detail, page);
-      return;
+      if (!keeps_eyes) return;
     }
     const double red = (request.swap_eyes ? 0.5 : -0.5) * request.eye_angle_deg;
     scene.setEyeTurn(red);
     left = detail.draw(task);
     scene.setEyeTurn(-red);
     const RgbaImage& right = detail.draw(task);
+    if (keeps_eyes) eyes = {left, right};
+    if (request.stereo == StereoPrint::off) return;
     if (isPair(request.stereo)) {
       right_page.rgba.assign(page.rgba.begin(), page.rgba.end());
       paste(right, places.detail, right_page);
@@ -180,6 +191,20 @@ struct VideoFrames::Impl {
       mixAnaglyph(request.stereo, left.rgba, right.rgba);
     }
     paste(left, places.detail, page);
+  }
+
+  const RgbaImage& ofEye(FigureEye eye) {
+    eye_page.width = page.width;
+    eye_page.height = page.height;
+    eye_page.rgba.assign(page.rgba.begin(), page.rgba.end());
+    paste(eyes.at(eye == FigureEye::left ? 0 : 1), places.detail, eye_page);
+    addLegend(eye_page);
+    return eye_page;
+  }
+
+  void addLegend(RgbaImage& whole) const {
+    const Box& d = places.detail;
+    if (legend) paintHandLegend(whole, QRect(d.x, d.y, d.width, d.height));
   }
 
   /// The whole page twice, what lies beside the surface in the plane of the screen.
@@ -226,6 +251,14 @@ VideoFrames::VideoFrames(const Surface& surface, const TouchRecording* recording
 
 VideoFrames::~VideoFrames() = default;
 
+void VideoFrames::keepEyes() {
+  impl_->keeps_eyes = true;
+}
+
+const RgbaImage& VideoFrames::ofEye(FigureEye eye) {
+  return impl_->ofEye(eye);
+}
+
 const VideoTimes& VideoFrames::times() const {
   return impl_->times;
 }
@@ -246,6 +279,8 @@ const RgbaImage& VideoFrames::draw(std::uint64_t frame) {
     paste(impl_->plots->draw(t, words(*row, t, impl_->surface.ladder.levels())),
           impl_->places.plots, impl_->page);
   }
+  if (impl_->request.eye != FigureEye::both) return impl_->ofEye(impl_->request.eye);
+  impl_->addLegend(impl_->page);
   return isPair(impl_->request.stereo) ? impl_->paired() : impl_->page;
 }
 

@@ -12,6 +12,7 @@ namespace relievo {
 
 /// Draws the frames of a video: the detail, beside it the whole object and the plots. A frame
 /// depends on its number alone, not on those before it: the same number gives the same pixels.
+/// A request for one eye gives that eye's picture alone.
 /// Needs a FigureSession. [one thread that may use OpenGL]
 class VideoFrames {
  public:
@@ -28,6 +29,11 @@ class VideoFrames {
   /// Valid until the next call.
   /// @throw GraphicsError, ArgumentError, FileError (tiles), Cancelled
   const RgbaImage& draw(std::uint64_t frame);
+  /// From the next draw() on each eye's picture is kept, too.
+  void keepEyes();
+  /// One eye's picture of the frame that was drawn last, the whole page. Valid until the next call.
+  /// @pre keepEyes()  @param eye  left or right
+  const RgbaImage& ofEye(FigureEye eye);
 
  private:
   struct Impl;

@@ -4,6 +4,7 @@
 #include <QFile>
 
 #include "core/base/replaceable.h"
+#include "core/file/output_set.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
@@ -43,7 +44,14 @@ void writePicture(const PictureOrder& order, const Task& task) {
   const Project& project = order.project;
   requireNotAnInput(file, {{.file = project.file}});
   if (project.picture->source == PictureChoice{}.source) {
-    writeViewPicture(*order.surface, *order.window, project, file, task);
+    OutputSet set;
+    if (order.both_eyes) {
+      for (const auto& eye : viewEyeFiles(file)) requireNotAnInput(eye, {{.file = project.file}});
+      writeViewEyes(*order.surface, *order.window, project, set.file(file), task);
+    }
+    writeViewPicture(*order.surface, *order.window, project, set.file(file), task);
+    task.check();
+    set.commit();
     return;
   }
   const RgbImage image = order.grabbed.isNull() ? drawn(order.reference, *project.picture, task)

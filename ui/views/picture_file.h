@@ -24,9 +24,10 @@ struct PictureOrder {
   QImage grabbed;           ///< Of the whole window: pixels from the screen, scaled to the size.
   std::string description;  ///< Of reference view and whole window.
   QString file;
+  bool both_eyes = false;  ///< Of the detail: each eye's picture beside it (writeViewEyes).
 };
 
-/// Draws a picture and writes it as PNG; an older file stays until the new one is whole.
+/// Draws a picture and writes it as PNG; older files stay until all new ones are whole.
 /// @throw WriteError, GraphicsError, Cancelled [any thread that may use OpenGL]
 void writePicture(const PictureOrder& order, const Task& task = {});
 

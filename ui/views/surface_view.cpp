@@ -414,11 +414,9 @@ void SurfaceView::showGrid(std::shared_ptr<const HeldGrid> grid) {
 void SurfaceView::showLegend() {
   const bool halves = showsHalves(printed(state_.stereo.mode));
   labels_->setOff(halves);
-  if (state_.look.unmeasured && state_.grid && !halves) {
-    legend_->show(state_.grid->origins, printed(state_.stereo.mode));
-  } else {
-    legend_->hide();
-  }
+  const bool cells = state_.look.unmeasured && state_.grid && !halves;
+  const bool hand = state_.probe && state_.stereo.mode == StereoMode::anaglyph;
+  legend_->show(cells ? &state_.grid->origins : nullptr, hand, printed(state_.stereo.mode));
 }
 
 SceneState SurfaceView::plainState() const {
@@ -471,9 +469,11 @@ void SurfaceView::follow(std::function<void()> work) {
 }
 
 void SurfaceView::setProbeDrawn(const std::optional<Probe>& probe, double ball_radius_mm) {
+  const bool comes_or_goes = state_.probe.has_value() != probe.has_value();
   state_.probe = probe;
   state_.ball_radius_mm = ball_radius_mm;
   scene_->setProbe(probe, ball_radius_mm);
+  if (comes_or_goes) showLegend();
   requestRender();
 }
 

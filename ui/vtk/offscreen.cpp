@@ -147,6 +147,7 @@ RgbaImage renderBothEyes(const ReliefScene& scene, const PictureOptions& size, c
   const std::unique_ptr<ReliefScene> eye = scene.copy();
   StereoOptions one_eye = stereo;
   one_eye.mode = StereoMode::off;
+  eye->setColourless(stereo.mode == StereoMode::anaglyph);  // As in the mixed picture.
   eye->setStereo(one_eye);
   const double half_deg = (stereo.swap_eyes ? -0.5 : 0.5) * stereo.eye_angle_deg;
   eye->setEyeTurn(-half_deg);

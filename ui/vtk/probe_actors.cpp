@@ -8,6 +8,7 @@
 #include <vtkCylinderSource.h>
 #include <vtkDiskSource.h>
 #include <vtkMatrix4x4.h>
+#include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
@@ -20,6 +21,7 @@ constexpr Colour kProxyBlue{0.12, 0.38, 0.95};
 constexpr Colour kHipRed{0.93, 0.11, 0.14};
 constexpr Colour kForceAmber{1.0, 0.76, 0.15};
 constexpr Colour kLineLight{0.95, 0.95, 0.95};
+constexpr Colour kRingWhite{0.97, 0.97, 0.97};
 constexpr Colour kRimDark{0.09, 0.07, 0.08};
 
 void dress(vtkActor* actor, vtkAlgorithm* source, const Colour& colour, bool lit) {
@@ -42,6 +44,26 @@ vtkNew<vtkDiskSource> annulus(double inner, double outer) {
   disk->SetOuterRadius(outer);
   disk->SetCircumferentialResolution(48);
   return disk;
+}
+
+/// A bar through the middle, in the ring's plane, its middle line from -(x, y) to (x, y).
+vtkNew<vtkPlaneSource> bar(double x, double y, double half_width) {
+  const double across = half_width / std::hypot(x, y);
+  const double side_x = -y * across, side_y = x * across;
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-x - side_x, -y - side_y, 0);
+  plane->SetPoint1(x - side_x, y - side_y, 0);
+  plane->SetPoint2(-x + side_x, -y + side_y, 0);
+  return plane;
+}
+
+/// A ring, in ball radii; `bar_half_width` > 0: and two bars crosswise in it.
+void compose(vtkAppendPolyData* shape, double inner, double outer, double bar_half_width) {
+  shape->AddInputConnection(annulus(inner, outer)->GetOutputPort());
+  if (bar_half_width <= 0) return;
+  const double end = 0.5 * (inner + outer) / std::sqrt(2.0);
+  shape->AddInputConnection(bar(end, end, bar_half_width)->GetOutputPort());
+  shape->AddInputConnection(bar(end, -end, bar_half_width)->GetOutputPort());
 }
 
 /// Unit object (axes x, y, z) to view: columns are the images of the axes.
@@ -80,8 +102,12 @@ ProbeActors::ProbeActors() {
   cone->SetRadius(1);
   cone->SetResolution(24);
   dress(head_, cone, kForceAmber, true);
-  dress(ring_rim_, annulus(1.12, 1.68), kRimDark, false);
-  dress(ring_, annulus(1.2, 1.6), kHipRed, false);
+  compose(plain_rim_, 1.12, 1.68, 0);
+  compose(plain_, 1.2, 1.6, 0);
+  compose(crossed_rim_, 1.12, 1.68, 0.3);
+  compose(crossed_, 1.2, 1.6, 0.18);
+  dress(ring_rim_, plain_rim_, kRimDark, false);
+  dress(ring_, plain_, kHipRed, false);
   set(std::nullopt, 1);
 }
 
@@ -95,10 +121,12 @@ void ProbeActors::addTo(vtkRenderer* middle_layer, vtkRenderer* top_layer) {
 void ProbeActors::set(const std::optional<Probe>& probe, double ball_radius_mm) {
   const bool visible =
       probe && isFinite(probe->proxy) && isFinite(probe->hip) && ball_radius_mm > 0;
-  for (vtkActor* actor : {ball_.Get(), line_.Get(), shaft_.Get(), head_.Get(), ring_rim_.Get(),
-                          ring_.Get(), centre_.Get()}) {
+  for (vtkActor* actor :
+       {ball_.Get(), line_.Get(), shaft_.Get(), head_.Get(), ring_rim_.Get(), ring_.Get()}) {
     actor->SetVisibility(visible);
   }
+  visible_ = visible;
+  centre_->SetVisibility(visible && !colourless_);
   reach_mm_ = 0;
   if (!visible) return;
   radius_mm_ = ball_radius_mm;
@@ -115,6 +143,18 @@ void ProbeActors::set(const std::optional<Probe>& probe, double ball_radius_mm) 
   line_->SetPosition(proxy_.x, proxy_.y, proxy_.z);
   reach_mm_ = norm(to_hip) + 2 * r;
   setArrow(*probe);
+}
+
+void ProbeActors::setColourless(bool colourless) {
+  if (colourless == colourless_) return;
+  colourless_ = colourless;
+  vtkAppendPolyData* const rim = colourless ? crossed_rim_ : plain_rim_;
+  vtkAppendPolyData* const ring = colourless ? crossed_ : plain_;
+  ring_rim_->GetMapper()->SetInputConnection(rim->GetOutputPort());
+  ring_->GetMapper()->SetInputConnection(ring->GetOutputPort());
+  const Colour& colour = colourless ? kRingWhite : kHipRed;
+  ring_->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  centre_->SetVisibility(visible_ && !colourless);
 }
 
 void ProbeActors::setArrow(const Probe& probe) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include <vtkActor.h>
+#include <vtkAppendPolyData.h>
 #include <vtkLineSource.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
@@ -23,6 +24,8 @@ class ProbeActors {
   ProbeActors();
   void addTo(vtkRenderer* middle_layer, vtkRenderer* top_layer);
   void set(const std::optional<Probe>& probe, double ball_radius_mm);
+  /// Where no colour will be left, the HIP is a white ring with a cross in it, the proxy a ball.
+  void setColourless(bool colourless);
   /// The ring faces the viewer. To be called before each render.
   void face(const SceneView& view);
 
@@ -35,6 +38,9 @@ class ProbeActors {
 
   vtkNew<vtkActor> ball_, line_, shaft_, head_, ring_rim_, ring_, centre_;
   vtkNew<vtkLineSource> segment_;
+  // The HIP's ring and its rim; without a cross, and with one.
+  vtkNew<vtkAppendPolyData> plain_, plain_rim_, crossed_, crossed_rim_;
+  bool visible_ = false, colourless_ = false;
   ViewMm proxy_, hip_;
   double radius_mm_ = 1, reach_mm_ = 0;
 };

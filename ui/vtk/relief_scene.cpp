@@ -98,6 +98,7 @@ struct SceneContent {
   bool pink_handles = false;
   std::optional<Probe> probe;
   double ball_radius_mm = 1;
+  bool colourless = false;
   std::vector<std::vector<ViewMm>> lines, curves;
   bool scale_bar = false;
   char decimal_mark = '.';
@@ -131,6 +132,9 @@ struct ReliefScene::Impl {
   double reachMm(const SceneView& view) const;
   void placeCamera(const SceneView& view, const PictureTile& tile);
   void applyStereo();
+  void applyColourless() {
+    probe_actors.setColourless(asked.colourless || asked.stereo.mode == StereoMode::anaglyph);
+  }
 };
 
 ReliefScene::Impl::Impl() {
@@ -232,6 +236,7 @@ const StereoOptions& ReliefScene::stereo() const {
 void ReliefScene::setStereo(const StereoOptions& stereo) {
   impl_->asked.stereo = stereo;
   impl_->applyStereo();
+  impl_->applyColourless();
 }
 
 void ReliefScene::setLight(const LightOptions& light) {
@@ -271,6 +276,11 @@ void ReliefScene::setProbe(const std::optional<Probe>& probe, double ball_radius
   impl_->asked.probe = probe;
   impl_->asked.ball_radius_mm = ball_radius_mm;
   impl_->probe_actors.set(probe, ball_radius_mm);
+}
+
+void ReliefScene::setColourless(bool colourless) {
+  impl_->asked.colourless = colourless;
+  impl_->applyColourless();
 }
 
 void ReliefScene::setLines(const std::vector<std::vector<ViewMm>>& lines,
@@ -351,6 +361,7 @@ std::unique_ptr<ReliefScene> ReliefScene::copy() const {
   other->setInterpolated(asked.interpolated);
   other->setPinkWindow(asked.pink, asked.pink_handles);
   other->setProbe(asked.probe, asked.ball_radius_mm);
+  other->setColourless(asked.colourless);
   other->setLines(asked.lines, asked.curves);
   other->setScaleBar(asked.scale_bar);
   other->setDecimalMark(asked.decimal_mark);

@@ -82,6 +82,9 @@ class ReliefScene {
   /// Proxy: blue ball; HIP: red ring around a small ball; line between; arrow along the force.
   /// ball_radius_mm in view mm. Nothing hides them.
   void setProbe(const std::optional<Probe>& probe, double ball_radius_mm);
+  /// What is drawn will lose its colours: the HIP is told from the proxy by its shape, a white ring
+  /// with a cross in it. A stereo mode of grey says so by itself.
+  void setColourless(bool colourless);
   /// Measurements: lines through points on the surface, a dot at each, and curves without dots.
   /// Nothing hides them.
   void setLines(const std::vector<std::vector<ViewMm>>& lines,

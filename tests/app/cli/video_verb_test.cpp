@@ -91,6 +91,31 @@ TEST_F(VideoVerb, FollowsTheCameraPathOfAProjectWithAndWithoutARecording) {
   EXPECT_EQ(both.exit_code, 0) << both.err;
 }
 
+TEST_F(VideoVerb, WritesTheVideoOfEachEyeToo) {
+  const CommandResult made = video({path("log.csv"), "-o", path("eyes.mp4"), "--both-eyes",
+                                    "--eye-angle", "8", "--report", "json"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  std::uintmax_t bytes = 0;
+  for (const char* name : {"eyes.mp4", "eyes.left.mp4", "eyes.right.mp4"}) {
+    ASSERT_TRUE(fs::exists(path(name))) << name;
+    bytes += fs::file_size(path(name));
+  }
+  EXPECT_EQ(json::parse(made.out)["bytes"], bytes);
+  const auto request = [](const char* name) {
+    return json::parse(bytesOf(path(std::string(name) + ".json")))["figure"]["video"];
+  };
+  EXPECT_EQ(request("eyes.left.mp4")["eye"], "left");
+  EXPECT_EQ(request("eyes.right.mp4")["eye"], "right");
+  EXPECT_FALSE(request("eyes.mp4").contains("eye"));
+  EXPECT_EQ(request("eyes.left.mp4")["eye_angle_deg"], 8);
+  EXPECT_NE(bytesOf(path("eyes.left.mp4")), bytesOf(path("eyes.right.mp4")));
+  // An eye's file may not be what is read.
+  fs::copy_file(path("log.csv"), path("x.left.mp4"));
+  const CommandResult refused = video({path("x.left.mp4"), "-o", path("x.mp4"), "--both-eyes"});
+  EXPECT_EQ(refused.exit_code, 1) << refused.err;
+  EXPECT_EQ(bytesOf(path("x.left.mp4")), bytesOf(path("log.csv")));
+}
+
 TEST_F(VideoVerb, SaysWhatItCannotMake) {
   EXPECT_EQ(video({path("log.csv"), "-o", path("x.avi")}).exit_code, 1);
   EXPECT_EQ(video({path("log.csv"), "-o", path("x.mp4"), "--profile", "film"}).exit_code, 1);

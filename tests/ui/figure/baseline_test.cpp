@@ -123,6 +123,19 @@ TEST_F(Baseline, TheAnaglyph) {
   expectAsBefore("anaglyph", now, drawn());
 }
 
+TEST_F(Baseline, HandAndProxyInAGreyAnaglyph) {
+  Probe probe;
+  probe.proxy = {35, 60, 12};
+  probe.hip = {65, 35, 2};
+  scene_.setProbe(probe, 5);
+  StereoOptions stereo{.mode = StereoMode::anaglyph, .eye_angle_deg = 6, .zero_plane_mm = 5};
+  scene_.setStereo(stereo);
+  const RgbaImage now = drawn();
+  stereo.mode = StereoMode::half_colour;  // There they have their colours.
+  scene_.setStereo(stereo);
+  expectAsBefore("anaglyph_hand", now, drawn());
+}
+
 TEST_F(Baseline, ThePinkWindow) {
   scene_.setPinkWindow(RectMm{30, 40, 40, 40}, true);
   const RgbaImage now = drawn();

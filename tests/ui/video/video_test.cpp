@@ -26,6 +26,7 @@
 #include "ui/video/video_file.h"
 #include "ui/video/video_frames.h"
 #include "ui/vtk/files/picture_file.h"
+#include "ui/vtk/files/read_picture.h"
 
 namespace relievo {
 namespace {
@@ -74,6 +75,12 @@ std::string outputOf(const std::string& command) {
   }
   EXPECT_EQ(::pclose(pipe), 0) << command;
   return text;
+}
+
+std::string textOf(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
 }
 
 class VideoTest : public ::testing::Test {
@@ -231,6 +238,90 @@ TEST_F(VideoTest, PairsAreOfTheWholeFrameAndGoIntoEveryProfileButRows) {
   EXPECT_THROW(check(request_), ArgumentError) << "halved colours mix the rows";
   request_.profile = VideoProfile::archive;
   EXPECT_NO_THROW(check(request_));
+}
+
+TEST_F(VideoTest, BothEyesAreFilesOfTheirOwnOfWhichTheGreyVideoIsMixed) {
+  request_.profile = VideoProfile::images;
+  request_.stereo = StereoPrint::grey;
+  request_.eye_angle_deg = 12;
+  const VideoFiles files{.video = path("both"), .both_eyes = true};
+  ASSERT_EQ(namesOf(files), (std::vector{path("both.left"), path("both.right"), path("both")}));
+  const auto state = [](const VideoRequest& one) {
+    return R"({"eye":")" + std::string(name(one.eye)) + "\"}";
+  };
+  const VideoFacts facts = writeVideo(*surface_, &recording_, request_, state, files);
+  EXPECT_EQ(facts.frames, 11U);
+  const auto frame = [&](const char* folder) {
+    return readPixelsHere(path(folder) / "frame_000004.png").value();
+  };
+  const StoredPixels left = frame("both.left"), right = frame("both.right"), mixed = frame("both");
+  EXPECT_NE(left.bytes, right.bytes);
+  for (const auto& [eye, file] :
+       {std::pair{FigureEye::left, &left}, std::pair{FigureEye::right, &right}}) {
+    VideoRequest one = request_;
+    one.eye = eye;
+    VideoFrames alone(*surface_, &recording_, one);
+    const std::string rgb = rgbOf(alone.draw(3));
+    EXPECT_EQ(std::string(file->bytes.begin(), file->bytes.end()), rgb) << name(eye);
+  }
+  // Below the legend the detail, square and at the left, is exactly the two mixed; the rest is the
+  // same in all.
+  std::vector<std::uint8_t> made(left.bytes.begin(), left.bytes.end());
+  const std::vector<std::uint8_t> other(right.bytes.begin(), right.bytes.end());
+  mixAnaglyph(request_.stereo, made, other, 3);
+  const auto row_bytes = static_cast<std::size_t>(3 * mixed.width);
+  const auto detail_bytes = static_cast<std::size_t>(3 * mixed.height);
+  int different = 0;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(mixed.height); ++y) {
+    for (std::size_t i = y * row_bytes; i < (y + 1) * row_bytes; ++i) {
+      const bool is_detail = i - y * row_bytes < detail_bytes;
+      if (is_detail && y < 40) continue;
+      const int expected = is_detail ? made[i] : left.bytes[i];
+      if (mixed.bytes[i] != expected) ++different;
+    }
+  }
+  EXPECT_EQ(different, 0);
+  EXPECT_EQ(textOf(path("both.left.json")), "{\"eye\":\"left\"}\n");
+  EXPECT_EQ(textOf(path("both.json")), "{\"eye\":\"both\"}\n");
+}
+
+TEST_F(VideoTest, CancelLeavesNoVideoOfAnyEye) {
+  request_.profile = VideoProfile::images;
+  std::stop_source stop;
+  Task task{stop.get_token(), [&](std::string_view, double fraction) {
+              if (fraction > 0.3) stop.request_stop();
+            }};
+  EXPECT_THROW(writeVideo(
+                   *surface_, &recording_, request_, [](const VideoRequest&) { return "{}"; },
+                   VideoFiles{.video = path("both"), .both_eyes = true}, task),
+               Cancelled);
+  EXPECT_EQ(left(), std::vector<std::string>{});
+}
+
+TEST_F(VideoTest, AGreyVideoSaysWhichMarkIsTheHand) {
+  request_.profile = VideoProfile::images;
+  request_.width_px = 640;
+  request_.height_px = 480;
+  request_.stereo = StereoPrint::grey;
+  request_.plots = request_.overview = false;
+  const auto paper = [](const RgbaImage& image) {  // Nearly white pixels of the upper right corner.
+    int found = 0;
+    for (int y = 0; y < 60; ++y) {
+      for (int x = 400; x < 640; ++x) {
+        const auto at = 4 * (static_cast<std::size_t>(y) * 640 + static_cast<std::size_t>(x));
+        if (image.rgba[at] > 225 && image.rgba[at + 1] > 225) ++found;
+      }
+    }
+    return found;
+  };
+  VideoFrames grey(*surface_, &recording_, request_);
+  const RgbaImage with = grey.draw(2);
+  const fs::path folder = RELIEVO_BINARY_DIR "/screenshots";
+  fs::create_directories(folder);
+  writePng(folder / "video_hand_legend.png", with, 96, {});
+  request_.stereo = StereoPrint::half_colour;
+  VideoFrames coloured(*surface_, &recording_, request_);
+  EXPECT_GT(paper(with), paper(coloured.draw(2)) + 2000);
 }
 
 TEST_F(VideoTest, ImagesNeedNoOtherProgramAndCarryTheirState) {

@@ -184,6 +184,34 @@ TEST(ReliefScene, TheProbeIsSeenThroughTheSurface) {
   EXPECT_TRUE(isAmber(at(image, 225, 200)));
 }
 
+TEST(ReliefScene, InAGreyAnaglyphTheHandIsARingWithACrossAndTheProxyABall) {
+  ReliefScene scene;
+  scene.setSurface(flat(0).grid());
+  scene.setCamera({.rect = kWhole});
+  scene.setProbe(probeAt({40, 60, 0}, {40, 40, 0}, {}), 2);  // 5 pixels a millimetre.
+  EXPECT_TRUE(isRed(at(renderOffscreen(scene, 500, 500), 200, 300)));
+  // On the plane of zero parallax both eyes see the same.
+  scene.setStereo({.mode = StereoMode::anaglyph, .eye_angle_deg = 4, .zero_plane_mm = 0});
+  const RgbImage image = renderOffscreen(scene, 500, 500);
+  const Rgb ball = at(image, 200, 200), stone = at(image, 400, 400);
+  EXPECT_LT(grey(ball), grey(stone) - 40) << "a full, dark ball";
+  for (const int d : {-6, -4, 4, 6}) {
+    for (const int side : {-1, 1}) {
+      EXPECT_GT(grey(at(image, 200 + d, 300 + side * d)), 230) << "the cross, " << d;
+      EXPECT_LT(grey(at(image, 200 + d, 200 + side * d)), grey(stone) - 20) << "no cross, " << d;
+    }
+  }
+  for (const int d : {-14, 14}) {
+    EXPECT_GT(grey(at(image, 200 + d, 300)), 230) << "the ring";
+    EXPECT_GT(grey(at(image, 200, 300 + d)), 230) << "the ring";
+  }
+  for (const int d : {-8, 8}) {
+    EXPECT_LT(std::abs(grey(at(image, 200 + d, 300)) - grey(stone)), 12) << "open between";
+  }
+  scene.setStereo({});
+  EXPECT_TRUE(isRed(at(renderOffscreen(scene, 500, 500), 200, 300))) << "with colours as before";
+}
+
 TEST(ReliefScene, TheForceArrowIsAsLongAsTheForceIsLarge) {
   ReliefScene scene;
   scene.setSurface(flat(0).grid());

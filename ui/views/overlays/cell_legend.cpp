@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QStringList>
 
+#include "ui/figure/hand_signs.h"
 #include "ui/style/text.h"
 #include "ui/vtk/relief_scene.h"
 
@@ -24,39 +25,47 @@ QString percentText(std::ptrdiff_t part, std::ptrdiff_t all) {
 
 CellLegend::CellLegend(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("cell_legend"));
-  setAccessibleName(tr("Legend of unmeasured cells"));
+  setAccessibleName(tr("Legend of marks"));
   setAttribute(Qt::WA_TransparentForMouseEvents);
   hide();
 }
 
-void CellLegend::show(const std::vector<CellStatus>& origins, StereoPrint print) {
-  const auto count = [&](CellStatus origin) {
-    return std::count(origins.begin(), origins.end(), origin);
-  };
-  const auto all = static_cast<std::ptrdiff_t>(origins.size()) - count(CellStatus::outside);
+void CellLegend::show(const std::vector<CellStatus>* origins, bool hand, StereoPrint print) {
   print_ = print;
   rows_.clear();
-  if (const auto cells = count(CellStatus::interpolated); cells > 0) {
-    rows_.push_back({false, tr("interpolated: %1").arg(percentText(cells, all))});
-  }
-  if (const auto cells = count(CellStatus::base_plane); cells > 0) {
-    rows_.push_back({true, tr("hole, on base plane: %1").arg(percentText(cells, all))});
+  if (origins != nullptr) addCells(*origins);
+  if (hand) {
+    rows_.push_back({Sign::proxy, tr("ball: proxy, on the surface")});
+    rows_.push_back({Sign::hip, tr("ring with a cross: hand")});
   }
   QStringList texts;
   for (const Row& row : rows_) texts << row.text;
-  if (rows_.empty()) texts << tr("All cells in view were measured");
   setAccessibleDescription(texts.join(QStringLiteral(", ")));
-  setVisible(true);
+  setVisible(!rows_.empty());
   place();
   update();
 }
 
+void CellLegend::addCells(const std::vector<CellStatus>& origins) {
+  const auto count = [&](CellStatus origin) {
+    return std::count(origins.begin(), origins.end(), origin);
+  };
+  const auto all = static_cast<std::ptrdiff_t>(origins.size()) - count(CellStatus::outside);
+  if (const auto cells = count(CellStatus::interpolated); cells > 0) {
+    rows_.push_back({Sign::interpolated, tr("interpolated: %1").arg(percentText(cells, all))});
+  }
+  if (const auto cells = count(CellStatus::base_plane); cells > 0) {
+    rows_.push_back({Sign::hole, tr("hole, on base plane: %1").arg(percentText(cells, all))});
+  }
+  if (rows_.empty()) rows_.push_back({Sign::none, tr("All cells in view were measured")});
+}
+
 void CellLegend::place() {
   const int line = fontMetrics().height();
-  int widest = fontMetrics().horizontalAdvance(accessibleDescription());
-  if (!rows_.empty()) widest = 0;
+  int widest = 0;
   for (const Row& row : rows_) {
-    widest = std::max(widest, fontMetrics().horizontalAdvance(row.text) + line + kPadding);
+    const int sign = row.sign == Sign::none ? 0 : line + kPadding;
+    widest = std::max(widest, fontMetrics().horizontalAdvance(row.text) + sign);
   }
   const int lines = std::max(1, static_cast<int>(rows_.size()));
   const QSize wanted(widest + 2 * kPadding, lines * (line + kPadding) + kPadding);
@@ -64,24 +73,38 @@ void CellLegend::place() {
   setGeometry(parentWidget()->width() - width - kMargin, kMargin, width, wanted.height());
 }
 
+void CellLegend::paintSign(QPainter& painter, Sign sign, const QRect& place) const {
+  switch (sign) {
+    case Sign::none:
+      return;
+    case Sign::interpolated: {
+      const auto [red, green, blue] = mixedColour(print_, kUnmeasuredColour);
+      painter.fillRect(place, QColor(red, green, blue));
+      return;
+    }
+    case Sign::hole:
+      painter.fillRect(place, QColor(170, 172, 178));
+      painter.fillRect(place, QBrush(QColor(26, 30, 43), Qt::DiagCrossPattern));
+      return;
+    case Sign::proxy:
+      drawProxySign(painter, place);
+      return;
+    case Sign::hip:
+      drawHipSign(painter, place);
+      return;
+  }
+}
+
 void CellLegend::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.fillRect(rect(), QColor(18, 18, 20, 150));
   const int line = fontMetrics().height();
-  const QColor words(245, 245, 245);
+  painter.setPen(QColor(245, 245, 245));
   QRect row(kPadding, kPadding, width() - 2 * kPadding, line);
-  painter.setPen(words);
-  if (rows_.empty()) painter.drawText(row, Qt::AlignLeft, accessibleDescription());
   for (const Row& entry : rows_) {
-    const QRect swatch(row.topLeft(), QSize(line, line));
-    if (entry.hatched) {
-      painter.fillRect(swatch, QColor(170, 172, 178));
-      painter.fillRect(swatch, QBrush(QColor(26, 30, 43), Qt::DiagCrossPattern));
-    } else {
-      const auto [red, green, blue] = mixedColour(print_, kUnmeasuredColour);
-      painter.fillRect(swatch, QColor(red, green, blue));
-    }
-    painter.drawText(row.adjusted(line + kPadding, 0, 0, 0), Qt::AlignLeft, entry.text);
+    const int sign = entry.sign == Sign::none ? 0 : line + kPadding;
+    paintSign(painter, entry.sign, QRect(row.topLeft(), QSize(line, line)));
+    painter.drawText(row.adjusted(sign, 0, 0, 0), Qt::AlignLeft, entry.text);
     row.translate(0, line + kPadding);
   }
 }
