@@ -5386,7 +5386,7 @@
     </message>
     <message>
         <source>%1: there is no &apos;%2&apos;; there are %3.</source>
-        <translation>%1: '%2' नहीं है; ये हैं: %3।</translation>
+        <translation>%1: &apos;%2&apos; नहीं है; ये हैं: %3।</translation>
     </message>
     <message>
         <source>%1: &apos;%2&apos; is none of %3.</source>
@@ -10535,6 +10535,56 @@
     </message>
 </context>
 <context>
+    <name>relievo::SoundControl</name>
+    <message>
+        <source>the sound server does not answer</source>
+        <translation>ध्वनि सर्वर उत्तर नहीं देता</translation>
+    </message>
+    <message>
+        <source>There is no sound: %1. Touch goes on without it. Switch the sounds off and on to try again.</source>
+        <translation>ध्वनि नहीं है: %1। स्पर्श उसके बिना चलता रहता है। फिर कोशिश करने के लिए ध्वनियाँ बंद करके चालू करें।</translation>
+    </message>
+    <message>
+        <source>Sounds of touch at %1 percent.</source>
+        <translation>स्पर्श की ध्वनियाँ %1 प्रतिशत पर।</translation>
+    </message>
+    <message>
+        <source>Sounds of touch on.</source>
+        <translation>स्पर्श की ध्वनियाँ चालू।</translation>
+    </message>
+    <message>
+        <source>Sounds of touch off.</source>
+        <translation>स्पर्श की ध्वनियाँ बंद।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SoundRows</name>
+    <message>
+        <source>Sounds of touch</source>
+        <translation>स्पर्श की ध्वनियाँ</translation>
+    </message>
+    <message>
+        <source>Volume of the sounds in percent</source>
+        <translation>ध्वनियों की मात्रा प्रतिशत में</translation>
+    </message>
+    <message>
+        <source>Hear what the hand meets, while it touches (Ctrl+Alt+A).</source>
+        <translation>छूते समय सुनें कि हाथ किससे मिलता है (Ctrl+Alt+A)।</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the sounds of touch; speech has a volume of its own.</source>
+        <translation>स्पर्श की ध्वनियों की; बोली की अपनी अलग मात्रा है।</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>आवाज़ का स्तर</translation>
+    </message>
+</context>
+<context>
     <name>relievo::StartPage</name>
     <message>
         <source>Acceptance relief: dome, step, ridge, grating</source>
@@ -11748,6 +11798,38 @@
     <message>
         <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. The panel Buttons has the same switch.</source>
         <translation>हाथ के सतह से मिलने पर एक ठोकर, और विंडो के किनारे पर हल्की गूँज। पैनल बटन में यही स्विच है।</translation>
+    </message>
+    <message>
+        <source>Sounds of &amp;touch</source>
+        <translation>स्पर्श की ध्वनियाँ (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Hear what the hand meets, while it touches (Ctrl+Alt+A)</source>
+        <translation>छूते समय सुनें कि हाथ किससे मिलता है (Ctrl+Alt+A)</translation>
+    </message>
+    <message>
+        <source>A click at contact, a rustle while sliding, a tone that is higher where the surface is; the edge and filled ground. The tone ends after two minutes.</source>
+        <translation>छूने पर एक क्लिक, फिसलने पर सरसराहट, एक स्वर जो वहाँ ऊँचा होता है जहाँ सतह ऊँची है; किनारा और भरी हुई ज़मीन। स्वर दो मिनट बाद रुक जाता है।</translation>
+    </message>
+    <message>
+        <source>Sounds &amp;louder</source>
+        <translation>ध्वनियाँ तेज़ (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Make the sounds of touch louder (Ctrl+Alt+Page Up)</source>
+        <translation>स्पर्श की ध्वनियाँ तेज़ करें (Ctrl+Alt+Page Up)</translation>
+    </message>
+    <message>
+        <source>Speech has a volume of its own.</source>
+        <translation>बोली की अपनी अलग ध्वनि-मात्रा है।</translation>
+    </message>
+    <message>
+        <source>Sounds &amp;quieter</source>
+        <translation>ध्वनियाँ धीमी (&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Make the sounds of touch quieter (Ctrl+Alt+Page Down)</source>
+        <translation>स्पर्श की ध्वनियाँ धीमी करें (Ctrl+Alt+Page Down)</translation>
     </message>
 </context>
 <context>

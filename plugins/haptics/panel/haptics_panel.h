@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "plugins/haptics/device/plugin_devices.h"
 #include "core/recording/force_point.h"
+#include "plugins/haptics/device/plugin_devices.h"
 #include "plugins/haptics/panel/loop_health.h"
 #include "plugins/haptics/touch_settings.h"
 
@@ -21,6 +21,7 @@ class DeviceRows;
 class FeelForm;
 class FirmnessRow;
 class LoopRows;
+class SoundRows;
 
 /// Shows and asks; computes nothing.
 class HapticsPanel : public QWidget {
@@ -59,6 +60,7 @@ class HapticsPanel : public QWidget {
   FirmnessRow* firmness_;
   DeviceRows* device_;
   LoopRows* loop_;
+  SoundRows* sound_;
   QWidget* advanced_ = nullptr;
   QCheckBox* forces_ = nullptr;
   QSlider* strength_ = nullptr;
