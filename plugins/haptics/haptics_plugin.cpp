@@ -259,11 +259,11 @@ void HapticsPlugin::restoreState(const QByteArray& state) {
   button_settings_ = buttonSettingsFromJson(state);
   if (!session()) return;
   buttons_->showSettings();
+  sound_->applySettings(SoundControl::Tell::no);  // Before the panel, which asks.
   parts_->showSettings();
   device_->useSettings();
   applySettings();
   surface_->applySettings();
-  sound_->applySettings(SoundControl::Tell::no);
   surface_->restoreFirmness();
 }
 
