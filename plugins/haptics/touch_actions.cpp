@@ -135,7 +135,7 @@ void makeDeviceActions(TouchActions& actions) {
 
 void makeSoundActions(TouchActions& actions) {
   actions.sound =
-      made({"touchSounds", QT_TRANSLATE_NOOP("relievo::TouchActions", "Sounds of &touch"),
+      made({"touchSounds", QT_TRANSLATE_NOOP("relievo::TouchActions", "Pla&y sounds of touch"),
             QT_TRANSLATE_NOOP("relievo::TouchActions",
                               "Hear what the hand meets, while it touches (Ctrl+Alt+A)"),
             QT_TRANSLATE_NOOP("relievo::TouchActions",
@@ -144,7 +144,7 @@ void makeSoundActions(TouchActions& actions) {
                               "after two minutes.")},
            {QKeySequence(QStringLiteral("Ctrl+Alt+A"))}, true);
   actions.louder =
-      made({"soundsLouder", QT_TRANSLATE_NOOP("relievo::TouchActions", "Sounds &louder"),
+      made({"soundsLouder", QT_TRANSLATE_NOOP("relievo::TouchActions", "Ma&ke sounds louder"),
             QT_TRANSLATE_NOOP("relievo::TouchActions",
                               "Make the sounds of touch louder (Ctrl+Alt+Page Up)"),
             QT_TRANSLATE_NOOP("relievo::TouchActions", "Speech has a volume of its own.")},

@@ -11800,7 +11800,7 @@
         <translation>Ein Klopfen, wenn die Hand die Oberfläche trifft, und ein leises Brummen am Rand des Ausschnitts. Das Feld Knöpfe am Gerät hat denselben Schalter.</translation>
     </message>
     <message>
-        <source>Sounds of &amp;touch</source>
+        <source>Pla&amp;y sounds of touch</source>
         <translation>Klänge beim &amp;Fühlen</translation>
     </message>
     <message>
@@ -11812,8 +11812,8 @@
         <translation>Ein Klick bei Berührung, ein Rauschen beim Gleiten, ein Ton, der höher ist, wo die Oberfläche höher ist; der Rand und gefüllter Grund. Der Ton endet nach zwei Minuten.</translation>
     </message>
     <message>
-        <source>Sounds &amp;louder</source>
-        <translation>Klänge la&amp;uter</translation>
+        <source>Ma&amp;ke sounds louder</source>
+        <translation>Klänge lauter (&amp;X)</translation>
     </message>
     <message>
         <source>Make the sounds of touch louder (Ctrl+Alt+Page Up)</source>
@@ -11825,7 +11825,7 @@
     </message>
     <message>
         <source>Sounds &amp;quieter</source>
-        <translation>Klänge leis&amp;er</translation>
+        <translation>Klänge leiser (&amp;Y)</translation>
     </message>
     <message>
         <source>Make the sounds of touch quieter (Ctrl+Alt+Page Down)</source>

@@ -11800,8 +11800,8 @@
         <translation>हाथ के सतह से मिलने पर एक ठोकर, और विंडो के किनारे पर हल्की गूँज। पैनल बटन में यही स्विच है।</translation>
     </message>
     <message>
-        <source>Sounds of &amp;touch</source>
-        <translation>स्पर्श की ध्वनियाँ (&amp;T)</translation>
+        <source>Pla&amp;y sounds of touch</source>
+        <translation>स्पर्श की ध्वनियाँ (&amp;Y)</translation>
     </message>
     <message>
         <source>Hear what the hand meets, while it touches (Ctrl+Alt+A)</source>
@@ -11812,8 +11812,8 @@
         <translation>छूने पर एक क्लिक, फिसलने पर सरसराहट, एक स्वर जो वहाँ ऊँचा होता है जहाँ सतह ऊँची है; किनारा और भरी हुई ज़मीन। स्वर दो मिनट बाद रुक जाता है।</translation>
     </message>
     <message>
-        <source>Sounds &amp;louder</source>
-        <translation>ध्वनियाँ तेज़ (&amp;L)</translation>
+        <source>Ma&amp;ke sounds louder</source>
+        <translation>ध्वनियाँ तेज़ (&amp;K)</translation>
     </message>
     <message>
         <source>Make the sounds of touch louder (Ctrl+Alt+Page Up)</source>
