@@ -44,7 +44,7 @@ Measurements carry their uncertainty; recordings can be replayed and verified;
 figures say how they were made.")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS
   "relievo-cli (= ${PROJECT_VERSION}), fonts-dejavu-core, libqt5svg5")
-set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "ffmpeg, fonts-lohit-deva, libgl1-mesa-dri, qttranslations5-l10n, speech-dispatcher | espeak-ng, xdg-utils")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "ffmpeg, fonts-lohit-deva, libgl1-mesa-dri, libpulse0, qttranslations5-l10n, speech-dispatcher | espeak-ng, xdg-utils")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_SUGGESTS "www-browser")
 
 # For plugins outside of the tree (docs/adr/0144).

@@ -41,6 +41,8 @@ struct HapticLoop::Impl {
   TripleBuffer<LoopStats> stats;
   SampleRing samples;
   ButtonRing buttons;
+  HeardRing heard;
+  std::atomic<bool> listened{false};
   SnapshotRing snapshots;
   std::atomic<bool> snapshot_wanted{false};
   std::atomic<std::int64_t> alive_ns{0};
@@ -120,6 +122,7 @@ void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
   meter.faulted(threadPageFaults());
   stats.write(meter.stats());
   samples.push(sample);
+  if (listened.load(std::memory_order_relaxed)) heard.push(sample);
   reportButtons(sample);
 }
 
@@ -219,6 +222,12 @@ SampleRing& HapticLoop::samples() noexcept {
 }
 ButtonRing& HapticLoop::buttons() noexcept {
   return impl_->buttons;
+}
+HeardRing& HapticLoop::heard() noexcept {
+  return impl_->heard;
+}
+void HapticLoop::listen(bool on) noexcept {
+  impl_->listened.store(on, std::memory_order_relaxed);
 }
 void HapticLoop::wantSnapshot() noexcept {
   impl_->snapshot_wanted.store(true, std::memory_order_relaxed);

@@ -33,6 +33,7 @@ struct ButtonEvent {
 
 using SampleRing = SpscRing<HapticSample, 8192>;  ///< About 8 s at 1 kHz.
 using ButtonRing = SpscRing<ButtonEvent, 64>;
+using HeardRing = SpscRing<HapticSample, 256>;  ///< A quarter of a second for who listens.
 
 /// The dedicated thread: read the newest surface and the hand, compute, send, publish.
 /// A late tick is one tick: the proxy solves the hand's way since the last one; missed periods are
@@ -62,6 +63,9 @@ class HapticLoop {
   TripleBuffer<LoopStats>& stats() noexcept;      ///< [GUI thread reads]
   SampleRing& samples() noexcept;                 ///< [drain thread reads]
   ButtonRing& buttons() noexcept;                 ///< [GUI thread reads]
+  HeardRing& heard() noexcept;                    ///< [audio thread reads] Fills while listened to.
+  /// [any thread] Somebody takes what is heard() as it comes.
+  void listen(bool on) noexcept;
   /// [any thread] Asks for a snapshot before one of the next ticks; it is there before its sample.
   void wantSnapshot() noexcept;
   SnapshotRing& snapshots() noexcept;  ///< [drain thread reads]

@@ -11,12 +11,12 @@
 #include "core/recording/log_table.h"
 #include "core/region/window.h"
 #include "haptics/device/device.h"
+#include "haptics/sound/touch_mixer.h"
 
 namespace relievo::sound {
 namespace {
 
-constexpr double kTailS = 0.2;   // So that what is struck at the end is heard to its end.
-constexpr double kHoldS = 0.05;  // Where samples are missing, what was before them ends.
+constexpr double kTailS = 0.2;  // So that what is struck at the end is heard to its end.
 constexpr std::size_t kFramesAtOnce = 4800;
 
 NumberArgument plain(double value) {
@@ -63,23 +63,18 @@ double gainOf(const TouchedWindow* window) {
   return window == nullptr ? 1 : window->gain;
 }
 
-double shareOf(double value, double low, double high) {
-  // Ends that stand the other way round turn the tone round.
-  return high != low ? std::clamp((value - low) / (high - low), 0.0, 1.0) : 0.5;
-}
-
 /// Renders and gives away part by part.
 class Sink {
  public:
-  Sink(Synth& synth, const std::function<void(std::span<const Frame>)>& take, const Task& task)
-      : synth_(synth), take_(take), task_(task), frames_(kFramesAtOnce) {}
+  Sink(TouchMixer& mixer, const std::function<void(std::span<const Frame>)>& take, const Task& task)
+      : mixer_(mixer), take_(take), task_(task), frames_(kFramesAtOnce) {}
 
   void renderTo(std::uint64_t frame) {
     while (done_ < frame) {
       const std::size_t count = std::min<std::uint64_t>(kFramesAtOnce, frame - done_);
       const std::span<Frame> part(frames_.data(), count);
       task_.check();
-      synth_.render(part);
+      mixer_.render(part);
       for (const Frame& f : part) {
         peak_ = std::max({peak_, std::abs(double{f.left}), std::abs(double{f.right})});
       }
@@ -90,7 +85,7 @@ class Sink {
   double peak() const { return peak_; }
 
  private:
-  Synth& synth_;
+  TouchMixer& mixer_;
   const std::function<void(std::span<const Frame>)>& take_;
   const Task& task_;
   std::vector<Frame> frames_;
@@ -141,26 +136,13 @@ RecordedSound::RecordedSound(const TouchRecording& recording, const SoundRequest
 }
 
 TouchSample RecordedSound::sampleOf(const TouchRow& row, const TouchedWindow* window) const {
-  TouchSample sample{.t_s = row.t_s,
-                     .hand = row.hand_hip,
-                     .proxy = row.hand_proxy,
-                     .normal = row.normal,
-                     .force_n = norm(row.force),
-                     .contact = row.contact,
-                     .origin = row.origin,
-                     .detail = row.detail};
-  sample.height = shareOf(row.proxy.z / gainOf(window), heights_.low_mm, heights_.high_mm);
-  sample.place = shareOf(row.proxy.x, left_mm_, right_mm_);
-  if (window == nullptr) return sample;
-  const Region& region = window->region;
-  sample.place = shareOf(row.proxy.x, region.x_mm, region.x_mm + region.side_mm);
-  const double half_mm = 0.5 * region.side_mm / kWindowSamples;
-  const auto near_end = [&](double value, double start) {
-    return value <= start + half_mm || value >= start + region.side_mm - half_mm;
-  };
-  sample.at_edge = near_end(row.proxy.x, region.x_mm) || near_end(row.proxy.y, region.y_mm);
-  if (!tells_hand_) {
-    const double scale = kHandWidthMm / region.side_mm;
+  TouchSample sample = touchSampleOf(row, {.region = window == nullptr ? nullptr : &window->region,
+                                           .gain = gainOf(window),
+                                           .heights = heights_,
+                                           .left_mm = left_mm_,
+                                           .right_mm = right_mm_});
+  if (window != nullptr && !tells_hand_) {
+    const double scale = kHandWidthMm / window->region.side_mm;
     sample.hand = {scale * row.hip.x, scale * row.hip.y, scale * row.hip.z};
     sample.proxy = {scale * row.proxy.x, scale * row.proxy.y, scale * row.proxy.z};
   }
@@ -170,36 +152,27 @@ TouchSample RecordedSound::sampleOf(const TouchRow& row, const TouchedWindow* wi
 RecordedSound::Summary RecordedSound::render(
     const std::function<void(std::span<const Frame>)>& take, const Task& task) const {
   Summary summary;
-  Synth synth(request_.synth);
-  Sink sink(synth, take, task);
-  TouchEvents touch;
-  Windows windows(recording_);
+  TouchMixer mixer(request_.synth);
+  Sink sink(mixer, take, task);
   const double start_s = recording_.startS() + from_s_;
   const auto frame_at = [&](double t_s) {
-    return static_cast<std::uint64_t>(std::llround((t_s - start_s) * kSampleRateHz));
+    return static_cast<std::int64_t>(std::llround((t_s - start_s) * kSampleRateHz));
+  };
+  const auto render_to = [&](std::int64_t frame) {
+    sink.renderTo(static_cast<std::uint64_t>(std::max<std::int64_t>(0, frame)));
   };
   auto event = recording_.events.begin();
-  Heard heard;
-  const auto fall_silent_at = [&](double t_s) {
-    heard.contact = false;
-    heard.count = 0;
-    sink.renderTo(frame_at(t_s));
-    synth.take(heard);
-  };
-  double before_s = recording_.rows.front().t_s;
+  Windows windows(recording_);
   for (const TouchRow& row : recording_.rows) {
     // A thousandth of a millisecond's grace: times are sums of floating-point steps.
     if (row.t_s > recording_.startS() + to_s_ + 1e-6) break;
     const bool is_in = row.t_s >= start_s - 1e-6;
-    if (is_in && row.t_s > before_s + kHoldS) fall_silent_at(std::max(start_s, before_s + kHoldS));
-    before_s = row.t_s;
-    heard = touch.next(sampleOf(row, windows.of(row)));
-    if (is_in) {
-      sink.renderTo(frame_at(std::max(row.t_s, start_s)));
-    } else {
-      heard.count = 0;  // It happened before; how it goes on is heard.
-    }
-    synth.take(heard);
+    const std::int64_t frame = frame_at(row.t_s);
+    if (is_in) render_to(frame);
+    // Of what happened before the start, how it goes on is heard.
+    const Heard heard =
+        mixer.place(sampleOf(row, windows.of(row)), frame,
+                    is_in ? TouchMixer::Happenings::heard : TouchMixer::Happenings::unheard);
     for (std::size_t i = 0; i < heard.count; ++i) {
       ++summary.struck[static_cast<std::size_t>(heard.struck[i].earcon)];
     }
@@ -207,13 +180,13 @@ RecordedSound::Summary RecordedSound::render(
       const bool is_problem = !event->is_note && tellsAProblem(event->text);
       if (!is_in || (!event->is_note && !is_problem)) continue;
       const Earcon earcon = is_problem ? Earcon::problem : Earcon::done;
-      synth.strike(earcon, 0, 0.5);
+      mixer.strike(earcon);
       ++summary.struck[static_cast<std::size_t>(earcon)];
     }
   }
   // Nothing sounds on because the recording has ended.
-  const double end_s = recording_.startS() + to_s_;
-  fall_silent_at(std::min(end_s, std::max(start_s, before_s + kHoldS)));
+  render_to(frame_at(recording_.startS() + to_s_));
+  mixer.fallSilent();
   sink.renderTo(frames_);
   summary.peak = sink.peak();
   return summary;

@@ -9,14 +9,10 @@
 
 #include "core/base/task.h"
 #include "core/replay/touch_recording.h"
+#include "haptics/sound/heard_row.h"
 #include "haptics/sound/synth.h"
 
 namespace relievo::sound {
-
-/// Heights between which the tone goes from low to high, view mm without the windows' gain.
-struct ToneHeights {
-  double low_mm = 0, high_mm = 0;
-};
 
 struct SoundRequest {
   std::optional<double> from_s, to_s;  ///< Since the recording's start; nothing: all of it.

@@ -27,10 +27,12 @@ void HapticsPlugin::attach(Host& host) {
   announcer_ = std::make_unique<LoopAnnouncer>(*parts_, *device_);
   buttons_ = std::make_unique<ButtonControl>(*parts_, *device_, button_settings_);
   guide_ = std::make_unique<GuideControl>(*parts_, *device_, *recording_, *surface_, *buttons_);
+  sound_ = std::make_unique<SoundControl>(*parts_, *device_);
   connectParts();
   connectActions();
   connectPanel();
   applySettings();
+  sound_->applySettings(SoundControl::Tell::no);
   surface_->showWindow();
   constexpr int kFrameMs = 16;
   connect(&timer_, &QTimer::timeout, this, &HapticsPlugin::frame, Qt::UniqueConnection);
@@ -46,6 +48,7 @@ void HapticsPlugin::detach() noexcept {
   sleep_.reset();
   if (device_) device_->stopLooking();
   if (recording_) recording_->end();
+  sound_.reset();
   guide_.reset();
   buttons_.reset();
   announcer_.reset();
@@ -67,6 +70,9 @@ void HapticsPlugin::connectParts() {
   });
   connect(device_.get(), &HandDevice::changed, this, &HapticsPlugin::takeDevice);
   connect(surface_.get(), &TouchedSurface::given, this, [this] { shown_ = {}; });
+  connect(surface_.get(), &TouchedSurface::laid, sound_.get(), &SoundControl::takeWindow);
+  connect(recording_.get(), &RecordingControl::noted, sound_.get(),
+          [this] { sound_->strike(sound::Earcon::done); });
   connect(announcer_.get(), &LoopAnnouncer::forcesEnd, this, &HapticsPlugin::dropForces);
   connect(buttons_.get(), &ButtonControl::changed, this, &HapticsPlugin::applySettings);
   connect(guide_.get(), &GuideControl::changed, this, &HapticsPlugin::applySettings);
@@ -105,6 +111,7 @@ void HapticsPlugin::takePanelSettings() {
   device_->useSettings();
   applySettings();
   surface_->applySettings();
+  sound_->applySettings(SoundControl::Tell::yes);
 }
 
 void HapticsPlugin::takeDevice() {
@@ -202,6 +209,7 @@ void HapticsPlugin::frame() {
   recording_->watch();
   buttons_->follow(sample);
   guide_->follow(sample);
+  sound_->watch();
   watchSleep(sample);
   constexpr int kFramesPerReadout = 8, kFramesPerStatus = 32;
   ++frames_;
@@ -282,6 +290,7 @@ void HapticsPlugin::restoreState(const QByteArray& state) {
   button_settings_ = buttonSettingsFromJson(state);
   if (!session()) return;
   buttons_->showSettings();
+  sound_->applySettings(SoundControl::Tell::no);  // Before the panel, which asks.
   parts_->showSettings();
   device_->useSettings();
   applySettings();

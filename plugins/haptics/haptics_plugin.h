@@ -14,6 +14,7 @@
 #include "plugins/haptics/loop_announcer.h"
 #include "plugins/haptics/loop_session.h"
 #include "plugins/haptics/recording/recording_control.h"
+#include "plugins/haptics/sound/sound_control.h"
 #include "plugins/haptics/touch_parts.h"
 #include "plugins/haptics/touched_surface.h"
 
@@ -72,6 +73,7 @@ class HapticsPlugin : public QObject, public Plugin {
   std::unique_ptr<LoopAnnouncer> announcer_;
   std::unique_ptr<ButtonControl> buttons_;
   std::unique_ptr<GuideControl> guide_;
+  std::unique_ptr<SoundControl> sound_;
   std::unique_ptr<SleepWatch> sleep_;
   QTimer timer_;
   bool wants_forces_ = false;  // Of the device that is being opened.

@@ -133,6 +133,30 @@ void makeDeviceActions(TouchActions& actions) {
            {}, false);
 }
 
+void makeSoundActions(TouchActions& actions) {
+  actions.sound =
+      made({"touchSounds", QT_TRANSLATE_NOOP("relievo::TouchActions", "Pla&y sounds of touch"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Hear what the hand meets, while it touches (Ctrl+Alt+A)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "A click at contact, a rustle while sliding, a tone that is higher "
+                              "where the surface is; the edge and filled ground. The tone ends "
+                              "after two minutes.")},
+           {QKeySequence(QStringLiteral("Ctrl+Alt+A"))}, true);
+  actions.louder =
+      made({"soundsLouder", QT_TRANSLATE_NOOP("relievo::TouchActions", "Ma&ke sounds louder"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Make the sounds of touch louder (Ctrl+Alt+Page Up)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions", "Speech has a volume of its own.")},
+           {QKeySequence(Qt::CTRL + Qt::ALT + Qt::Key_PageUp)}, false);
+  actions.quieter =
+      made({"soundsQuieter", QT_TRANSLATE_NOOP("relievo::TouchActions", "Sounds &quieter"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Make the sounds of touch quieter (Ctrl+Alt+Page Down)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions", "Speech has a volume of its own.")},
+           {QKeySequence(Qt::CTRL + Qt::ALT + Qt::Key_PageDown)}, false);
+}
+
 void makeForceActions(TouchActions& actions) {
   actions.forces =
       made({"forces", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Forces on"),
@@ -205,11 +229,14 @@ TouchActions addTouchActions(Host& host) {
   makePlaceActions(actions);
   makeGuideActions(actions);
   makeDeviceActions(actions);
+  makeSoundActions(actions);
   for (QAction* action :
-       {actions.forces, actions.forces_off, actions.take_back, actions.stronger, actions.weaker,
-        actions.setup, actions.use_mouse, actions.move_mode, actions.move_back, actions.where_am_i,
-        actions.where_am_i_long, actions.say_detail, actions.guide, actions.guide_along,
-        actions.training, actions.next_shape, actions.button_help, actions.rumble}) {
+       {actions.forces,      actions.forces_off,  actions.take_back,       actions.stronger,
+        actions.weaker,      actions.setup,       actions.use_mouse,       actions.move_mode,
+        actions.move_back,   actions.where_am_i,  actions.where_am_i_long, actions.say_detail,
+        actions.guide,       actions.guide_along, actions.training,        actions.next_shape,
+        actions.button_help, actions.rumble,      actions.sound,           actions.louder,
+        actions.quieter}) {
     host.controls.addAction(touch, action);
   }
   host.controls.addAction(record, actions.record);

@@ -26,6 +26,9 @@ struct TouchActions {
   QAction* training = nullptr;         ///< "touchIntroduction": on and off; Ctrl+Alt+U.
   QAction* next_shape = nullptr;       ///< "nextShape": of the introduction; Ctrl+Alt+N.
   QAction* rumble = nullptr;           ///< "rumble": of gamepads, on and off.
+  QAction* sound = nullptr;            ///< "touchSounds": on and off; Ctrl+Alt+A.
+  QAction* louder = nullptr;           ///< "soundsLouder": Ctrl+Alt+Page up.
+  QAction* quieter = nullptr;          ///< "soundsQuieter": Ctrl+Alt+Page down.
   QAction* button_help = nullptr;      ///< "buttonHelp": what the device's buttons do now.
   QAction* record = nullptr;           ///< "record": start and stop; Ctrl+R.
   QAction* note = nullptr;             ///< "addNote": into the running recording; Ctrl+Shift+N.

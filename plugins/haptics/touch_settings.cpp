@@ -51,6 +51,8 @@ QByteArray toJson(const TouchSettings& settings) {
                            {"window_silence_s", settings.window_silence_s},
                            {"bound_by_rate", settings.bound_by_rate},
                            {"holds_grip", settings.holds_grip},
+                           {"sound", settings.sound.on},
+                           {"sound_volume_percent", settings.sound.volume_percent},
                            {"device", QString::fromStdString(settings.device)}};
   return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }
@@ -87,6 +89,9 @@ TouchSettings touchSettingsFromJson(const QByteArray& json) {
       within(object["window_silence_s"], kLeastSilenceS, kMostSilenceS, settings.window_silence_s);
   settings.bound_by_rate = object["bound_by_rate"].toBool(true);
   settings.holds_grip = object["holds_grip"].toBool(true);
+  settings.sound.on = object["sound"].toBool(false);
+  settings.sound.volume_percent =
+      std::clamp(object["sound_volume_percent"].toInt(settings.sound.volume_percent), 0, 100);
   const int proxy = object["proxy"].toInt(0);
   if (proxy >= 0 && proxy < kProxyKinds) feel.proxy = static_cast<ProxyKind>(proxy);
   const int surface = object["surface"].toInt(0);

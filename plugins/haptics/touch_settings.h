@@ -9,6 +9,14 @@
 
 namespace relievo {
 
+/// The sounds of a touch while it goes on.
+struct SoundSettings {
+  bool on = false;
+  int volume_percent = 50;
+  friend bool operator==(const SoundSettings&, const SoundSettings&) = default;
+};
+inline constexpr int kVolumeStep = 10;  ///< Percent.
+
 /// What people choose about touch; remembered between sessions. Whether forces are on is not.
 struct TouchSettings {
   int strength_percent = 60;
@@ -18,6 +26,7 @@ struct TouchSettings {
   double window_silence_s = 2;   ///< ForceStopOptions; only in the settings' file.
   bool bound_by_rate = true;     ///< Likewise: false only where a device is emulated (E306).
   bool holds_grip = true;        ///< HapticOptions.
+  SoundSettings sound;
   friend bool operator==(const TouchSettings&, const TouchSettings&) = default;
 };
 

@@ -39,6 +39,7 @@ void TouchedSurface::show(const RegionWindow& window) {
   surface_ = parts_.settings.feel.surface;
   device_.session()->show(window, surface_, mapsUnder(window));
   recording_.addWindow(window);
+  Q_EMIT laid(window);
   Q_EMIT given();
 }
 
@@ -46,6 +47,7 @@ void TouchedSurface::showTraining() {
   surface_ = SurfaceKind::crease_aware;
   given_window_ = training_->window()->id;
   device_.session()->show(*training_->window(), surface_);
+  Q_EMIT laid(*training_->window());
   Q_EMIT given();
 }
 

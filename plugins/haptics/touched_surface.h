@@ -40,6 +40,7 @@ class TouchedSurface : public QObject {
   void restoreFirmness();
 
  Q_SIGNALS:
+  void laid(const relievo::RegionWindow& window);  ///< That was given: before given().
   void given();  ///< The loop got another surface; the host may have cleared its probe.
 
  private:

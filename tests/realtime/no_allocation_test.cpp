@@ -10,6 +10,7 @@
 #include "haptics/device/mouse_device.h"
 #include "haptics/loop/haptic_core.h"
 #include "haptics/loop/haptic_loop.h"
+#include "haptics/sound/live_sound.h"
 #include "haptics/sound/synth.h"
 #include "tests/haptics/haptic_fixture.h"
 
@@ -80,6 +81,32 @@ TEST(NoAllocation, SoundAllocatesNothing) {
                       .origin = i % 70 > 35 ? CellStatus::interpolated : CellStatus::measured,
                       .detail = i / 400 + 1}));
       synth.render(frames);
+      loudest = std::max(loudest, std::abs(frames[0].left));
+    }
+  });
+  EXPECT_EQ(allocated, 0);
+  EXPECT_GT(loudest, 0.01F) << "it was not silent";
+}
+
+TEST(NoAllocation, TheSoundOfATouchThatGoesOnAllocatesNothing) {
+  const auto ring = std::make_unique<HeardRing>();
+  const auto live = std::make_unique<sound::LiveSound>(*ring);
+  live->setWindow({.id = 1, .region = {0, 0, 80, Level{0}}, .heights = {0, 10}});
+  std::array<sound::Frame, 48> frames{};
+  float loudest = 0;
+  const long allocated = allocationsIn([&] {
+    for (int i = 0; i < 4000; ++i) {
+      HapticSample sample;
+      sample.time_ns = 1'000'000LL * i;
+      sample.window_id = i < 2000 ? 1 : 2;
+      sample.contact = i / 50 % 2 == 1;
+      sample.hip = {0.1 * i, 0, sample.contact ? 0.0 : 5.0};
+      sample.force = {0, 0, 2};
+      if (i == 2000) live->setWindow({.id = 2, .region = {0, 0, 40, Level{1}}, .heights = {0, 10}});
+      if (i % 700 == 600) live->setVolume(i / 100);
+      sample.fault = i % 900 < 20 ? DeviceFault::timeout : DeviceFault::none;
+      ring->push(sample);
+      live->render(frames);
       loudest = std::max(loudest, std::abs(frames[0].left));
     }
   });

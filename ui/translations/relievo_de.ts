@@ -11856,6 +11856,38 @@
         <source>The device is closed and opened; its forces rise from zero once the hand is clear of the surface.</source>
         <translation>Das Gerät wird geschlossen und geöffnet; seine Kräfte steigen von null an, sobald die Hand von der Oberfläche frei ist.</translation>
     </message>
+    <message>
+        <source>Pla&amp;y sounds of touch</source>
+        <translation>Klänge beim &amp;Fühlen</translation>
+    </message>
+    <message>
+        <source>Hear what the hand meets, while it touches (Ctrl+Alt+A)</source>
+        <translation>Hören, worauf die Hand trifft, während sie fühlt (Ctrl+Alt+A)</translation>
+    </message>
+    <message>
+        <source>A click at contact, a rustle while sliding, a tone that is higher where the surface is; the edge and filled ground. The tone ends after two minutes.</source>
+        <translation>Ein Klick bei Berührung, ein Rauschen beim Gleiten, ein Ton, der höher ist, wo die Oberfläche höher ist; der Rand und gefüllter Grund. Der Ton endet nach zwei Minuten.</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ke sounds louder</source>
+        <translation>Klänge lauter (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Make the sounds of touch louder (Ctrl+Alt+Page Up)</source>
+        <translation>Die Klänge beim Fühlen lauter machen (Ctrl+Alt+Bild auf)</translation>
+    </message>
+    <message>
+        <source>Speech has a volume of its own.</source>
+        <translation>Die Sprache hat eine eigene Lautstärke.</translation>
+    </message>
+    <message>
+        <source>Sounds &amp;quieter</source>
+        <translation>Klänge leiser (&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Make the sounds of touch quieter (Ctrl+Alt+Page Down)</source>
+        <translation>Die Klänge beim Fühlen leiser machen (Ctrl+Alt+Bild ab)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TouchController</name>
@@ -12483,6 +12515,56 @@
     <message>
         <source>hand scale 1 : %1</source>
         <translation>Maßstab der Hand 1 : %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SoundControl</name>
+    <message>
+        <source>the sound server does not answer</source>
+        <translation>der Klangserver antwortet nicht</translation>
+    </message>
+    <message>
+        <source>There is no sound: %1. Touch goes on without it. Switch the sounds off and on to try again.</source>
+        <translation>Es gibt keinen Klang: %1. Das Fühlen geht ohne ihn weiter. Schalten Sie die Klänge aus und wieder ein, um es neu zu versuchen.</translation>
+    </message>
+    <message>
+        <source>Sounds of touch at %1 percent.</source>
+        <translation>Klänge beim Fühlen bei %1 Prozent.</translation>
+    </message>
+    <message>
+        <source>Sounds of touch on.</source>
+        <translation>Klänge beim Fühlen an.</translation>
+    </message>
+    <message>
+        <source>Sounds of touch off.</source>
+        <translation>Klänge beim Fühlen aus.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SoundRows</name>
+    <message>
+        <source>Sounds of touch</source>
+        <translation>Klänge beim Fühlen</translation>
+    </message>
+    <message>
+        <source>Volume of the sounds in percent</source>
+        <translation>Lautstärke der Klänge in Prozent</translation>
+    </message>
+    <message>
+        <source>Hear what the hand meets, while it touches (Ctrl+Alt+A).</source>
+        <translation>Hören, worauf die Hand trifft, während sie fühlt (Ctrl+Alt+A).</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the sounds of touch; speech has a volume of its own.</source>
+        <translation>Der Klänge beim Fühlen; die Sprache hat eine eigene Lautstärke.</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Lautstärke</translation>
     </message>
 </context>
 </TS>

@@ -16,6 +16,7 @@
 #include "plugins/haptics/panel/firmness_row.h"
 #include "plugins/haptics/panel/loop_rows.h"
 #include "plugins/haptics/panel/panel_widgets.h"
+#include "plugins/haptics/panel/sound_rows.h"
 #include "ui/message/message_text.h"
 
 namespace relievo {
@@ -65,7 +66,8 @@ HapticsPanel::HapticsPanel(QWidget* parent)
       feel_(new FeelForm(this)),
       firmness_(new FirmnessRow(this)),
       device_(new DeviceRows(this)),
-      loop_(new LoopRows(this)) {
+      loop_(new LoopRows(this)),
+      sound_(new SoundRows(this)) {
   setObjectName(QStringLiteral("hapticsPanel"));
   buildControls();
   connectControls();
@@ -103,6 +105,7 @@ QFormLayout* HapticsPanel::advancedRows() {
   feel_->addSurfaceRows(form);
   firmness_->addTo(form);
   feel_->addCueRows(form);
+  sound_->addTo(form);
   loop_->addDepth(form);
   device_->addTo(form);
   loop_->addHealth(form);
@@ -137,6 +140,7 @@ void HapticsPanel::connectControls() {
   connect(feel_, &FeelForm::changed, this, &HapticsPanel::changed);
   connect(firmness_, &FirmnessRow::asked, this, &HapticsPanel::firmnessAsked);
   connect(device_, &DeviceRows::changed, this, &HapticsPanel::changed);
+  connect(sound_, &SoundRows::changed, this, &HapticsPanel::changed);
   connect(device_, &DeviceRows::wanted, this, &HapticsPanel::devicesWanted);
 }
 
@@ -160,6 +164,7 @@ void HapticsPanel::setSettings(const TouchSettings& settings) {
   }
   feel_->setFeel(settings.feel);
   firmness_->setFile(settings.firmness);
+  sound_->set(settings.sound);
   device_->set(settings.device, settings.holds_grip);
   changed();
 }
@@ -169,6 +174,7 @@ TouchSettings HapticsPanel::settings() const {
   settings.strength_percent = strength_->value();
   settings.feel = feel_->feel();
   settings.firmness = firmness_->file();
+  settings.sound = sound_->sound();
   settings.holds_grip = device_->holdsGrip();
   settings.device = device_->device();
   return settings;

@@ -22,6 +22,7 @@ class DeviceRows;
 class FeelForm;
 class FirmnessRow;
 class LoopRows;
+class SoundRows;
 
 /// Shows and asks; computes nothing.
 class HapticsPanel : public QWidget {
@@ -61,6 +62,7 @@ class HapticsPanel : public QWidget {
   FirmnessRow* firmness_;
   DeviceRows* device_;
   LoopRows* loop_;
+  SoundRows* sound_;
   QWidget* advanced_ = nullptr;
   QCheckBox* forces_ = nullptr;
   QSlider* strength_ = nullptr;

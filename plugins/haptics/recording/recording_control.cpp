@@ -146,6 +146,7 @@ void RecordingControl::addNote() {
   const QString time = QLocale().toString(note->timeS(), 'f', 2);
   if (device_.session()->recorder().note(noteEvent(note->tick(), text.toStdString()))) {
     parts_.host.messages.announce(tr("Note at %1 s: %2").arg(time, text));
+    Q_EMIT noted();
   } else {
     parts_.host.messages.showError(
         tr("The recording had ended before the note \"%1\" was added. The note is in "

@@ -37,6 +37,9 @@ class RecordingControl : public QObject {
   /// Opens the dialog for a note of the present tick.
   void askNote();
 
+ Q_SIGNALS:
+  void noted();  ///< A note is in the recording.
+
  private:
   void start();
   void addNote();

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "haptics/rt/realtime.h"
+#include "haptics/sound/synth.h"
+#include "haptics/sound/touch_events.h"
+
+namespace relievo::sound {
+
+/// Makes sound of samples, each at its own frame: what the sound of a recording and the sound of a
+/// touch that goes on are both made by. Where samples are missing for 50 ms, what was before them
+/// ends. It allocates nothing and waits for nothing. [one thread, realtime]
+class TouchMixer {
+ public:
+  static constexpr double kHoldS = 0.05;
+
+  explicit TouchMixer(const SynthOptions& options = {}) RELIEVO_REALTIME : synth_(options) {}
+
+  enum class Happenings : bool { unheard, heard };
+  /// The next sample. Its frame may be past, then it is heard with the next one; where too many
+  /// wait, the oldest is heard early.
+  /// @param happenings  unheard: what happens in it strikes nothing, as what happened before
+  /// @param also  struck with it, which no touch strikes
+  /// @return what is heard of it
+  Heard place(const TouchSample& sample, std::int64_t frame,
+              Happenings happenings = Happenings::heard,
+              std::optional<Earcon> also = {}) RELIEVO_REALTIME;
+  /// An earcon that no touch has struck.
+  void strike(Earcon earcon) RELIEVO_REALTIME { synth_.strike(earcon, 0, 0.5); }
+  /// What lasts ends with the next frame.
+  void fallSilent() RELIEVO_REALTIME;
+  /// The next frames.
+  void render(std::span<Frame> frames) RELIEVO_REALTIME;
+  /// That is rendered next.
+  std::int64_t frame() const RELIEVO_REALTIME { return frame_; }
+
+ private:
+  struct Waiting {
+    Heard heard;
+    std::optional<Earcon> also;
+    std::int64_t frame = 0;
+  };
+  void takeDue() RELIEVO_REALTIME;
+  void hear(const Waiting& waiting) RELIEVO_REALTIME;
+
+  Synth synth_;
+  TouchEvents touch_;
+  Heard heard_;
+  std::array<Waiting, 128> waiting_{};
+  std::size_t first_ = 0, count_ = 0;
+  std::int64_t frame_ = 0;
+  std::int64_t silent_at_ = 0;  // Unless a sample comes before.
+};
+
+}  // namespace relievo::sound
