@@ -18,6 +18,7 @@ constexpr double kGainS = 0.005;
 // Clocks are compared over a second. Earlier than needed costs a delay, later costs evenness.
 constexpr std::int64_t kWatchFrames = kSampleRateHz;
 constexpr std::int64_t kTooEarlyFrames = 96, kTooLateFrames = 256;
+constexpr std::int64_t kStalledFrames = kSampleRateHz / 10;
 
 bool isAProblem(DeviceFault fault) RELIEVO_REALTIME {
   switch (fault) {
@@ -81,6 +82,12 @@ const HeardWindow* LiveSound::windowOf(std::uint64_t id) RELIEVO_REALTIME {
 void LiveSound::take(const HapticSample& sample) RELIEVO_REALTIME {
   const double t_s = 1e-9 * static_cast<double>(sample.time_ns - zero_ns_);
   newest_ = std::llround(t_s * kSampleRateHz) + shift_;
+  // The server took nothing for a while, as some do at their start: it goes on from here.
+  const std::int64_t lead = newest_ - mixer_.frame();
+  if (lead > kStalledFrames) {
+    shift_ -= lead;
+    newest_ -= lead;
+  }
   const HeardWindow* const window = windowOf(sample.window_id);
   HeardPlace place;
   if (window != nullptr) {
