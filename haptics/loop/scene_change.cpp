@@ -11,12 +11,16 @@
 namespace relievo {
 
 namespace {
+double heightAt(const BlendedSurface& surface, GridPoint p) RELIEVO_REALTIME {
+  return surface.patch(p.x, p.y, 0, 0).height(p.x, p.y);
+}
+
 /// The proxy where the surface has moved and the hand has not.
-ProxyState liftedOn(const BlendedSurface& surface, ProxyState proxy) RELIEVO_REALTIME {
-  GridPoint& p = proxy.position;
-  const double height = surface.patch(p.x, p.y, 0, 0).height(p.x, p.y);
-  if (!proxy.contact && p.z >= height) return proxy;
-  p.z = height;
+/// @param rests  on the surface, and so goes down with it; else it is only picked up
+ProxyState liftedOn(const BlendedSurface& surface, ProxyState proxy, bool rests) RELIEVO_REALTIME {
+  const double height = heightAt(surface, proxy.position);
+  if (!rests && proxy.position.z >= height) return proxy;
+  proxy.position.z = height;
   proxy.contact = true;
   return proxy;
 }
@@ -49,6 +53,7 @@ ProxyState SceneChange::begin(const HapticSpace& was, const HapticSpace& now, Pr
   proxy.hip = proxy.contact ? now_from_was(proxy.hip) : proxy.position;
   running_ = true;
   weight_ = creep_ticks_ = 0;
+  lets_go_ = false;
   spring_ = spring;
   return proxy;
 }
@@ -63,49 +68,68 @@ double SceneChange::mostStep(const HapticSpace& was, const HapticSpace& now,
   return std::min(1 / kLeastTicks, kMostStepN / std::max(other_n, 1e-9));
 }
 
+GridPoint SceneChange::felt(const ProxyState& state, double cell_mm,
+                            const FeltSpring& felt) const RELIEVO_REALTIME {
+  const GridPoint out = state.position - state.hip;
+  // A surface that has sunk below the hand lets it go.
+  if (!state.contact || !(out.z > 0 || lets_go_)) return {};
+  const GridPoint n = felt.gain * stiffness() * cell_mm * out;
+  const double size = norm(n);
+  return size > felt.limit_n ? (felt.limit_n / size) * n : n;
+}
+
+/// Where the hand would come to from `at`: a proxy that lets go is in the air, and falls from
+/// there.
+ProxyState SceneChange::goal(const BlendedSurface& surface, ProxyState at, GridPoint hip,
+                             const ProxyOptions& options) const RELIEVO_REALTIME {
+  if (lets_go_) at.contact = false;
+  return Follower(surface, at, options).to(hip);
+}
+
 ProxyState SceneChange::follow(const HapticSpace& was, const HapticSpace& now, ProxyState proxy,
                                GridPoint hip, const ProxyOptions& options,
-                               const FeltSpring& felt) RELIEVO_REALTIME {
+                               const FeltSpring& spring) RELIEVO_REALTIME {
   constexpr int kMostHalvings = 16;
   const double cell_mm = now.deviceMmPerCell();
-  const auto force = [&](const ProxyState& state) RELIEVO_REALTIME {
-    const GridPoint out = state.position - state.hip;
-    // A surface that has sunk below the hand lets it go.
-    if (!state.contact || !(out.z > 0)) return GridPoint{};
-    const GridPoint n = felt.gain * stiffness() * cell_mm * out;
-    const double size = norm(n);
-    return size > felt.limit_n ? (felt.limit_n / size) * n : n;
-  };
-  const GridPoint before = force(proxy);
+  const GridPoint before = felt(proxy, cell_mm, spring);
   const auto changed = [&](const ProxyState& state)
-                           RELIEVO_REALTIME { return norm(force(state) - before); };
+                           RELIEVO_REALTIME { return norm(felt(state, cell_mm, spring) - before); };
 
   // The surface takes a touching proxy with it and picks a free one up from below.
   const double weight = weight_;
-  double step = std::min(1 - weight, mostStep(was, now, proxy, felt));
+  double step = std::min(1 - weight, mostStep(was, now, proxy, spring));
   ProxyState lifted;
   for (int i = 0; i < kMostHalvings; ++i, step *= 0.5) {
     weight_ = std::min(1.0, weight + step);
-    lifted = liftedOn(BlendedSurface(was, now, weight_), proxy);
+    lifted = liftedOn(BlendedSurface(was, now, weight_), proxy, proxy.contact && !lets_go_);
     if (changed(lifted) <= kMostStepN) break;
   }
 
   // Relief moves the proxy sideways as well, and one that is deep can slip from one hollow into the
-  // next at once: then it creeps there.
+  // next at once, or off a flank that is no longer there: then it creeps there.
   const BlendedSurface surface(was, now, weight_);
-  ProxyState state = Follower(surface, lifted, options).to(hip);
-  const double hand_n = felt.gain * stiffness() * cell_mm * norm(hip - proxy.hip);
+  if (lets_go_ && lifted.position.z <= heightAt(surface, lifted.position)) lets_go_ = false;
+  const ProxyState end = goal(surface, lifted, hip, options);
+  ProxyState state = end;
+  const double most_n =
+      kMostStepN + 2 * spring.gain * stiffness() * cell_mm * norm(hip - proxy.hip);
   bool creeps = false;
+  const bool in_air = lets_go_ || (lifted.contact && !end.contact);
   double part = 1;
-  const GridPoint goal = state.position;
-  for (int i = 0; i < kMostHalvings && state.contact && lifted.contact; ++i) {
-    if (changed(state) <= kMostStepN + 2 * hand_n) break;
+  for (int i = 0; i < kMostHalvings && lifted.contact; ++i) {
+    if (changed(state) <= most_n) break;
     creeps = true;
     part *= 0.5;
+    state = end;
+    state.contact = true;
     GridPoint& p = state.position;
-    p = lifted.position + part * (goal - lifted.position);
-    p.z = surface.patch(p.x, p.y, 0, 0).height(p.x, p.y);
+    p = lifted.position + part * (end.position - lifted.position);
+    const double height = heightAt(surface, p);
+    // Never below the surface, nor so that it would draw the hand down.
+    p.z = in_air ? std::max({p.z, height, hip.z}) : height;
+    lets_go_ = in_air;
   }
+  if (!creeps) lets_go_ = false;
   if (weight_ >= 1) creep_ticks_ += 1;
   running_ = weight_ < 1 || (creeps && creep_ticks_ < kMostCreepTicks);
   return state;

@@ -9,6 +9,8 @@
 
 namespace relievo {
 
+class BlendedSurface;  // haptics/proxy/blend.h
+
 /// The spring before and after a change, N per mm of hand.
 struct SpringChange {
   double was_n_per_mm = 0.5, now_n_per_mm = 0.5;  ///< On firm ground.
@@ -60,7 +62,13 @@ class SceneChange {
   double mostStep(const HapticSpace& was, const HapticSpace& now, const ProxyState& proxy,
                   const FeltSpring& felt) const RELIEVO_REALTIME;
 
+  GridPoint felt(const ProxyState& state, double cell_mm,
+                 const FeltSpring& felt) const RELIEVO_REALTIME;
+  ProxyState goal(const BlendedSurface& surface, ProxyState at, GridPoint hip,
+                  const ProxyOptions& options) const RELIEVO_REALTIME;
+
   bool running_ = false;
+  bool lets_go_ = false;  // The proxy has no ground any more, and its force goes away step by step.
   double creep_ticks_ = 0;  // Since the new surface is there.
   double weight_ = 1;
   SpringChange spring_;

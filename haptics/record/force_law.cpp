@@ -13,7 +13,7 @@ struct Law {
   int number;
   std::string_view since, change;
 };
-constexpr std::array<Law, 4> kLaws{{
+constexpr std::array<Law, 5> kLaws{{
     {2, "2026-11-22",
      "a tick sends the force that it has computed, not the last one's; settings and surfaces "
      "change "
@@ -23,6 +23,8 @@ constexpr std::array<Law, 4> kLaws{{
     {4, "2026-11-23", "friction pulls against the way of the last millimetre"},
     {5, "2026-11-23",
      "on rough ground friction pulls against the way of 1.5 times what it trails by"},
+    {6, "2026-11-24",
+     "a hand whose ground vanishes while one surface turns into another is let go step by step"},
 }};
 static_assert(kLaws.back().number == kForceLaw);
 }  // namespace

@@ -86,7 +86,7 @@ struct NamedFields {
       visit("position", s.position); visit("hip", s.hip); visit("contact", s.contact); visit("slides", s.slides);
       visit("still", s.still); visit("trail_x", s.trail_x); visit("trail_y", s.trail_y);
     } else if constexpr (kIs<T, SceneChange>) {
-      visit("running", s.running_); visit("creep_ticks", s.creep_ticks_); visit("weight", s.weight_);
+      visit("running", s.running_); visit("lets_go", s.lets_go_); visit("creep_ticks", s.creep_ticks_); visit("weight", s.weight_);
       visit("spring", s.spring_);
     } else if constexpr (kIs<T, SpringChange>) {
       visit("was_n_per_mm", s.was_n_per_mm); visit("now_n_per_mm", s.now_n_per_mm);
