@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/control/save_controller.h"
+#include "ui/control/output/save_controller.h"
 
 #include <QCoreApplication>
 #include <QDeadlineTimer>
@@ -14,10 +14,10 @@
 
 #include "core/base/error.h"
 #include "core/project/project_files.h"
-#include "ui/control/export_controller.h"
-#include "ui/control/package_controller.h"
-#include "ui/control/picture_controller.h"
-#include "ui/control/video_controller.h"
+#include "ui/control/output/export_controller.h"
+#include "ui/control/output/package_controller.h"
+#include "ui/control/output/picture_controller.h"
+#include "ui/control/output/video_controller.h"
 #include "ui/language/core_text.h"
 #include "ui/language/error_text.h"
 #include "ui/views/event_turn.h"
