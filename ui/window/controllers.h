@@ -13,11 +13,11 @@
 #include "ui/control/place_controller.h"
 #include "ui/control/pointer_controller.h"
 #include "ui/control/question_controller.h"
+#include "ui/control/recordings_end.h"
 #include "ui/control/replay_controller.h"
 #include "ui/control/study_controller.h"
 #include "ui/control/surface_controller.h"
 #include "ui/control/touch_controller.h"
-#include "ui/work/recordings_end.h"
 
 namespace relievo {
 

@@ -6,8 +6,8 @@
 
 #include "ui/style/input_event_filter.h"
 #include "ui/style/palette.h"
-#include "ui/views/render_scheduler.h"
 #include "ui/window/controllers.h"
+#include "ui/work/scheduling/render_scheduler.h"
 
 class QComboBox;
 class QStackedWidget;

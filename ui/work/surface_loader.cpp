@@ -7,7 +7,7 @@
 #include "core/provenance/sha256.h"
 #include "core/session/source/unit_guess.h"
 #include "ui/dialogs/depth_map_preview.h"
-#include "ui/views/relief_picture.h"
+#include "ui/work/pictures/relief_picture.h"
 
 namespace relievo {
 namespace {

@@ -20,8 +20,8 @@
 #include "ui/control/output/video_controller.h"
 #include "ui/language/core_text.h"
 #include "ui/language/error_text.h"
-#include "ui/views/event_turn.h"
 #include "ui/work/file_names.h"
+#include "ui/work/scheduling/event_turn.h"
 
 namespace relievo {
 namespace {
