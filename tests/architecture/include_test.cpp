@@ -73,6 +73,15 @@ TEST(IncludeCheck, KeepsInternalHeadersInTheirModule) {
   EXPECT_EQ(found("core/session/load.cpp", "#include \"core/provenance/parameters_json.h\"\n"), 1U);
 }
 
+TEST(IncludeCheck, CatchesARoomThatIncludesOneAboveIt) {
+  EXPECT_EQ(found("ui/work/document.cpp", "#include \"ui/views/detail_view.h\"\n"), 1U);
+  EXPECT_EQ(found("ui/dialogs/image_dialog.h", "#include \"ui/window/main_window.h\"\n"), 1U);
+  EXPECT_EQ(found("ui/views/detail_view.cpp", "#include \"ui/work/document.h\"\n"), 0U);
+  EXPECT_EQ(found("ui/control/look_controller.h", "#include \"ui/window/controller.h\"\n"), 0U);
+  EXPECT_EQ(found("ui/window/controllers.h", "#include \"ui/control/look_controller.h\"\n"), 0U);
+  EXPECT_EQ(found("ui/newroom/a.cpp", "#include \"ui/style/palette.h\"\n"), 1U) << "no room";
+}
+
 TEST(IncludeCheck, CatchesWhatTheTableDoesNotKnow) {
   EXPECT_EQ(found("core/base/grid.h", "#include <unheard/of.h>\n"), 1U);
   EXPECT_EQ(found("newfolder/a.h", "#include <vector>\n"), 1U);
