@@ -46,6 +46,8 @@ TEST(IncludeCheck, CatchesAnUpwardInclude) {
   EXPECT_EQ(found("haptics/loop/haptic_loop.cpp", "#include \"plugins/api/plugin.h\"\n"), 1U);
   EXPECT_EQ(found("ui/vtk/relief_scene.cpp", "#include \"ui/work/document.h\"\n"), 1U);
   EXPECT_EQ(found("plugins/haptics/panel.cpp", "#include \"ui/work/document.h\"\n"), 1U);
+  EXPECT_EQ(found("ui/video/video.cpp", "#include \"core/tiles/tiled_map.h\"\n"), 1U);
+  EXPECT_EQ(found("core/session/load.cpp", "#include \"core/project/project.h\"\n"), 1U);
 }
 
 TEST(IncludeCheck, CatchesALibraryInTheWrongModule) {
