@@ -9,7 +9,7 @@
 
 #include "app/host.h"
 #include "plugins/api/plugin.h"
-#include "ui/window/settings.h"
+#include "ui/work/settings.h"
 
 namespace relievo {
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 
 namespace relievo {
@@ -21,7 +22,7 @@ MappedFile::MappedFile(const std::filesystem::path& file) {
   const int error = errno;
   if (fd >= 0) ::close(fd);
   if (start == MAP_FAILED) {
-    throw FileError("Cannot read " + shownName(file) + ": " + std::strerror(error) + ".");
+    throw failure<MessageId::file_not_read>(shownName(file), std::strerror(error));
   }
   bytes_ = {static_cast<const char*>(start), size};
 }

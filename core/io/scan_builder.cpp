@@ -59,9 +59,8 @@ void ScanBuilder::expectPoints(std::uint64_t count) {
 
 void ScanBuilder::requireFewer(std::uint64_t count) const {
   if (count <= max_points_) return;
-  throw FileError("Cannot read " + shownName(scan_.info.file) + ": it holds more than " +
-                  grouped(max_points_) +
-                  " points, the limit. Thin it out or cut it into parts first.");
+  throw failure<MessageId::file_too_many_points>(shownName(scan_.info.file),
+                                                 CountArgument::grouped(max_points_));
 }
 
 void ScanBuilder::requireRoom(std::uint64_t count, bool is_mesh) const {

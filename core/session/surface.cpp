@@ -180,7 +180,7 @@ void finish(Surface& surface, const SurfaceOptions& options, Stopwatch& watch, c
   surface.seconds.pyramid = watch.lap();
 }
 
-/// What was left out as no height, by whom.
+/// Adds the message about heights that were left out: on suspicion, or because the user said so.
 void sayMissing(Surface& surface, const std::optional<double>& value) {
   if (surface.suspect_height) {
     surface.messages.push_back(suspectWords(*surface.suspect_height));
@@ -189,7 +189,7 @@ void sayMissing(Surface& surface, const std::optional<double>& value) {
   }
 }
 
-/// What of the scan is not in the surface.
+/// Notes which points of the scan are not in the surface.
 void takeLeftOut(Surface& surface, const ScanInUse& in_use, const std::optional<double>& missing) {
   surface.strays = in_use.strays();
   surface.missing = in_use.missing();

@@ -16,7 +16,7 @@ double heightAt(const BlendedSurface& surface, GridPoint p) RELIEVO_REALTIME {
 }
 
 /// The proxy where the surface has moved and the hand has not.
-/// @param rests  on the surface, and so goes down with it; else it is only picked up
+/// @param rests  the proxy is on the surface and goes down with it; else it is only picked up
 ProxyState liftedOn(const BlendedSurface& surface, ProxyState proxy, bool rests) RELIEVO_REALTIME {
   const double height = heightAt(surface, proxy.position);
   if (!rests && proxy.position.z >= height) return proxy;

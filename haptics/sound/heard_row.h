@@ -15,12 +15,13 @@ struct ToneHeights {
   double low_mm = 0, high_mm = 0;
 };
 
-/// Where a row was touched, as far as it sounds.
+/// What the sound of a row depends on besides the row itself.
 struct HeardPlace {
   const Region* region = nullptr;  ///< Of the row's window; null: it is not known.
   double gain = 1;                 ///< Of its heights.
   ToneHeights heights;
-  double left_mm = 0, right_mm = 0;  ///< Between which it is heard where no region is known.
+  double left_mm = 0,
+         right_mm = 0;  ///< From the left ear to the right one, where no region is known.
 };
 
 /// Where a value lies between two others, 0 .. 1; 0.5 where they are the same. Ends that stand the

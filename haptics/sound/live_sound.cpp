@@ -60,14 +60,14 @@ void LiveSound::setWindow(const HeardWindow& window) {
 }
 
 void LiveSound::setVolume(int percent) noexcept {
-  wished_gain_.store(static_cast<float>(volumeGain(percent)), std::memory_order_relaxed);
+  requested_gain_.store(static_cast<float>(volumeGain(percent)), std::memory_order_relaxed);
 }
 
 void LiveSound::strike(Earcon earcon) {
   struck_.push(earcon);
 }
 
-/// Of a window that comes, samples of the one before it are still on their way.
+/// The window that a sample was taken in: after a change, samples of the one before still arrive.
 const HeardWindow* LiveSound::windowOf(std::uint64_t id) RELIEVO_REALTIME {
   if (window_.id != id && windows_.update()) {
     window_before_ = window_;
@@ -82,7 +82,7 @@ const HeardWindow* LiveSound::windowOf(std::uint64_t id) RELIEVO_REALTIME {
 void LiveSound::take(const HapticSample& sample) RELIEVO_REALTIME {
   const double t_s = 1e-9 * static_cast<double>(sample.time_ns - zero_ns_);
   newest_ = std::llround(t_s * kSampleRateHz) + shift_;
-  // The server took nothing for a while, as some do at their start: it goes on from here.
+  // The server took nothing for a while, as some do at their start: the sound goes on from here.
   const std::int64_t lead = newest_ - mixer_.frame();
   if (lead > kStalledFrames) {
     shift_ -= lead;
@@ -105,8 +105,8 @@ void LiveSound::takeSamples(std::int64_t frames) RELIEVO_REALTIME {
   HapticSample sample;
   bool has_news = false;
   if (!has_begun_) {
-    // What waits is old; the newest is heard when these frames are over, and all others as long
-    // after their ticks.
+    // Samples that wait are old. The newest is heard when these frames are over, and every other
+    // one as long after its tick.
     while (ring_.pop(sample)) has_news = true;
     if (!has_news) {
       silent_ += frames;
@@ -126,7 +126,7 @@ void LiveSound::takeSamples(std::int64_t frames) RELIEVO_REALTIME {
   keepTime(frames, has_news);
 }
 
-/// @param frames  that are rendered now
+/// @param frames  how many are rendered now
 void LiveSound::keepTime(std::int64_t frames, bool has_news) RELIEVO_REALTIME {
   const std::int64_t lead = newest_ - (mixer_.frame() + frames);
   if (has_news) most_lead_ = std::max(most_lead_, lead);
@@ -143,10 +143,10 @@ void LiveSound::keepTime(std::int64_t frames, bool has_news) RELIEVO_REALTIME {
 }
 
 void LiveSound::setLoudness(std::span<Frame> frames) RELIEVO_REALTIME {
-  const double wished = wished_gain_.load(std::memory_order_relaxed);
-  if (gain_ < 0) gain_ = wished;
+  const double requested = requested_gain_.load(std::memory_order_relaxed);
+  if (gain_ < 0) gain_ = requested;
   for (Frame& frame : frames) {
-    gain_ += gain_step_ * (wished - gain_);
+    gain_ += gain_step_ * (requested - gain_);
     frame.left = static_cast<float>(gain_ * frame.left);
     frame.right = static_cast<float>(gain_ * frame.right);
   }

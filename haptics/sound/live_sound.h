@@ -14,7 +14,7 @@
 
 namespace relievo::sound {
 
-/// A window under the hand, as far as it sounds.
+/// The part of a window under the hand that the sound depends on.
 struct HeardWindow {
   std::uint64_t id = 0;
   Region region;
@@ -22,8 +22,8 @@ struct HeardWindow {
   ToneHeights heights;  ///< Of the object, as long as it is under the hand.
 };
 
-/// Is something of this sample the beginning of what went wrong? The same that sounds as a problem
-/// in a recording.
+/// Whether a fault begins with this sample, by the same rule that makes it sound as a problem in a
+/// recording.
 bool beginsAProblem(const HapticSample& before, const HapticSample& now) RELIEVO_REALTIME;
 
 /// How loud a volume is: half of it is a quarter, so that steps sound alike.
@@ -39,11 +39,11 @@ class LiveSound {
   explicit LiveSound(HeardRing& samples, const SynthOptions& options = {});
 
   // [one thread]
-  void setWindow(const HeardWindow& window);  ///< That lies under the hand, or will in a moment.
+  void setWindow(const HeardWindow& window);  ///< It lies under the hand, or soon will.
   void setVolume(int percent) noexcept;       ///< 0 .. 100; it glides there.
-  void strike(Earcon earcon);                 ///< Of a command.
+  void strike(Earcon earcon);                 ///< The sign of a command.
 
-  /// The next frames. It allocates nothing and waits for nothing. [audio thread]
+  /// Makes the next frames. Allocates nothing and waits for nothing. [audio thread]
   void render(std::span<Frame> frames) RELIEVO_REALTIME;
   /// Frames that were heard before the first sample: a recording that begins with it sounds the
   /// same from there on. [audio thread]
@@ -61,7 +61,7 @@ class LiveSound {
   HeardRing& ring_;
   TripleBuffer<HeardWindow> windows_;
   SpscRing<Earcon, 16> struck_;
-  std::atomic<float> wished_gain_{1};
+  std::atomic<float> requested_gain_{1};
   std::atomic<std::uint64_t> taken_{0};
 
   // [audio thread]
@@ -72,11 +72,11 @@ class LiveSound {
   std::int64_t zero_ns_ = 0;  // The first sample's time; it is the mixer's frame 0.
   std::int64_t waits_ = 0;    // Frames until the mixer begins.
   std::int64_t silent_ = 0;
-  // The clocks of loop and sound differ: by so many frames samples are placed later than their
-  // time.
+  // Samples are placed by so many frames later than their time, because the clocks of loop and
+  // sound differ.
   std::int64_t shift_ = 0;
   std::int64_t newest_ = 0;              // Where the newest sample was placed.
-  std::int64_t least_lead_, most_lead_;  // Of the newest before the end of what is rendered.
+  std::int64_t least_lead_, most_lead_;  // Of the newest sample to the last frame.
   std::int64_t watched_ = 0;             // Frames since these were forgotten.
   double gain_ = -1;                     // -1: nothing was rendered yet.
   double gain_step_;

@@ -150,7 +150,7 @@ class PulseOut : public SoundOut {
     if (state == PA_STREAM_FAILED || state == PA_STREAM_TERMINATED) out.failAsSaid();
   }
 
-  /// The server has room for so many bytes.
+  /// Called when the server has room for so many bytes.
   static void write(pa_stream* stream, std::size_t bytes, void* self) {
     auto& out = *static_cast<PulseOut*>(self);
     while (bytes >= sizeof(Frame)) {

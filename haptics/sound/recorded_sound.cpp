@@ -169,7 +169,7 @@ RecordedSound::Summary RecordedSound::render(
     const bool is_in = row.t_s >= start_s - 1e-6;
     const std::int64_t frame = frame_at(row.t_s);
     if (is_in) render_to(frame);
-    // Of what happened before the start, how it goes on is heard.
+    // Earlier events strike nothing; sounds that last are heard from the start.
     const Heard heard =
         mixer.place(sampleOf(row, windows.of(row)), frame,
                     is_in ? TouchMixer::Happenings::heard : TouchMixer::Happenings::unheard);

@@ -13,9 +13,9 @@
 
 namespace relievo::sound {
 
-/// Makes sound of samples, each at its own frame: what the sound of a recording and the sound of a
-/// touch that goes on are both made by. Where samples are missing for 50 ms, what was before them
-/// ends. It allocates nothing and waits for nothing. [one thread, realtime]
+/// Turns samples into sound, each at its own frame, for recordings and for a touch that goes on.
+/// Where samples are missing for 50 ms, the sound ends. Allocates nothing and waits for nothing.
+/// [one thread, realtime]
 class TouchMixer {
  public:
   static constexpr double kHoldS = 0.05;
@@ -23,21 +23,21 @@ class TouchMixer {
   explicit TouchMixer(const SynthOptions& options = {}) RELIEVO_REALTIME : synth_(options) {}
 
   enum class Happenings : bool { unheard, heard };
-  /// The next sample. Its frame may be past, then it is heard with the next one; where too many
+  /// Takes the next sample. If its frame is over, it is heard with the next frame; if too many
   /// wait, the oldest is heard early.
-  /// @param happenings  unheard: what happens in it strikes nothing, as what happened before
-  /// @param also  struck with it, which no touch strikes
-  /// @return what is heard of it
+  /// @param happenings  unheard: the sample strikes no earcon
+  /// @param also  an earcon that is struck with it, beside those of the touch
+  /// @return what is heard of the sample
   Heard place(const TouchSample& sample, std::int64_t frame,
               Happenings happenings = Happenings::heard,
               std::optional<Earcon> also = {}) RELIEVO_REALTIME;
-  /// An earcon that no touch has struck.
+  /// Strikes an earcon at once, without a sample.
   void strike(Earcon earcon) RELIEVO_REALTIME { synth_.strike(earcon, 0, 0.5); }
-  /// What lasts ends with the next frame.
+  /// Ends lasting sounds with the next frame.
   void fallSilent() RELIEVO_REALTIME;
-  /// The next frames.
+  /// Makes the next frames.
   void render(std::span<Frame> frames) RELIEVO_REALTIME;
-  /// That is rendered next.
+  /// The number of the frame that is rendered next.
   std::int64_t frame() const RELIEVO_REALTIME { return frame_; }
 
  private:
@@ -55,7 +55,7 @@ class TouchMixer {
   std::array<Waiting, 128> waiting_{};
   std::size_t first_ = 0, count_ = 0;
   std::int64_t frame_ = 0;
-  std::int64_t silent_at_ = 0;  // Unless a sample comes before.
+  std::int64_t silent_at_ = 0;  // From here on, unless a sample comes before.
 };
 
 }  // namespace relievo::sound

@@ -130,7 +130,7 @@ void HapticsPlugin::takeForceBack() {
   slowReadouts();  // Escape must know at once that there is something to stop.
 }
 
-/// Its first readings say that it is not ready yet.
+/// The first readings of a device that was just opened say that it is not ready yet.
 void HapticsPlugin::watchReturn() {
   if (!wants_forces_ || device_->isOpening()) return;
   const bool is_ready = return_->wasReady();

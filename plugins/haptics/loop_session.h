@@ -69,7 +69,7 @@ class LoopSession {
   /// What the hand can be led along from now on, on the newest surface: GuideOptions name it.
   /// @return its id
   std::uint64_t lead(GuidePath path);
-  /// A simulated hand that is led gives way, as an arm does: what was wished follows it. Once a
+  /// A simulated hand that is led gives way, as an arm does: what was requested follows it. Once a
   /// frame; a device that a person holds does not care.
   void giveWay(const HapticSample& sample) { hand_.giveWay(sample.hip); }
   /// How the newest surface lies under the hand.

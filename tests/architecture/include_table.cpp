@@ -4,6 +4,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -61,6 +62,35 @@ bool mayIncludeProject(const IncludeTable& table, const ModuleRule& from,
                      [&](const auto& m) { return to->name == m || isWithin(to->name, m); });
 }
 
+RoomsRule roomsRule(const std::string& folder, const std::string& rows) {
+  RoomsRule rule{folder, {}};
+  for (const std::string& row : words(rows)) {
+    std::istringstream in(row);
+    rule.rows.emplace_back();
+    for (std::string room; std::getline(in, room, '+');) rule.rows.back().push_back(room);
+  }
+  return rule;
+}
+
+/// Which row of `rule` has the room that a file is in; nothing: none has.
+std::optional<std::size_t> rowOf(const RoomsRule& rule, const std::string& path) {
+  for (std::size_t row = 0; row < rule.rows.size(); ++row) {
+    for (const std::string& room : rule.rows[row]) {
+      if (isWithin(path, std::string(rule.folder).append("/").append(room))) return row;
+    }
+  }
+  return std::nullopt;
+}
+
+bool mayIncludeRoom(const IncludeTable& table, const std::string& path, const std::string& header) {
+  return std::all_of(table.rooms.begin(), table.rooms.end(), [&](const RoomsRule& rule) {
+    if (!isWithin(path, rule.folder) || !isWithin(header, rule.folder)) return true;
+    const std::optional<std::size_t> from = rowOf(rule, path);
+    const std::optional<std::size_t> to = rowOf(rule, header);
+    return from.has_value() && to.has_value() && *to <= *from;
+  });
+}
+
 }  // namespace
 
 IncludeTable parseTable(const std::string& text) {
@@ -77,6 +107,8 @@ IncludeTable parseTable(const std::string& text) {
       table.modules.push_back({head[1], words(field[1]), words(field[2]), words(field[3])});
     } else if (head[0] == "internal") {
       table.internals.push_back({head[1], words(field[1])});
+    } else if (head[0] == "rooms") {
+      table.rooms.push_back(roomsRule(head[1], field[1]));
     } else if (head[0] == "single") {
       table.singles.emplace_back(head[1], words(field[1]).at(0));
     } else {
@@ -125,7 +157,8 @@ std::vector<std::string> violations(const IncludeTable& table, const std::string
     if (include.quoted) {
       // Files that the build makes from the file itself stand beside it.
       if (include.header.ends_with(".moc")) continue;
-      if (!mayIncludeProject(table, *from, include.header)) {
+      if (!mayIncludeProject(table, *from, include.header) ||
+          !mayIncludeRoom(table, path, include.header)) {
         found.push_back(path + " may not include " + include.header);
       }
       continue;

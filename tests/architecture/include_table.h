@@ -27,10 +27,18 @@ struct InternalRule {
   std::vector<std::string> also;
 };
 
+/// Folders within one folder, in rows from below to above: a file may include those of its own row
+/// and of the rows below it.
+struct RoomsRule {
+  std::string folder;                          ///< "ui"
+  std::vector<std::vector<std::string>> rows;  ///< Names of folders within it.
+};
+
 struct IncludeTable {
   std::vector<LibraryRule> libraries;
   std::vector<ModuleRule> modules;
   std::vector<InternalRule> internals;
+  std::vector<RoomsRule> rooms;
   std::vector<std::pair<std::string, std::string>> singles;  ///< Library, folder.
 };
 

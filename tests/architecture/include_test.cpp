@@ -46,6 +46,8 @@ TEST(IncludeCheck, CatchesAnUpwardInclude) {
   EXPECT_EQ(found("haptics/loop/haptic_loop.cpp", "#include \"plugins/api/plugin.h\"\n"), 1U);
   EXPECT_EQ(found("ui/vtk/relief_scene.cpp", "#include \"ui/work/document.h\"\n"), 1U);
   EXPECT_EQ(found("plugins/haptics/panel.cpp", "#include \"ui/work/document.h\"\n"), 1U);
+  EXPECT_EQ(found("ui/video/video.cpp", "#include \"core/tiles/tiled_map.h\"\n"), 1U);
+  EXPECT_EQ(found("core/session/load.cpp", "#include \"core/project/project.h\"\n"), 1U);
 }
 
 TEST(IncludeCheck, CatchesALibraryInTheWrongModule) {
@@ -71,6 +73,15 @@ TEST(IncludeCheck, KeepsInternalHeadersInTheirModule) {
   EXPECT_EQ(found("core/project/project.cpp", "#include \"core/provenance/parameters_json.h\"\n"),
             0U);
   EXPECT_EQ(found("core/session/load.cpp", "#include \"core/provenance/parameters_json.h\"\n"), 1U);
+}
+
+TEST(IncludeCheck, CatchesARoomThatIncludesOneAboveIt) {
+  EXPECT_EQ(found("ui/work/document.cpp", "#include \"ui/views/detail_view.h\"\n"), 1U);
+  EXPECT_EQ(found("ui/dialogs/image_dialog.h", "#include \"ui/window/main_window.h\"\n"), 1U);
+  EXPECT_EQ(found("ui/views/detail_view.cpp", "#include \"ui/work/document.h\"\n"), 0U);
+  EXPECT_EQ(found("ui/control/look_controller.h", "#include \"ui/window/controller.h\"\n"), 0U);
+  EXPECT_EQ(found("ui/window/controllers.h", "#include \"ui/control/look_controller.h\"\n"), 0U);
+  EXPECT_EQ(found("ui/newroom/a.cpp", "#include \"ui/style/palette.h\"\n"), 1U) << "no room";
 }
 
 TEST(IncludeCheck, CatchesWhatTheTableDoesNotKnow) {

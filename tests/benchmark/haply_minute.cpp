@@ -13,7 +13,7 @@
 #include "haptics/device/haply/haply_device.h"
 #include "haptics/device/haply/service_address.h"
 #include "haptics/rt/realtime_thread.h"
-#include "tests/emulator/inverse_service.h"
+#include "tests/emulator/haply/inverse_service.h"
 
 namespace {
 thread_local long long allocations = 0;

@@ -11,7 +11,7 @@
 
 #include "core/base/error.h"
 #include "plugins/haptics/loop_session.h"
-#include "tests/emulator/inverse_service.h"
+#include "tests/emulator/haply/inverse_service.h"
 #include "tests/plugins/plugin_fixture.h"
 
 namespace relievo {

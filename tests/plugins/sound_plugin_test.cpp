@@ -77,7 +77,7 @@ TEST_F(SoundPluginTest, MenuAndPanelHaveOneSwitchThatIsRemembered) {
   EXPECT_FALSE(host_.announcements.contains("Sounds of touch on.")) << "nobody asked";
 }
 
-/// In the place of a server: the test asks for frames.
+/// Stands for a sound server: the test asks for frames.
 struct StandIn : sound::SoundOut {
   explicit StandIn(sound::RenderFrames frames) : render(std::move(frames)) {}
   State state() const override { return now; }
@@ -156,7 +156,7 @@ TEST_F(SoundControlTest, AServerThatGoesIsSaidOnceAndTriedAgainWhenSwitchedOn) {
   sound_->watch();
   EXPECT_EQ(host_.announcements.filter("the cable was pulled").size(), 1);
   EXPECT_FALSE(sound_->isPlaying());
-  EXPECT_TRUE(parts_.actions.sound->isChecked()) << "it is still wished";
+  EXPECT_TRUE(parts_.actions.sound->isChecked()) << "the setting stays on";
   parts_.actions.sound->trigger();
   parts_.actions.sound->trigger();
   EXPECT_EQ(opened_, 2);

@@ -15,7 +15,7 @@
 #include "tests/ui/gui_fixture.h"
 #include "ui/dialogs/depth_map_dialog.h"
 #include "ui/panels/measure_panel.h"
-#include "ui/views/relief_picture.h"
+#include "ui/work/pictures/relief_picture.h"
 
 namespace relievo {
 namespace {

@@ -89,7 +89,7 @@ void ForeignFiles::ask(const Files& files, const HostFile& host_file, const With
       tr("%1 names %n file(s) outside of its folder that are not, by their checksums, what it was "
          "made from:",
          nullptr, static_cast<int>(files.size()))
-              .arg(host_file.is_kept_work ? tr("The work that was kept")
+              .arg(host_file.is_autosaved ? tr("The work that was kept")
                                           : shownName(host_file.file)) +
           QLatin1String("\n\n") + listed(files),
       QMessageBox::Yes | QMessageBox::No, &window_);

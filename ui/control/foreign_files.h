@@ -22,7 +22,7 @@ class ForeignFiles : public Controller {
   /// What names the files.
   struct HostFile {
     QString file;
-    bool is_kept_work = false;  ///< Not a file of the user's: what a crash left.
+    bool is_autosaved = false;  ///< Not a file of the user's: what a crash left.
   };
 
   explicit ForeignFiles(const ControllerParts& parts);

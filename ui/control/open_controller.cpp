@@ -14,8 +14,8 @@
 #include "core/io/input_facts.h"
 #include "core/project/embedded_state.h"
 #include "core/project/project_files.h"
-#include "ui/control/package_controller.h"
-#include "ui/control/save_controller.h"
+#include "ui/control/output/package_controller.h"
+#include "ui/control/output/save_controller.h"
 #include "ui/frame/start_page.h"
 #include "ui/language/error_text.h"
 #include "ui/prepare/prepare_dialog.h"
@@ -110,7 +110,7 @@ void OpenController::openNamed(const Project& project, const QString& from) {
 
 ForeignFiles::HostFile OpenController::hostFileOf(const QString& from) const {
   // What was kept of a crash lies among the program's own files, and names what it named before.
-  if (from.isEmpty()) return {.file = recovered_copy_, .is_kept_work = true};
+  if (from.isEmpty()) return {.file = recovered_copy_, .is_autosaved = true};
   return {.file = from};
 }
 
@@ -175,7 +175,7 @@ void OpenController::relink(const Project& project, const QString& from) {
 }
 
 bool OpenController::finish() {
-  saving_.keeper().forget();
+  saving_.autosave().forget();
   saving_.showTitle();
   if (!restoring_) {
     foreign_.withhold({});
@@ -185,7 +185,7 @@ bool OpenController::finish() {
   if (!recovered_copy_.isEmpty()) {
     AutosaveController::discard(std::exchange(recovered_copy_, QString()));
     document_.saved().noteUnsaved();
-    saving_.keeper().changed();
+    saving_.autosave().changed();
     saving_.showTitle();
   }
   if (!stored.sha256.empty() && stored.sha256 != document_.fileSha256().toStdString()) {
@@ -226,7 +226,7 @@ bool OpenController::restoreFromFile(const QString& file) {
 // A project that cannot be read: what else there is.
 void OpenController::showDamaged(const QString& text) {
   std::vector<MessageStrip::Button> buttons{{tr("&Choose another\u2026"), [this] { choose(); }}};
-  if (saving_.keeper().left()) {
+  if (saving_.autosave().left()) {
     buttons.push_back({tr("&Work that was kept\u2026"), [this] { offerLeftWork(); }});
   }
   messages_.show(text, buttons);
@@ -322,7 +322,7 @@ void OpenController::tellInputWithheld(const Project& project, const QString& ho
 }
 
 void OpenController::offerLeftWork() {
-  const auto left = saving_.keeper().left();
+  const auto left = saving_.autosave().left();
   if (!left) return;
   const Project& work = left->project;
   const QString name = shownName(pathFromBytes(work.saved_as.empty() ? work.file : work.saved_as));

@@ -9,9 +9,9 @@
 
 #include "core/depth/rules/rasterize.h"
 #include "core/session/source/unit_guess.h"
-#include "ui/dialogs/depth_map_preview.h"
 #include "ui/dialogs/raster_scale_dialog.h"
 #include "ui/style/text.h"
+#include "ui/work/pictures/depth_map_picture.h"
 
 namespace relievo {
 namespace {

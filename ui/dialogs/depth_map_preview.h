@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
-#include <QImage>
 #include <QWidget>
 #include <vector>
 
-#include "core/session/surface.h"
+#include "ui/work/pictures/depth_map_picture.h"
 
 namespace relievo {
-
-/// What a depth map looks like before it is taken: pictures and counts, made once off the GUI
-/// thread.
-struct DepthMapPicture {
-  QImage shaded;            ///< Hillshaded; outside is transparent.
-  QImage mask;              ///< Same size: what was not measured, by colour and pattern.
-  std::vector<int> counts;  ///< Of measured cells by height, from low to high.
-  double low_mm = 0, high_mm = 0;
-  std::array<double, kOriginCount> shares{};
-};
-/// [worker] @throw Cancelled
-DepthMapPicture pictureOf(const Surface& surface, const Task& task = {});
 
 /// Shows a picture, fitted, with the mask over it if asked. [GUI thread]
 class DepthMapPreview : public QWidget {

@@ -4,9 +4,10 @@
 #include <QDialog>
 #include <QSize>
 
-#include "ui/window/main_window.h"
+#include "ui/views/picture_file.h"
 
 class QCheckBox;
+class QComboBox;
 class QLineEdit;
 class QSpinBox;
 

@@ -5,7 +5,7 @@
 #include <QDialog>
 #include <vector>
 
-#include "ui/window/settings.h"
+#include "ui/work/settings.h"
 
 class QFormLayout;
 class QLabel;

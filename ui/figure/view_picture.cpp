@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <QRect>
 #include <vector>
 
 #include "core/base/failure.h"
@@ -13,6 +14,7 @@
 #include "core/provenance/set_mark.h"
 #include "core/relief/relief_image.h"
 #include "core/session/colours/surface_colours.h"
+#include "ui/figure/hand_signs.h"
 #include "ui/figure/picture_libraries.h"
 #include "ui/vtk/files/picture_file.h"
 #include "ui/vtk/offscreen.h"
@@ -40,6 +42,24 @@ Probe probeOf(const DrawnHand& hand) {
   probe.touching = hand.touching;
   probe.forces_on = hand.forces_on;
   return probe;
+}
+
+RgbaImage opaque(const RgbImage& image) {
+  RgbaImage page{image.width, image.height, {}};
+  page.rgba.reserve(image.rgb.size() / 3 * 4);
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+    page.rgba.insert(page.rgba.end(), {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2], 255});
+  }
+  return page;
+}
+
+/// The legend of hand and proxy, which a grey anaglyph tells apart by their shapes alone.
+void addHandLegend(RgbImage& image) {
+  RgbaImage page = opaque(image);
+  paintHandLegend(page, QRect(0, 0, page.width, page.height));
+  for (std::size_t i = 0, k = 0; i < image.rgb.size(); i += 3, k += 4) {
+    std::copy_n(&page.rgba[k], 3, &image.rgb[i]);
+  }
 }
 
 RgbImage draw(const Surface& surface, const RegionWindow& window, const Project& p,
@@ -82,7 +102,9 @@ RgbImage draw(const Surface& surface, const RegionWindow& window, const Project&
   }
   scene.setLines(p.picture->lines);
   if (p.picture->hand) scene.setProbe(probeOf(*p.picture->hand), p.picture->hand->ball_radius_mm);
-  return renderOffscreen(scene, p.picture->width_px, p.picture->height_px, task);
+  RgbImage image = renderOffscreen(scene, p.picture->width_px, p.picture->height_px, task);
+  if (p.picture->hand && p.stereo.mode == StereoMode::anaglyph) addHandLegend(image);
+  return image;
 }
 
 void writePicture(const OutputFile& file, const RgbImage& image, const PictureText& text) {
@@ -90,12 +112,7 @@ void writePicture(const OutputFile& file, const RgbImage& image, const PictureTe
     writePng(file, image, text);
     return;
   }
-  RgbaImage opaque{image.width, image.height, {}};
-  opaque.rgba.reserve(image.rgb.size() / 3 * 4);
-  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
-    opaque.rgba.insert(opaque.rgba.end(), {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2], 255});
-  }
-  writeTiff(file, opaque, kScreenDpi, text);
+  writeTiff(file, opaque(image), kScreenDpi, text);
 }
 
 }  // namespace

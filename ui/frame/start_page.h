@@ -4,7 +4,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "ui/views/relief_picture.h"
+#include "ui/work/pictures/relief_picture.h"
 
 class QBoxLayout;
 class QListWidget;

@@ -8443,6 +8443,62 @@
         <source>Too many tries. A PIN is taken again in %1 s.</source>
         <translation>Zu viele Versuche. In %1 s wird wieder eine PIN angenommen.</translation>
     </message>
+    <message>
+        <source>A map of %1 x %2 samples cannot be exported.</source>
+        <translation>Eine Karte von %1 x %2 Punkten kann nicht exportiert werden.</translation>
+    </message>
+    <message>
+        <source>The map has no height anywhere, so there is nothing to export.</source>
+        <translation>Die Karte hat nirgends eine Höhe; es gibt nichts zu exportieren.</translation>
+    </message>
+    <message>
+        <source>A plate to print needs a thickness above 0.</source>
+        <translation>Eine Platte zum Drucken braucht eine Dicke über 0.</translation>
+    </message>
+    <message>
+        <source>The map has more triangles than an STL file can count. Use fewer cells.</source>
+        <translation>Die Karte hat mehr Dreiecke, als eine STL-Datei zählen kann. Nehmen Sie weniger Zellen.</translation>
+    </message>
+    <message>
+        <source>No four neighbouring cells have a height, so there is no surface to export as glTF. Nothing was written. Choose points (.xyz).</source>
+        <translation>Keine vier benachbarten Zellen haben eine Höhe; es gibt keine Fläche, die als glTF exportiert werden kann. Nichts wurde geschrieben. Wählen Sie Punkte (.xyz).</translation>
+    </message>
+    <message>
+        <source>The mesh has more than the 4 GB that a glTF file can hold. Nothing was written. Export a coarser level or a window.</source>
+        <translation>Das Netz hat mehr als die 4 GB, die eine glTF-Datei fasst. Nichts wurde geschrieben. Exportieren Sie eine gröbere Stufe oder ein Fenster.</translation>
+    </message>
+    <message>
+        <source>Another program cannot be started: no more than %1 files may be open at once here (ulimit -n), and it takes %2. Allow more and try again.</source>
+        <translation>Ein weiteres Programm kann nicht gestartet werden: Hier dürfen höchstens %1 Dateien zugleich offen sein (ulimit -n), und es braucht %2. Erlauben Sie mehr und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Another program cannot be started: %1. Close other programs and try again.</source>
+        <translation>Ein weiteres Programm kann nicht gestartet werden: %1. Schließen Sie andere Programme und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Another program cannot be started: %1. Install relievo again, or give the right to run it.</source>
+        <translation>Ein weiteres Programm kann nicht gestartet werden: %1. Installieren Sie relievo neu, oder geben Sie das Recht, es auszuführen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: a file of this name is there that relievo did not write. It was left as it is. Move it, or choose another name for the result.</source>
+        <translation>%1 kann nicht geschrieben werden: Es gibt eine Datei dieses Namens, die relievo nicht geschrieben hat. Sie blieb, wie sie ist. Verschieben Sie sie, oder wählen Sie einen anderen Namen für das Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is not a readable TIFF. Copy or export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist kein lesbares TIFF. Kopieren oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its heights take %2 MB, and there is less room where they are kept meanwhile. Free some space, or write the result to another disk.</source>
+        <translation>%1 kann nicht gelesen werden: Die Höhen brauchen %2 MB, und wo sie solange liegen, ist weniger Platz. Schaffen Sie Platz, oder schreiben Sie das Ergebnis auf einen anderen Datenträger.</translation>
+    </message>
+    <message>
+        <source>The import cannot keep heights in %1: %2. Write the result to another folder.</source>
+        <translation>Der Import kann in %1 keine Höhen ablegen: %2. Schreiben Sie das Ergebnis in einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds more than %2 points, the limit. Thin it out or cut it into parts first.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei enthält mehr als %2 Punkte; mehr geht nicht. Dünnen Sie sie vorher aus, oder teilen Sie sie.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

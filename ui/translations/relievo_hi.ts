@@ -8443,6 +8443,62 @@
         <source>Too many tries. A PIN is taken again in %1 s.</source>
         <translation>बहुत अधिक प्रयास। %1 s बाद फिर PIN ली जाएगी।</translation>
     </message>
+    <message>
+        <source>A map of %1 x %2 samples cannot be exported.</source>
+        <translation>%1 x %2 नमूनों का नक्शा निर्यात नहीं हो सकता।</translation>
+    </message>
+    <message>
+        <source>The map has no height anywhere, so there is nothing to export.</source>
+        <translation>नक्शे में कहीं कोई ऊँचाई नहीं है, इसलिए निर्यात करने को कुछ नहीं है।</translation>
+    </message>
+    <message>
+        <source>A plate to print needs a thickness above 0.</source>
+        <translation>छापने की प्लेट को 0 से अधिक मोटाई चाहिए।</translation>
+    </message>
+    <message>
+        <source>The map has more triangles than an STL file can count. Use fewer cells.</source>
+        <translation>नक्शे में उससे अधिक त्रिभुज हैं जितने STL फ़ाइल गिन सकती है। कम कोष्ठ लें।</translation>
+    </message>
+    <message>
+        <source>No four neighbouring cells have a height, so there is no surface to export as glTF. Nothing was written. Choose points (.xyz).</source>
+        <translation>किन्हीं चार पड़ोसी कोष्ठों में ऊँचाई नहीं है, इसलिए glTF के रूप में निर्यात करने को कोई सतह नहीं है। कुछ नहीं लिखा गया। बिंदु (.xyz) चुनें।</translation>
+    </message>
+    <message>
+        <source>The mesh has more than the 4 GB that a glTF file can hold. Nothing was written. Export a coarser level or a window.</source>
+        <translation>जाली उन 4 GB से बड़ी है जितना glTF फ़ाइल में समाता है। कुछ नहीं लिखा गया। कोई मोटा स्तर या एक विंडो निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Another program cannot be started: no more than %1 files may be open at once here (ulimit -n), and it takes %2. Allow more and try again.</source>
+        <translation>दूसरा प्रोग्राम शुरू नहीं हो सकता: यहाँ एक साथ %1 से अधिक फ़ाइलें खुली नहीं हो सकतीं (ulimit -n), और उसे %2 चाहिए। अधिक की अनुमति दें और फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>Another program cannot be started: %1. Close other programs and try again.</source>
+        <translation>दूसरा प्रोग्राम शुरू नहीं हो सकता: %1। दूसरे प्रोग्राम बंद करें और फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>Another program cannot be started: %1. Install relievo again, or give the right to run it.</source>
+        <translation>दूसरा प्रोग्राम शुरू नहीं हो सकता: %1। relievo फिर से स्थापित करें, या उसे चलाने का अधिकार दें।</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: a file of this name is there that relievo did not write. It was left as it is. Move it, or choose another name for the result.</source>
+        <translation>%1 लिखी नहीं जा सकती: इस नाम की एक फ़ाइल है जो relievo ने नहीं लिखी। वह जैसी थी वैसी रही। उसे हटाएँ, या परिणाम के लिए दूसरा नाम चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is not a readable TIFF. Copy or export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह पढ़ने योग्य TIFF नहीं है। इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its heights take %2 MB, and there is less room where they are kept meanwhile. Free some space, or write the result to another disk.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसकी ऊँचाइयाँ %2 MB लेती हैं, और जहाँ वे इस बीच रखी जाती हैं वहाँ जगह कम है। जगह खाली करें, या परिणाम दूसरी डिस्क पर लिखें।</translation>
+    </message>
+    <message>
+        <source>The import cannot keep heights in %1: %2. Write the result to another folder.</source>
+        <translation>आयात %1 में ऊँचाइयाँ नहीं रख सकता: %2। परिणाम दूसरे फ़ोल्डर में लिखें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds more than %2 points, the limit. Thin it out or cut it into parts first.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें %2 से अधिक बिंदु हैं, जो सीमा है। पहले इसे विरल करें या भागों में बाँटें।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

@@ -76,7 +76,7 @@ class Stopwatch {
 
 constexpr std::array<FigureEye, 2> kEyes{FigureEye::left, FigureEye::right};
 
-/// A video that is being written, and whose pictures it has.
+/// A video that is being written, and which eye's pictures it has.
 struct Packed {
   FigureEye eye;
   std::unique_ptr<VideoFile> file;
@@ -96,7 +96,7 @@ Packed begin(OutputSet& set, const VideoRequest& request, const std::string& sta
                                              .title = file.stem().string()})};
 }
 
-/// Where the disk is full, what was whole stays.
+/// Earlier files stay whole where the disk is full.
 template <class Work>
 void keepingWhole(OutputSet& set, const VideoFile& file, const Work& work) {
   try {

@@ -14,6 +14,8 @@
 
 namespace relievo {
 
+enum class ImageSource { reference, detail, window };
+
 /// A picture to be saved; shared values, so that the window may go on. `project.picture` says which
 /// one: the detail view's is made of surface and window, as `relievo render` does.
 struct PictureOrder {

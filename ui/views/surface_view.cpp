@@ -26,9 +26,9 @@
 #include "ui/views/overlays/cell_legend.h"
 #include "ui/views/overlays/colour_bar.h"
 #include "ui/views/overlays/grid_painter.h"
-#include "ui/views/render_scheduler.h"
 #include "ui/vtk/scale_length.h"
 #include "ui/vtk/shader_warmup.h"
+#include "ui/work/scheduling/render_scheduler.h"
 
 namespace relievo {
 namespace {

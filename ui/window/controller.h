@@ -5,9 +5,9 @@
 #include <QWidget>
 
 #include "ui/window/command_table.h"
-#include "ui/window/settings.h"
 #include "ui/window/window_messages.h"
 #include "ui/work/document.h"
+#include "ui/work/settings.h"
 
 namespace relievo {
 

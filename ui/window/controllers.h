@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ui/control/export_controller.h"
 #include "ui/control/foreign_files.h"
 #include "ui/control/look_controller.h"
 #include "ui/control/measure_controller.h"
 #include "ui/control/open_controller.h"
-#include "ui/control/package_controller.h"
-#include "ui/control/picture_controller.h"
+#include "ui/control/output/export_controller.h"
+#include "ui/control/output/package_controller.h"
+#include "ui/control/output/picture_controller.h"
+#include "ui/control/output/save_controller.h"
+#include "ui/control/output/video_controller.h"
 #include "ui/control/place_controller.h"
 #include "ui/control/pointer_controller.h"
 #include "ui/control/question_controller.h"
+#include "ui/control/recordings_end.h"
 #include "ui/control/replay_controller.h"
-#include "ui/control/save_controller.h"
 #include "ui/control/study_controller.h"
 #include "ui/control/surface_controller.h"
 #include "ui/control/touch_controller.h"
-#include "ui/control/video_controller.h"
-#include "ui/work/recordings_end.h"
 
 namespace relievo {
 

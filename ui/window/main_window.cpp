@@ -113,7 +113,7 @@ void MainWindow::layOut() {
   column->addWidget(pages_, 1);
   start_ = new StartPage(pages_);
   pages_->addWidget(start_);
-  area_ = new WorkArea(document_, quiet_turns_, pages_);
+  area_ = new WorkArea(document_, render_scheduler_, pages_);
   pages_->addWidget(area_);
   first_view_ = new FirstViewCard(document_, pages_);
   setCentralWidget(centre);
@@ -246,7 +246,7 @@ void MainWindow::closeDocument(const QString& read) {
     c.opening.forgetState();
     c.touch.forgetProbe();
     document_.close();
-    c.saving.keeper().forget();
+    c.saving.autosave().forget();
     for (const StatusField field :
          {StatusField::position, StatusField::origin, StatusField::detail, StatusField::force}) {
       messages_->set(field, {});

@@ -6,8 +6,8 @@
 
 #include "ui/style/input_event_filter.h"
 #include "ui/style/palette.h"
-#include "ui/views/render_scheduler.h"
 #include "ui/window/controllers.h"
+#include "ui/work/scheduling/render_scheduler.h"
 
 class QComboBox;
 class QStackedWidget;
@@ -117,14 +117,12 @@ class MainWindow : public QMainWindow {
   void makeDetailChoice();
   void showRecent();
   void enableCommands();
-  void showManual(const QWidget* about);
-  void showAbout();
 
   Settings settings_;
   Document document_;
   CommandTable commands_{*this};
-  InputEventFilter field_manners_{this};
-  RenderScheduler quiet_turns_;  ///< Before the views, which are children and go first.
+  InputEventFilter input_filter_{this};
+  RenderScheduler render_scheduler_;  ///< Before the views, which are children and go first.
   /// The window hears of its parts while this lives.
   std::unique_ptr<QObject> hearing_ = std::make_unique<QObject>();
   StatusFields* status_ = nullptr;

@@ -28,6 +28,31 @@
 #include "ui/work/file_names.h"
 
 namespace relievo {
+namespace {
+
+void showManual(const QWidget* about, WindowMessages& messages) {
+  const ManualOpening manual =
+      openManual(manualTopic(about), manualFolders(), &QDesktopServices::openUrl);
+  if (manual.opened) {
+    messages.announce(manual.sentence);
+  } else {
+    messages.show(manual.sentence);
+  }
+}
+
+void showAbout(QWidget* window) {
+  auto* box = new QMessageBox(
+      QMessageBox::NoIcon, MainWindow::tr("About relievo"),
+      MainWindow::tr("<b>relievo %1</b><br>See and touch scans of reliefs: a depth map, its "
+                     "pyramid, and a window "
+                     "on it that is shown in stereo and felt.<br><br>BSD-3-Clause licence.")
+          .arg(QStringLiteral(RELIEVO_VERSION_STRING)),
+      QMessageBox::Close, window);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
+}  // namespace
 
 void MainWindow::makeCommands() {
   commands_.on(Command::close, this, [this] { closeDocument(messages_->shown()); });
@@ -45,9 +70,9 @@ void MainWindow::makeCommands() {
     search->show();
   });
   // At the page about what the keyboard is in.
-  commands_.on(Command::manual, this, [this] { showManual(focusWidget()); });
-  new ManualKey([this](const QWidget* about) { showManual(about); }, this);
-  commands_.on(Command::about, this, [this] { showAbout(); });
+  commands_.on(Command::manual, this, [this] { showManual(focusWidget(), *messages_); });
+  new ManualKey([this](const QWidget* about) { showManual(about, *messages_); }, this);
+  commands_.on(Command::about, this, [this] { showAbout(this); });
   constexpr std::size_t kThemes = 4;
   const int chosen = settings_.choice(QStringLiteral("theme"), 0).toInt();
   for (std::size_t i = 0; i < kThemes; ++i) {
@@ -79,16 +104,6 @@ void MainWindow::makeCommands() {
   });
   commands_.on(Command::next_part, this, [this] { focusNextPart(1); });
   commands_.on(Command::previous_part, this, [this] { focusNextPart(-1); });
-}
-
-void MainWindow::showManual(const QWidget* about) {
-  const ManualOpening manual =
-      openManual(manualTopic(about), manualFolders(), &QDesktopServices::openUrl);
-  if (manual.opened) {
-    messages_->announce(manual.sentence);
-  } else {
-    messages_->show(manual.sentence);
-  }
 }
 
 void MainWindow::makeMenus() {
@@ -213,18 +228,6 @@ void MainWindow::enableCommands() {
   const std::string& engine = document_.surface()->engine;
   commands_[Command::engine_cpu].setChecked(engine == "cpu");
   commands_[Command::engine_depthbuffer].setChecked(engine == "depthbuffer");
-}
-
-void MainWindow::showAbout() {
-  auto* box =
-      new QMessageBox(QMessageBox::NoIcon, tr("About relievo"),
-                      tr("<b>relievo %1</b><br>See and touch scans of reliefs: a depth map, its "
-                         "pyramid, and a window "
-                         "on it that is shown in stereo and felt.<br><br>BSD-3-Clause licence.")
-                          .arg(QStringLiteral(RELIEVO_VERSION_STRING)),
-                      QMessageBox::Close, this);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->open();
 }
 
 void MainWindow::addPanel(const QString& title, QWidget* panel) {

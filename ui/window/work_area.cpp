@@ -24,8 +24,8 @@
 #include "ui/style/text.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"
-#include "ui/window/settings.h"
 #include "ui/work/document.h"
+#include "ui/work/settings.h"
 
 namespace relievo {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "core/base/error.h"
 #include "ui/language/error_text.h"
-#include "ui/views/event_turn.h"
+#include "ui/work/scheduling/event_turn.h"
 
 namespace relievo {
 namespace {

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "core/base/task.h"
-#include "ui/views/render_scheduler.h"
+#include "ui/work/scheduling/render_scheduler.h"
 
 class QWidget;
 

@@ -6,8 +6,8 @@
 #include "core/io/import.h"
 #include "core/provenance/sha256.h"
 #include "core/session/source/unit_guess.h"
-#include "ui/dialogs/depth_map_preview.h"
-#include "ui/views/relief_picture.h"
+#include "ui/work/pictures/depth_map_picture.h"
+#include "ui/work/pictures/relief_picture.h"
 
 namespace relievo {
 namespace {

@@ -16,7 +16,7 @@ namespace {
 
 // Points scattered by chance leave a circle of this radius, in their spacing, free once in 280 000.
 constexpr float kVoidRadius = 2;
-// What is narrower than a spacing may be longer: the same room, and no point could be in it.
+// A void narrower than a spacing may be longer: it has the same area, and no point fits into it.
 constexpr float kNarrow = 0.25F;  // Of the widest void.
 constexpr float kLonger = 1.5F;
 constexpr int kMostSteps = 64;       // Pixels that are looked at in one direction.

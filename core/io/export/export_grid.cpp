@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/output_set.h"
 #include "core/io/export/export_file.h"
 #include "core/io/formats/unit_text.h"
@@ -28,13 +29,12 @@ void check(const ExportGrid& grid) {
   const std::size_t count = grid.size.count();
   if (grid.size.cols < 2 || grid.size.rows < 2 || grid.heights.size() != count ||
       grid.origins.size() != count || (!grid.colours.empty() && grid.colours.size() != count)) {
-    throw ArgumentError("A map of " + std::to_string(grid.size.cols) + " x " +
-                        std::to_string(grid.size.rows) + " samples cannot be exported.");
+    throw failure<MessageId::export_of_no_map>(grid.size.cols, grid.size.rows);
   }
   for (std::size_t i = 0; i < count; ++i) {
     if (grid.holds(i)) return;
   }
-  throw ArgumentError("The map has no height anywhere, so there is nothing to export.");
+  throw failure<MessageId::export_without_heights>();
 }
 
 }  // namespace
@@ -374,12 +374,12 @@ class StlPlate {
 
 void writeStlPlate(const std::filesystem::path& file, const ExportGrid& grid, double plate) {
   if (!(plate > 0) || !std::isfinite(plate)) {
-    throw ArgumentError("A plate to print needs a thickness above 0.");
+    throw failure<MessageId::export_plate_too_thin>();
   }
   const double most =
       2.0 * grid.size.cols * grid.size.rows + 6.0 * (grid.size.cols + grid.size.rows);
   if (most > 4e9) {
-    throw ArgumentError("The map has more triangles than an STL file can count. Use fewer cells.");
+    throw failure<MessageId::export_stl_too_large>();
   }
   const StlPlate solid(grid, plate);
   ExportFile out(file);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/unit.h"
 #include "core/io/export/export_file.h"
 #include "core/io/export/export_grid.h"
@@ -176,9 +177,7 @@ Mesh meshOf(const ExportGrid& grid, const Axes& axes, const Task& task) {
   std::uint32_t count = 0;
   mesh.triangles = trianglesBetween(grid, vertexNumbers(grid, count));
   if (mesh.triangles.empty()) {
-    throw ArgumentError(
-        "No four neighbouring cells have a height, so there is no surface to export as glTF. "
-        "Nothing was written. Choose points (.xyz).");
+    throw failure<MessageId::export_gltf_without_surface>();
   }
   mesh.places.reserve(count);
   for (int row = 0; row < grid.size.rows; ++row) {
@@ -204,9 +203,7 @@ void writeGltf(const std::filesystem::path& file, const ExportGrid& grid, const 
   const std::string json = jsonOf(mesh, grid, axes);
   const std::uint64_t bytes = 12 + 8 + json.size() + 8 + mesh.bytes();
   if (bytes > std::numeric_limits<std::uint32_t>::max()) {
-    throw ArgumentError(
-        "The mesh has more than the 4 GB that a glTF file can hold. Nothing was written. Export a "
-        "coarser level or a window.");
+    throw failure<MessageId::export_gltf_too_large>();
   }
   task.check();
   ExportFile out(file);

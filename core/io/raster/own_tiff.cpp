@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/raster/raster.h"
 #include "core/io/raster/tiff_head.h"
 
@@ -25,9 +26,7 @@ void requireOwnOrAbsent(const std::filesystem::path& file) {
   std::error_code unknown;
   const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file, unknown));
   if (!is_there || isOwnTiff(file)) return;
-  throw WriteError("Cannot write " + file.string() +
-                   ": a file of this name is there that relievo did not write. It was left as it "
-                   "is. Move it, or choose another name for the result.");
+  throw failure<MessageId::file_is_of_another_program>(file);
 }
 
 }  // namespace relievo

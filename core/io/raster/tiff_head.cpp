@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/owned_fd.h"
 #include "core/io/file_check.h"
 #include "core/io/worker/reader_guard.h"
@@ -266,8 +267,7 @@ std::optional<TiffHead> readTiffHead(const std::filesystem::path& file) {
 std::optional<std::string> descriptionIn(const std::optional<TiffHead>& head,
                                          const std::filesystem::path& file) {
   if (!head) {
-    throw FileError("Cannot read " + shownName(file) +
-                    ": it is not a readable TIFF. Copy or export it again.");
+    throw failure<MessageId::file_is_no_tiff>(shownName(file));
   }
   const auto state = head->facts.find("TIFFTAG_IMAGEDESCRIPTION");
   if (state == head->facts.end()) return std::nullopt;

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/large_pages.h"
 #include "core/io/file_check.h"
 #include "core/io/worker/answer_text.h"
@@ -366,10 +367,8 @@ void RasterAnswer::begin(const RasterHead& head, bool has_origins) {
   const int error = ::posix_fallocate(fd_, 0, static_cast<off_t>(bytes));
   if (error == EFBIG) refuseLength();
   if (error != ENOSPC) return;
-  throw FileError("Cannot read " + shownName(head.info.file) + ": its heights take " +
-                  grouped((bytes >> 20U) + 1) +
-                  " MB, and there is less room where they are kept meanwhile. Free some space, or "
-                  "write the result to another disk.");
+  throw failure<MessageId::heights_lack_room>(shownName(head.info.file),
+                                              CountArgument::grouped((bytes >> 20U) + 1));
 }
 
 RasterSink RasterAnswer::sink() {

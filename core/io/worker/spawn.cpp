@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/formats/lines.h"
 
 namespace relievo {
@@ -26,15 +27,11 @@ constexpr rlim_t kFilesNeeded = 64;
 [[noreturn]] void refuseSpawn(int error) {
   rlimit files{};
   if (::getrlimit(RLIMIT_NOFILE, &files) == 0 && files.rlim_cur < kFilesNeeded) {
-    throw FileError("Another program cannot be started: no more than " +
-                    std::to_string(files.rlim_cur) +
-                    " files may be open at once here (ulimit -n), and it takes " +
-                    std::to_string(kFilesNeeded) + ". Allow more and try again.");
+    throw failure<MessageId::program_lacks_files>(files.rlim_cur, kFilesNeeded);
   }
   const bool lacks_room = error == EAGAIN || error == ENOMEM || error == EMFILE || error == ENFILE;
-  throw FileError(std::string("Another program cannot be started: ") + std::strerror(error) +
-                  (lacks_room ? ". Close other programs and try again."
-                              : ". Install relievo again, or give the right to run it."));
+  if (lacks_room) throw failure<MessageId::program_lacks_room>(std::strerror(error));
+  throw failure<MessageId::program_cannot_start>(std::strerror(error));
 }
 
 class SpawnSettings {

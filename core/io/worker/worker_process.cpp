@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/own_program.h"
 #include "core/file/unnamed_file.h"
 #include "core/io/file_check.h"
@@ -29,8 +30,7 @@ OwnedFd answerFile(const std::filesystem::path& folder) {
   if (folder.empty()) return OwnedFd(raised(::memfd_create("relievo-import", MFD_CLOEXEC)));
   const OwnedFd file = unnamedFile(folder);
   if (file.get() < 0) {
-    throw FileError("The import cannot keep heights in " + printable(folder.string()) + ": " +
-                    std::strerror(errno) + ". Write the result to another folder.");
+    throw failure<MessageId::heights_not_kept>(printable(folder.string()), std::strerror(errno));
   }
   return OwnedFd(raised(::fcntl(file.get(), F_DUPFD_CLOEXEC, 0)));
 }

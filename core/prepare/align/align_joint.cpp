@@ -111,7 +111,7 @@ class Together {
   Eigen::Index count_ = 0;
 };
 
-/// Does a pair hold so loosely that every point counts?
+/// Whether a pair holds so loosely that all points have to be used.
 bool isLoose(const Link& link) {
   return link.fit.judgement.stability < kLooseStability;
 }

@@ -42,7 +42,8 @@ std::function<bool(const FilePoint&)> insideOf(const AxisBox& box,
   };
 }
 
-/// The box tells of nearly every file that there is nothing to look for.
+/// A height that most likely stands for none. For nearly every file the bounding box alone shows
+/// that there is none, and its points are not read.
 std::optional<SuspectHeight> suspectIn(const PointSource& source, const SourceBounds& bounds) {
   const FileBounds& box = bounds.file;
   if (!isUsualNodata(box.min.z) && !isUsualNodata(box.max.z)) return std::nullopt;

@@ -44,7 +44,7 @@ Heads headsOf(const std::vector<Path>& files) {
   return heads;
 }
 
-/// Does a file say the same of itself as another? @param names  of facts
+/// Whether two files state the same. @param names  the facts that are compared
 bool agree(const TileRaster& one, const TileRaster& other, std::span<const char* const> names) {
   return std::all_of(names.begin(), names.end(), [&](const char* const name) {
     return textOf(one.facts(), name) == textOf(other.facts(), name);
@@ -55,7 +55,7 @@ constexpr const char* kLevelNumberFact = "RELIEVO_LEVEL";
 constexpr std::array kOfALevel{kSetFact, kLevelNumberFact};
 
 /// A file of pixels that belongs to a level; null if there is none.
-/// @param heights  the level's @throw FileError  it is none that can be read, or of another map
+/// @param heights  the level's @throw FileError  it cannot be read, or is of another map
 std::unique_ptr<TileRaster> pixelFile(const Path& file, int bands, const TileRaster& heights,
                                       const Heads& heads) {
   const auto head = heads.find(file);
@@ -67,7 +67,7 @@ std::unique_ptr<TileRaster> pixelFile(const Path& file, int bands, const TileRas
   return raster;
 }
 
-/// Bands of one byte as pixels. @param bands  one after the other
+/// Joins bands of one byte to pixels. @param bands  one after the other
 std::vector<std::byte> interleaved(std::span<const std::byte> bands, std::size_t count) {
   const std::size_t cells = bands.size() / count;
   std::vector<std::byte> pixels(bands.size());
@@ -150,7 +150,7 @@ void MapFiles::openCoarser(const Path& finest, int count) {
   }
 }
 
-/// What nobody can see without reading every tile.
+/// Facts that can otherwise be known only by reading every tile.
 void MapFiles::takeWhole(const Path& finest) {
   const RasterFacts& facts = levels_[0]->heights.facts();
   const auto [low, high] = numbersOf<2>(facts, "RELIEVO_HEIGHTS", finest);

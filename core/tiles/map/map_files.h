@@ -13,7 +13,7 @@
 
 namespace relievo {
 
-/// A file is no part of a tiled map that can be read. @throw FileError
+/// Says why a file is not a readable part of a tiled map. @throw FileError  always
 [[noreturn]] void refuseMap(const std::filesystem::path& file, Message why);
 
 /// The tiles of a map whose levels lie in files beside each other (core/tiles/level_files.h).
@@ -28,14 +28,14 @@ class MapFiles {
   MapFiles& operator=(const MapFiles&) = delete;
 
   const TiledFacts& facts() const noexcept { return facts_; }
-  /// In words, if there are colours that belong to another map; else empty.
+  /// Why colours beside the map are not used, because they belong to another map; else empty.
   const std::string& coloursLeftAside() const noexcept { return left_aside_; }
   bool has(TilePart part) const noexcept;
   /// What lies beside the finest level and belongs to it: origins, coarser levels and theirs.
   std::vector<std::filesystem::path> otherFiles() const;
   /// The file that a level's heights or origins lie in. @pre the level exists
   const std::filesystem::path& fileOf(int level, TilePart part) const noexcept;
-  /// As it lies in the file; pixels with their bands beside each other.
+  /// A tile with the bytes of the file; the bands of a pixel stand beside each other.
   /// @pre the map has the part, and the level the tile @throw FileError
   std::vector<std::byte> read(int level, TilePart part, int tile) const;
 

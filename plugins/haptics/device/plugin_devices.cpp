@@ -20,7 +20,7 @@ bool isReady(const auto& future) {
   return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }
 
-/// In a session that only listens, beside the one that may drive. [worker]
+/// Asks in a session that only listens, beside the one that may drive the device. [worker]
 std::vector<PluginDevice> seenByHaply(const Task& task) {
   std::vector<PluginDevice> devices;
   if (!haply::isServiceThere()) return devices;

@@ -18,7 +18,7 @@ namespace foreign {
 class ForeignDevice;
 }
 
-/// One that had to be asked for: by a trusted plug-in for devices, or by Haply's service.
+/// A device that a trusted plug-in for devices or Haply's service has told of.
 struct PluginDevice {
   QString id, name;  ///< As makeDevice() takes it; for people.
 };

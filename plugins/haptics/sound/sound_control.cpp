@@ -77,22 +77,22 @@ void SoundControl::changeVolume(int percent) {
 }
 
 void SoundControl::applySettings(Tell tell) {
-  const SoundSettings& wished = parts_.settings.sound;
+  const SoundSettings& requested = parts_.settings.sound;
   QAction* const action = parts_.actions.sound;
   const bool was_on = action->isChecked();
-  if (was_on != wished.on) {
+  if (was_on != requested.on) {
     const QSignalBlocker blocker(action);
-    action->setChecked(wished.on);
+    action->setChecked(requested.on);
   }
-  if (live_) live_->setVolume(wished.volume_percent);
-  if (wished.on == is_on_) return;
-  is_on_ = wished.on;
+  if (live_) live_->setVolume(requested.volume_percent);
+  if (requested.on == is_on_) return;
+  is_on_ = requested.on;
   is_refused_ = false;
   if (tell == Tell::yes) {
-    parts_.host.messages.announce(wished.on ? tr("Sounds of touch on.")
-                                            : tr("Sounds of touch off."));
+    parts_.host.messages.announce(requested.on ? tr("Sounds of touch on.")
+                                               : tr("Sounds of touch off."));
   }
-  if (wished.on) {
+  if (requested.on) {
     begin();
   } else {
     leave();

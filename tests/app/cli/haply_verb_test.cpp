@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "tests/app/command_test.h"
-#include "tests/emulator/inverse_service.h"
+#include "tests/emulator/haply/inverse_service.h"
 
 namespace relievo {
 namespace {

@@ -49,8 +49,8 @@ HapticSample sampleAt(int tick) {
   return s;
 }
 
-/// A loop and a server's clock beside each other: frames that are asked for in blocks, and samples
-/// that are there by then.
+/// Runs a loop and a server's clock beside each other: the server asks for frames in blocks, and
+/// the loop has given the samples up to then.
 class Stage {
  public:
   explicit Stage(double frames_per_s = kSampleRateHz) : frames_per_s_(frames_per_s) {
@@ -232,7 +232,7 @@ TEST(LiveSound, AProblemIsWhatSoundsAsOneInARecording) {
   }
 }
 
-/// Nobody answers there, or somebody who says nothing.
+/// A socket at which nobody answers, or at which somebody is connected and silent.
 class NoServer : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -144,7 +144,8 @@ TEST(FrontSurface, AVoidClosesFromRimToRim) {
   }
 }
 
-/// Is a gap of so many pixels in a front 40 mm above its back closed? A spacing is four pixels.
+/// Whether a gap of so many pixels in a front 40 mm above its back is closed. A spacing is four
+/// pixels.
 bool isClosed(int cols, int rows) {
   constexpr GridSize size{.cols = 80, .rows = 80};
   constexpr FrontPiece front{.z = 50, .tolerance = 1.4F, .spacing = 1};

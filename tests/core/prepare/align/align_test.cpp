@@ -215,18 +215,24 @@ TEST(Align, AnotherObjectIsRefused) {
   EXPECT_THAT(englishText(verdict.words), HasSubstr("Not aligned"));
 }
 
-TEST(Align, FourPartsCloseTheirLoop) {
-  const MadeObject object = gargoyle();
+/// Four quarters of an object, each moved elsewhere; every second one has half the points.
+std::vector<Part> fourQuarters(const MadeObject& object, std::size_t points, std::uint64_t seed) {
   std::vector<Part> parts;
   for (int n = 0; n < 4; ++n) {
     const Pose away = n == 0 ? Pose{} : motion(25.0 * n, {1, 0.5, 0.2 * n}, {30.0 * n, 10, -20});
     parts.push_back(makePart(object, {quarter(object, n),
-                                      n % 2 == 0 ? 16000U : 8000U,
+                                      n % 2 == 0 ? points : points / 2,
                                       0.05,
                                       away,
                                       {},
-                                      30 + static_cast<std::uint64_t>(n)}));
+                                      seed + static_cast<std::uint64_t>(n)}));
   }
+  return parts;
+}
+
+TEST(Align, FourPartsCloseTheirLoop) {
+  const MadeObject object = gargoyle();
+  const std::vector<Part> parts = fourQuarters(object, 16000, 30);
   const AlignAnswer answer = alignScans(byPicks(object, parts), scansOf(parts), {});
   expectRight(answer, parts);
   ASSERT_EQ(answer.loops.size(), 1U);
@@ -237,16 +243,7 @@ TEST(Align, FourPartsCloseTheirLoop) {
 
 TEST(Align, FourPartsOfASlenderFigureLieAsNearAsAllTheirPointsTell) {
   const MadeObject object = column();
-  std::vector<Part> parts;
-  for (int n = 0; n < 4; ++n) {
-    const Pose away = n == 0 ? Pose{} : motion(25.0 * n, {1, 0.5, 0.2 * n}, {30.0 * n, 10, -20});
-    parts.push_back(makePart(object, {quarter(object, n),
-                                      n % 2 == 0 ? 20000U : 10000U,
-                                      0.05,
-                                      away,
-                                      {},
-                                      20 + static_cast<std::uint64_t>(n)}));
-  }
+  const std::vector<Part> parts = fourQuarters(object, 20000, 20);
   const AlignAnswer answer = alignScans(byPicks(object, parts), scansOf(parts), {});
   for (std::size_t s = 1; s < parts.size(); ++s) {
     ASSERT_TRUE(answer.scans[s].holds) << englishText(answer.scans[s].words);

@@ -12,7 +12,7 @@
 
 #include "haptics/device/haply/link.h"
 #include "haptics/device/haply/link_status.h"
-#include "tests/emulator/haply_in_process.h"
+#include "tests/emulator/haply/haply_in_process.h"
 
 namespace relievo::haply {
 

@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "haptics/device/haply/haply_device.h"
-#include "tests/emulator/haply_in_process.h"
+#include "tests/emulator/haply/haply_in_process.h"
 
 namespace relievo::haply {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/control/picture_controller.h"
+#include "ui/control/output/picture_controller.h"
 
 #include <memory>
 #include <optional>

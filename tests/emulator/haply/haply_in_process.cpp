@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/emulator/haply_in_process.h"
+#include "tests/emulator/haply/haply_in_process.h"
 
 #include <algorithm>
 #include <utility>

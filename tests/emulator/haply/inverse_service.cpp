@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/emulator/inverse_service.h"
+#include "tests/emulator/haply/inverse_service.h"
 
 #include <utility>  // Before Boost 1.74, whose awaitable.hpp needs it in C++20.
 

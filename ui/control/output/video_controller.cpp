@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/control/video_controller.h"
+#include "ui/control/output/video_controller.h"
 
 #include <algorithm>
 #include <array>

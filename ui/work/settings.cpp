@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/window/settings.h"
+#include "ui/work/settings.h"
 
 #include <QDir>
 #include <QFileInfo>

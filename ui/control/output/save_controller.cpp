@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/control/save_controller.h"
+#include "ui/control/output/save_controller.h"
 
 #include <QCoreApplication>
 #include <QDeadlineTimer>
@@ -14,14 +14,14 @@
 
 #include "core/base/error.h"
 #include "core/project/project_files.h"
-#include "ui/control/export_controller.h"
-#include "ui/control/package_controller.h"
-#include "ui/control/picture_controller.h"
-#include "ui/control/video_controller.h"
+#include "ui/control/output/export_controller.h"
+#include "ui/control/output/package_controller.h"
+#include "ui/control/output/picture_controller.h"
+#include "ui/control/output/video_controller.h"
 #include "ui/language/core_text.h"
 #include "ui/language/error_text.h"
-#include "ui/views/event_turn.h"
 #include "ui/work/file_names.h"
+#include "ui/work/scheduling/event_turn.h"
 
 namespace relievo {
 namespace {
@@ -36,16 +36,16 @@ constexpr int kPatienceMs = 5000, kTurnMs = 20;
 
 SaveController::SaveController(const ControllerParts& parts)
     : Controller(parts),
-      keeper_(settings_.choice(QStringLiteral("keep_work"), true).toBool()
-                  ? settings_.stateFolder(QStringLiteral("autosave"))
-                  : QString(),
-              [this] { return autosavedProject(); }) {
+      autosave_(settings_.choice(QStringLiteral("keep_work"), true).toBool()
+                    ? settings_.stateFolder(QStringLiteral("autosave"))
+                    : QString(),
+                [this] { return autosavedProject(); }) {
   commands_.on(Command::save_project, this, [this] { saveNow(); });
   commands_.on(Command::save_project_as, this, [this] { saveAs(); });
   connect(&messages_, &WindowMessages::cancelAsked, this, &SaveController::stayOpen);
   connect(&document_, &Document::amended, this, &SaveController::keepWork);
   connect(&document_.history(), &QUndoStack::indexChanged, this, &SaveController::keepWork);
-  connect(&keeper_, &AutosaveController::failed, &messages_,
+  connect(&autosave_, &AutosaveController::failed, &messages_,
           [this](const QString& text) { messages_.show(text); });
 }
 
@@ -125,7 +125,7 @@ void SaveController::restart() {
 
 void SaveController::endAtOnce() {
   if (std::exchange(ends_at_once_, true)) return;
-  if (document_.saved().hasUnsaved()) keeper_.leave();
+  if (document_.saved().hasUnsaved()) autosave_.leave();
   if (writers_) {
     VideoControl& video = writers_->videos.control();
     video.cancel();
@@ -198,7 +198,7 @@ void SaveController::save(const QString& file) {
     writeProject(pathOf(file), document_.stored());
     document_.saved().noteSaved(file);
     showTitle();
-    keeper_.forget();
+    autosave_.forget();
     settings_.addRecentFile(file);
     Q_EMIT saved(file);
     announce(tr("%1 is saved").arg(shownName(file)));
@@ -216,7 +216,7 @@ Project SaveController::autosavedProject() const {
 
 void SaveController::keepWork() {
   if (!document_.isOpen()) return;
-  keeper_.changed();
+  autosave_.changed();
   if (std::exchange(title_due_, true)) return;
   constexpr int kTitleMs = 200;  // Of many changes in a row the title tells the last.
   QTimer::singleShot(kTitleMs, this, [this] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/control/package_controller.h"
+#include "ui/control/output/package_controller.h"
 
 #include <algorithm>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/views/render_scheduler.h"
+#include "ui/work/scheduling/render_scheduler.h"
 
 #include <gtest/gtest.h>
 #include <memory>

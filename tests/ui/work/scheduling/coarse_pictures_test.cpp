@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Half as many pixels each way while somebody drags faster than whole pictures come.
-#include "ui/views/coarse_pictures.h"
+#include "ui/work/scheduling/coarse_pictures.h"
 
 #include <gtest/gtest.h>
 #include <QVTKOpenGLNativeWidget.h>

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "tests/emulator/inverse_service.h"
+#include "tests/emulator/haply/inverse_service.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "tests/emulator/haply_world.h"
+#include "tests/emulator/haply/haply_world.h"
 
 namespace relievo::emulator {
 

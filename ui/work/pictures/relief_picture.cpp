@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/views/relief_picture.h"
+#include "ui/work/pictures/relief_picture.h"
 
 #include <algorithm>
 #include <QCryptographicHash>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/work/recordings_end.h"
+#include "ui/control/recordings_end.h"
 
 #include <QAction>
 #include <utility>

@@ -8,7 +8,7 @@
 #include <QObject>
 #include <QPointer>
 
-#include "ui/views/coarse_pictures.h"
+#include "ui/work/scheduling/coarse_pictures.h"
 
 namespace relievo {
 

@@ -34,7 +34,7 @@ class SaveController : public Controller {
   void whenNothingIsUnsaved(const std::function<void()>& then);
   /// Which project or scan, and whether a file holds all of the work.
   void showTitle();
-  AutosaveController& keeper() { return keeper_; }
+  AutosaveController& autosave() { return autosave_; }
 
   /// Nobody waits for the end any more; the next close asks again what it has to ask.
   void stayOpen() { closes_when_saved_ = closes_anyway_ = false; }
@@ -67,7 +67,7 @@ class SaveController : public Controller {
   bool closes_when_saved_ = false;
   bool ends_at_once_ = false;
   bool title_due_ = false;
-  AutosaveController keeper_;
+  AutosaveController autosave_;
 };
 
 }  // namespace relievo

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "haptics/device/haply/port.h"
-#include "tests/emulator/haply_world.h"
+#include "tests/emulator/haply/haply_world.h"
 
 namespace relievo::emulator {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "tests/emulator/haply_world.h"
+#include "tests/emulator/haply/haply_world.h"
 
 #include <algorithm>
 #include <cmath>

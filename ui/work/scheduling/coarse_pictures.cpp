@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/views/coarse_pictures.h"
+#include "ui/work/scheduling/coarse_pictures.h"
 
 #include <algorithm>
 

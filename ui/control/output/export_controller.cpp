@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/control/export_controller.h"
+#include "ui/control/output/export_controller.h"
 
 #include <memory>
 #include <QFile>
@@ -10,7 +10,7 @@
 #include "core/io/raster/raster.h"
 #include "core/project/project_files.h"
 #include "core/provenance/provenance.h"
-#include "ui/control/picture_controller.h"
+#include "ui/control/output/picture_controller.h"
 #include "ui/dialogs/export_dialog.h"
 #include "ui/language/error_text.h"
 #include "ui/panels/measure_panel.h"

@@ -13,8 +13,6 @@ class DetailView;
 class ForeignFiles;
 class ReferenceView;
 
-enum class ImageSource { reference, detail, window };
-
 /// Pictures of the views and of the window, and figures for print. [GUI thread]
 class PictureController : public Controller {
   Q_OBJECT
