@@ -106,6 +106,9 @@ void HapticsPlugin::takePanelSettings() {
   TouchSettings settings = parts_->panel->settings();
   settings.window_silence_s = settings_.window_silence_s;
   settings.bound_by_rate = settings_.bound_by_rate;
+  settings.limit_n = settings_.limit_n;
+  settings.introduction_shapes = settings_.introduction_shapes;
+  settings.guide_rounds = settings_.guide_rounds;
   settings_ = settings;
   if (settings_.device != device_->opened()) requested_device_ = settings_.device;
   device_->useSettings();
@@ -244,6 +247,7 @@ void HapticsPlugin::slowReadouts(bool with_status) {
 // Its numbers change with every look, and each change is a picture of the window.
 void HapticsPlugin::tellStatus(const LoopReport& report) {
   TouchStatus status;
+  status.state = device_->stateOf(report.sample.fault);
   status.device = report.device;
   status.rate_hz = report.stats.rate_hz;
   status.worst_period_ms = report.stats.worst_period_ms;

@@ -8068,10 +8068,6 @@
         <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächster Ort. Minus: voriger Ort. Vorwärts: fertig; lang: am Umriss entlangführen. Mitte: zurück; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
     </message>
     <message>
-        <source>One button. Press: I offer where am I, finer, coarser, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
-        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, verschieben, führen, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
-    </message>
-    <message>
         <source>Gamepads that are no HID devices cannot be used: this program was built without the system&apos;s header linux/input.h.</source>
         <translation>Gamepads, die keine HID-Geräte sind, können nicht benutzt werden: Dieses Programm wurde ohne die Kopfdatei linux/input.h des Systems gebaut.</translation>
     </message>
@@ -8412,10 +8408,6 @@
         <translation>Minus gehalten: das ganze Relief, dann andere Objekte.</translation>
     </message>
     <message>
-        <source>Plus and Minus held together: louder, softer, again.</source>
-        <translation>Plus und Minus zusammen gehalten: lauter, leiser, noch einmal.</translation>
-    </message>
-    <message>
         <source>Are you still there? Press any button, or I will stop.</source>
         <translation>Sind Sie noch da? Drücken Sie einen Knopf, sonst höre ich auf.</translation>
     </message>
@@ -8442,6 +8434,102 @@
     <message>
         <source>Too many tries. A PIN is taken again in %1 s.</source>
         <translation>Zu viele Versuche. In %1 s wird wieder eine PIN angenommen.</translation>
+    </message>
+    <message>
+        <source>The sound of the touch goes with a recording that is shown at its own speed, and not into images. Nothing was made.</source>
+        <translation>Der Klang des Fühlens gehört zu einer Aufzeichnung, die in ihrer eigenen Geschwindigkeit gezeigt wird, und nicht zu Bildern. Es wurde nichts erzeugt.</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>Plus held: help, and louder, softer, say it again.</source>
+        <translation>Plus gehalten: Hilfe, und lauter, leiser, noch einmal.</translation>
+    </message>
+    <message>
+        <source>Hold the grip lightly. Nothing will pull you.</source>
+        <translation>Halten Sie den Griff locker. Nichts zieht Sie.</translation>
+    </message>
+    <message>
+        <source>Push it in as far as it goes, and pull it out.</source>
+        <translation>Drücken Sie ihn ganz hinein, und ziehen Sie ihn heraus.</translation>
+    </message>
+    <message>
+        <source>Now the buttons. Press any of them to go on.</source>
+        <translation>Nun die Knöpfe. Drücken Sie einen, um weiterzugehen.</translation>
+    </message>
+    <message>
+        <source>Middle button: where am I.</source>
+        <translation>Mittlerer Knopf: wo bin ich.</translation>
+    </message>
+    <message>
+        <source>Plus: closer. Plus held: help.</source>
+        <translation>Plus: näher. Plus gehalten: Hilfe.</translation>
+    </message>
+    <message>
+        <source>Minus: wider. Minus held: the whole relief.</source>
+        <translation>Minus: weiter. Minus gehalten: das ganze Relief.</translation>
+    </message>
+    <message>
+        <source>Forward: move. Forward held: a marker.</source>
+        <translation>Vorwärts: verschieben. Vorwärts gehalten: eine Marke.</translation>
+    </message>
+    <message>
+        <source>Middle button held long: stop, and go on.</source>
+        <translation>Mittlerer Knopf lang gehalten: anhalten und weitermachen.</translation>
+    </message>
+    <message>
+        <source>You feel all of it now.</source>
+        <translation>Sie fühlen es jetzt ganz.</translation>
+    </message>
+    <message>
+        <source>Shall I guide your hand along the outline once?</source>
+        <translation>Soll ich Ihre Hand einmal am Umriss entlangführen?</translation>
+    </message>
+    <message>
+        <source>Plus for yes, Minus for no.</source>
+        <translation>Plus für ja, Minus für nein.</translation>
+    </message>
+    <message>
+        <source>Now touch as you like.</source>
+        <translation>Fühlen Sie nun, wie Sie möchten.</translation>
+    </message>
+    <message>
+        <source>Not measured here. The real surface is missing in the scan.</source>
+        <translation>Hier nicht gemessen. Die wirkliche Oberfläche fehlt im Scan.</translation>
+    </message>
+    <message>
+        <source>Forces off. Middle button held long: on again.</source>
+        <translation>Kräfte aus. Mittlerer Knopf lang gehalten: wieder an.</translation>
+    </message>
+    <message>
+        <source>Take the grip again to go on.</source>
+        <translation>Nehmen Sie den Griff wieder, um weiterzumachen.</translation>
+    </message>
+    <message>
+        <source>Now Plus is louder and Minus is softer.</source>
+        <translation>Jetzt ist Plus lauter und Minus leiser.</translation>
+    </message>
+    <message>
+        <source>Middle button: say it again. Forward: back to touching.</source>
+        <translation>Mittlerer Knopf: noch einmal sagen. Vorwärts: zurück zum Fühlen.</translation>
+    </message>
+    <message>
+        <source>Take it</source>
+        <translation>Nehmen</translation>
+    </message>
+    <message>
+        <source>The next one</source>
+        <translation>Das nächste</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, whole object, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
+        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, ganzes Objekt, verschieben, führen, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
     </message>
 </context>
 <context>
@@ -12440,16 +12528,16 @@
         <translation>La&amp;uter sprechen</translation>
     </message>
     <message>
-        <source>Raise the volume of the voice by 10 percent</source>
-        <translation>Erhöht die Lautstärke der Stimme um 10 Prozent</translation>
-    </message>
-    <message>
         <source>Sof&amp;ter speech</source>
         <translation>Leiser s&amp;prechen</translation>
     </message>
     <message>
-        <source>Lower the volume of the voice by 10 percent</source>
-        <translation>Verringert die Lautstärke der Stimme um 10 Prozent</translation>
+        <source>Raise the volume of the voice by 3 decibels</source>
+        <translation>Erhöht die Lautstärke der Stimme um 3 Dezibel</translation>
+    </message>
+    <message>
+        <source>Lower the volume of the voice by 3 decibels</source>
+        <translation>Verringert die Lautstärke der Stimme um 3 Dezibel</translation>
     </message>
 </context>
 <context>

@@ -8068,10 +8068,6 @@
         <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला स्थान। माइनस: पिछला स्थान। आगे: पूरा; देर तक: रूपरेखा के साथ ले चलना। बीच: वापस; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
     </message>
     <message>
-        <source>One button. Press: I offer where am I, finer, coarser, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
-        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, खिसकाना, ले चलना, बल, फिर से कहें, और तेज़, और धीमा, सहायता। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
-    </message>
-    <message>
         <source>Gamepads that are no HID devices cannot be used: this program was built without the system&apos;s header linux/input.h.</source>
         <translation>जो गेमपैड HID उपकरण नहीं हैं, उनका उपयोग नहीं हो सकता: यह प्रोग्राम सिस्टम की हेडर फ़ाइल linux/input.h के बिना बनाया गया था।</translation>
     </message>
@@ -8412,10 +8408,6 @@
         <translation>माइनस दबाए रखें: पूरा उभार, फिर दूसरी वस्तुएँ।</translation>
     </message>
     <message>
-        <source>Plus and Minus held together: louder, softer, again.</source>
-        <translation>प्लस और माइनस साथ दबाए रखें: तेज़, धीमा, फिर से।</translation>
-    </message>
-    <message>
         <source>Are you still there? Press any button, or I will stop.</source>
         <translation>क्या आप अभी यहाँ हैं? कोई बटन दबाएँ, नहीं तो मैं रुक जाऊँगा।</translation>
     </message>
@@ -8442,6 +8434,102 @@
     <message>
         <source>Too many tries. A PIN is taken again in %1 s.</source>
         <translation>बहुत अधिक प्रयास। %1 s बाद फिर PIN ली जाएगी।</translation>
+    </message>
+    <message>
+        <source>The sound of the touch goes with a recording that is shown at its own speed, and not into images. Nothing was made.</source>
+        <translation>स्पर्श की ध्वनि उसी रिकॉर्डिंग के साथ होती है जो अपनी ही गति से दिखाई जाए, और चित्रों के साथ नहीं। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true या false</translation>
+    </message>
+    <message>
+        <source>Plus held: help, and louder, softer, say it again.</source>
+        <translation>प्लस दबाए रखें: सहायता, तेज़, धीमा, फिर से।</translation>
+    </message>
+    <message>
+        <source>Hold the grip lightly. Nothing will pull you.</source>
+        <translation>हैंडल हल्के से पकड़ें। कुछ भी आपको नहीं खींचेगा।</translation>
+    </message>
+    <message>
+        <source>Push it in as far as it goes, and pull it out.</source>
+        <translation>उसे पूरा अंदर धकेलें, फिर बाहर खींचें।</translation>
+    </message>
+    <message>
+        <source>Now the buttons. Press any of them to go on.</source>
+        <translation>अब बटन। आगे बढ़ने के लिए कोई बटन दबाएँ।</translation>
+    </message>
+    <message>
+        <source>Middle button: where am I.</source>
+        <translation>बीच का बटन: मैं कहाँ हूँ।</translation>
+    </message>
+    <message>
+        <source>Plus: closer. Plus held: help.</source>
+        <translation>प्लस: पास। प्लस दबाए रखें: सहायता।</translation>
+    </message>
+    <message>
+        <source>Minus: wider. Minus held: the whole relief.</source>
+        <translation>माइनस: चौड़ा। माइनस दबाए रखें: पूरा उभार।</translation>
+    </message>
+    <message>
+        <source>Forward: move. Forward held: a marker.</source>
+        <translation>आगे: खिसकाएँ। आगे दबाए रखें: एक निशान।</translation>
+    </message>
+    <message>
+        <source>Middle button held long: stop, and go on.</source>
+        <translation>बीच का बटन देर तक दबाए रखें: रुकें, फिर चलें।</translation>
+    </message>
+    <message>
+        <source>You feel all of it now.</source>
+        <translation>अभी आप उसे पूरा छू रहे हैं।</translation>
+    </message>
+    <message>
+        <source>Shall I guide your hand along the outline once?</source>
+        <translation>क्या मैं आपका हाथ एक बार रूपरेखा पर ले चलूँ?</translation>
+    </message>
+    <message>
+        <source>Plus for yes, Minus for no.</source>
+        <translation>हाँ के लिए प्लस, नहीं के लिए माइनस।</translation>
+    </message>
+    <message>
+        <source>Now touch as you like.</source>
+        <translation>अब जैसे चाहें वैसे छुएँ।</translation>
+    </message>
+    <message>
+        <source>Not measured here. The real surface is missing in the scan.</source>
+        <translation>यहाँ मापा नहीं गया। असली सतह स्कैन में नहीं है।</translation>
+    </message>
+    <message>
+        <source>Forces off. Middle button held long: on again.</source>
+        <translation>बल बंद। बीच का बटन देर तक दबाए रखें: फिर चालू।</translation>
+    </message>
+    <message>
+        <source>Take the grip again to go on.</source>
+        <translation>आगे बढ़ने के लिए हैंडल फिर पकड़ें।</translation>
+    </message>
+    <message>
+        <source>Now Plus is louder and Minus is softer.</source>
+        <translation>अब प्लस से तेज़ और माइनस से धीमा।</translation>
+    </message>
+    <message>
+        <source>Middle button: say it again. Forward: back to touching.</source>
+        <translation>बीच का बटन: फिर से कहें। आगे: वापस छूने पर।</translation>
+    </message>
+    <message>
+        <source>Take it</source>
+        <translation>इसे लें</translation>
+    </message>
+    <message>
+        <source>The next one</source>
+        <translation>अगला</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>वापस</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, whole object, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
+        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, पूरी वस्तु, खिसकाना, ले चलना, बल, फिर से कहें, और तेज़, और धीमा, सहायता। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
     </message>
 </context>
 <context>
@@ -12440,16 +12528,16 @@
         <translation>और तेज़ बोलें (&amp;L)</translation>
     </message>
     <message>
-        <source>Raise the volume of the voice by 10 percent</source>
-        <translation>आवाज़ 10 प्रतिशत बढ़ाता है</translation>
-    </message>
-    <message>
         <source>Sof&amp;ter speech</source>
         <translation>और धीमे बोलें (&amp;T)</translation>
     </message>
     <message>
-        <source>Lower the volume of the voice by 10 percent</source>
-        <translation>आवाज़ 10 प्रतिशत घटाता है</translation>
+        <source>Raise the volume of the voice by 3 decibels</source>
+        <translation>आवाज़ 3 डेसिबल बढ़ाता है</translation>
+    </message>
+    <message>
+        <source>Lower the volume of the voice by 3 decibels</source>
+        <translation>आवाज़ 3 डेसिबल घटाता है</translation>
     </message>
 </context>
 <context>

@@ -21,10 +21,11 @@ void TouchTraining::take(const Training::News& news) {
   if (news.over || news.other_shape) Q_EMIT changed();
 }
 
-void TouchTraining::begin(bool switches_forces_on, double now_s) {
-  std::vector<Message> before{said<MessageId::training_begins>()};
-  if (switches_forces_on) before.push_back(said<MessageId::training_forces>());
-  take(training_.begin(now_s, std::move(before)));
+void TouchTraining::begin(const Beginning& beginning, double now_s) {
+  std::vector<Message> before;
+  if (beginning.shapes == kTrainingShapes) before.push_back(said<MessageId::training_begins>());
+  if (beginning.switches_forces_on) before.push_back(said<MessageId::training_forces>());
+  take(training_.begin(now_s, std::move(before), beginning.shapes));
 }
 
 void TouchTraining::skip(double now_s) {
