@@ -42,6 +42,7 @@ class LiveSound {
   void setWindow(const HeardWindow& window);  ///< That lies under the hand, or will in a moment.
   void setVolume(int percent) noexcept;       ///< 0 .. 100; it glides there.
   void strike(Earcon earcon);                 ///< Of a command.
+  void setSpeech(bool speech) noexcept;       ///< Somebody speaks now.
 
   /// The next frames. It allocates nothing and waits for nothing. [audio thread]
   void render(std::span<Frame> frames) RELIEVO_REALTIME;
@@ -62,6 +63,7 @@ class LiveSound {
   TripleBuffer<HeardWindow> windows_;
   SpscRing<Earcon, 16> struck_;
   std::atomic<float> wished_gain_{1};
+  std::atomic<bool> speech_{false};
   std::atomic<std::uint64_t> taken_{0};
 
   // [audio thread]

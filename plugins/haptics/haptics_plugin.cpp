@@ -73,6 +73,8 @@ void HapticsPlugin::connectParts() {
   connect(surface_.get(), &TouchedSurface::laid, sound_.get(), &SoundControl::takeWindow);
   connect(recording_.get(), &RecordingControl::noted, sound_.get(),
           [this] { sound_->strike(sound::Earcon::done); });
+  connect(guide_.get(), &GuideControl::found, sound_.get(),
+          [this] { sound_->strike(sound::Earcon::done); });
   connect(announcer_.get(), &LoopAnnouncer::forcesEnd, this, &HapticsPlugin::dropForces);
   connect(buttons_.get(), &ButtonControl::changed, this, &HapticsPlugin::applySettings);
   connect(guide_.get(), &GuideControl::changed, this, &HapticsPlugin::applySettings);

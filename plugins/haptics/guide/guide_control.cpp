@@ -66,6 +66,7 @@ void GuideControl::chooseWay() {
 }
 
 void GuideControl::connectTraining() {
+  connect(&training_, &TouchTraining::found, this, &GuideControl::found);
   connect(&training_, &TouchTraining::changed, this, &GuideControl::showTraining);
   connect(parts_.actions.training, &QAction::triggered, this, &GuideControl::setTraining);
   connect(parts_.actions.next_shape, &QAction::triggered, this, [this] { training_.skip(nowS()); });

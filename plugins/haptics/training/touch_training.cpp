@@ -17,6 +17,7 @@ void TouchTraining::take(const Training::News& news) {
     window_ = std::make_unique<const RegionWindow>(
         trainingWindow(training_.shape(), kFirstId + ++windows_));
   }
+  if (news.found) Q_EMIT found();
   if (!news.say.empty()) host_.messages.say(news.say);
   if (news.over || news.other_shape) Q_EMIT changed();
 }

@@ -40,6 +40,7 @@ class TouchTraining : public QObject {
   ViewMm target(const HandTarget& target, const RegionWindow& shown) const;
 
  Q_SIGNALS:
+  void found();  ///< What a task was about.
   /// window() is another one, or none.
   void changed();
 
