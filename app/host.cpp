@@ -140,6 +140,7 @@ void WindowHost::showError(const QString& sentence, const QString& code) {
   // A plugin fails by itself, not because somebody asked for it just now.
   const QScopedValueRollback<SaidBecause> because(window_says_because_, SaidBecause::noticed);
   window_.messages().showError(sentence, code);
+  if (exhibit_ != nullptr) exhibit_->noteError(code);
 }
 
 bool WindowHost::run(const QString& command) {

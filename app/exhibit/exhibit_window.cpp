@@ -30,6 +30,7 @@ QByteArray touchState(const ExhibitTouch& touch) {
                  {"limit_n", touch.limit_n},
                  {"introduction_shapes", kShapes},
                  {"guide_rounds", kRounds},
+                 {"felt_patterns", touch.felt_patterns},
                  {"one_button", touch.one_button},
                  {"sound", touch.sounds_percent > 0},
                  {"sound_volume_percent", touch.sounds_percent}});

@@ -325,7 +325,7 @@ class Reader {
     constexpr double kMostPercent = 100, kLeastLimit = 0.5, kMostLimit = 6;
     knowsOnly(json, "touch",
               {"device", "strength_percent", "limit_n", "introduction", "guide", "sounds_percent",
-               "one_button"});
+               "felt_patterns", "one_button"});
     ExhibitTouch& touch = check_.exhibit.touch;
     if (text(json, "touch", "device", false, touch.device) && touch.device.size() > kMostDevice) {
       note<MessageId::exhibit_text_long>("touch.device", touch.device.size(), kMostDevice);
@@ -334,6 +334,7 @@ class Reader {
     number(json, "touch", "limit_n", kLeastLimit, kMostLimit, touch.limit_n);
     truth(json, "touch", "introduction", touch.introduction);
     truth(json, "touch", "guide", touch.guide);
+    truth(json, "touch", "felt_patterns", touch.felt_patterns);
     truth(json, "touch", "one_button", touch.one_button);
     number(json, "touch", "sounds_percent", 0, kMostPercent, touch.sounds_percent);
   }

@@ -49,6 +49,7 @@ struct ExhibitTouch {
   bool introduction = true;      ///< Each visitor's first object begins with it.
   bool guide = true;             ///< The hand is offered to be led, if the device can.
   int sounds_percent = 50;       ///< Volume of the sounds of touch; 0: none.
+  bool felt_patterns = false;    ///< Taps say what sounds say; where no voice speaks always.
   bool one_button = false;       ///< All by one button of a device or switch, which scans.
 };
 

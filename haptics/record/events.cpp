@@ -126,6 +126,7 @@ std::string eventBetween(const HapticSample& before, const HapticSample& now) {
   if (before.pulled_back && !now.pulled_back) {
     events.add("the marker lets go: " + std::string(guideEndText(now.beacon_end)));
   }
+  if (now.tapped && now.taps != before.taps) events.add("a pattern of taps");
   const bool slow = now.slow.rate_hz > 0, was_slow = before.slow.rate_hz > 0;
   if (slow && !was_slow) {
     events.add("E306: update rate " + numberText(now.slow.rate_hz, 0) + " per second; stiffness " +

@@ -55,6 +55,7 @@ QByteArray toJson(const TouchSettings& settings) {
                            {"limit_n", settings.limit_n},
                            {"introduction_shapes", settings.introduction_shapes},
                            {"guide_rounds", settings.guide_rounds},
+                           {"felt_patterns", settings.felt_patterns},
                            {"sound", settings.sound.on},
                            {"sound_volume_percent", settings.sound.volume_percent},
                            {"device", QString::fromStdString(settings.device)}};
@@ -98,6 +99,7 @@ TouchSettings touchSettingsFromJson(const QByteArray& json) {
       std::clamp(object["introduction_shapes"].toInt(kTrainingShapes), 1, kTrainingShapes);
   settings.guide_rounds = std::clamp(object["guide_rounds"].toInt(settings.guide_rounds), 1,
                                      static_cast<int>(kMostRounds));
+  settings.felt_patterns = object["felt_patterns"].toBool(false);
   settings.sound.on = object["sound"].toBool(false);
   settings.sound.volume_percent =
       std::clamp(object["sound_volume_percent"].toInt(settings.sound.volume_percent), 0, 100);

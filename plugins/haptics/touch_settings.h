@@ -31,6 +31,7 @@ struct TouchSettings {
   int introduction_shapes = kTrainingShapes;  ///< The first so many; likewise.
   int guide_rounds = kMostRounds;             ///< Round an outline; likewise.
   SoundSettings sound;
+  bool felt_patterns = false;  ///< Taps that say what sounds and speech say (FeltPattern).
   friend bool operator==(const TouchSettings&, const TouchSettings&) = default;
 };
 

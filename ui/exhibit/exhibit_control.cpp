@@ -119,6 +119,10 @@ bool ExhibitControl::isChecked(const char* command) const {
   return action != nullptr && action->isChecked();
 }
 
+void ExhibitControl::noteError(const QString& code) {
+  if (code == QLatin1String("E402")) toggle("feltPatterns", true);
+}
+
 /// What others do by themselves.
 void ExhibitControl::watch(double now_s) {
   const bool has_forces = window_.commands().named(QStringLiteral("forces")) != nullptr;

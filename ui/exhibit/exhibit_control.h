@@ -54,6 +54,8 @@ class ExhibitControl : public QObject {
   bool press(const QString& command);
   /// Buttons choose something now.
   bool chooses() const { return visit_.chooses() && !caption_->asks(); }
+  /// An error of a plugin. Where no voice speaks (E402) the grip's taps say yes and no.
+  void noteError(const QString& code);
   /// How the device is.
   void noteDevice(VisitDevice device) { visit_.device(device, ways_.now_s()); }
   /// Whether a command may be run now: those of visitors, while the staff is not asked.

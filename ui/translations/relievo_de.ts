@@ -11976,6 +11976,18 @@
         <source>Make the sounds of touch quieter (Ctrl+Alt+Page Down)</source>
         <translation>Die Klänge beim Fühlen leiser machen (Ctrl+Alt+Bild ab)</translation>
     </message>
+    <message>
+        <source>Felt &amp;patterns</source>
+        <translation>Tastzeichen (&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Taps of the grip say what sounds say, for who does not hear them</source>
+        <translation>Stöße des Griffs sagen, was Klänge sagen, für alle, die sie nicht hören</translation>
+    </message>
+    <message>
+        <source>One tap: yes. Two: not measured. Three: the edge. Only while forces are on.</source>
+        <translation>Ein Stoß: ja. Zwei: nicht gemessen. Drei: der Rand. Nur solange Kräfte an sind.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TouchController</name>
@@ -12653,6 +12665,25 @@
     <message>
         <source>Volume</source>
         <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>Felt patterns</source>
+        <translation>Tastzeichen</translation>
+    </message>
+    <message>
+        <source>Taps of the grip: one is yes, two not measured, three the edge. Only while forces are on.</source>
+        <translation>Stöße des Griffs: einer ist ja, zwei nicht gemessen, drei der Rand. Nur solange Kräfte an sind.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::FeltPatterns</name>
+    <message>
+        <source>Felt patterns on: one tap is yes, two not measured, three the edge.</source>
+        <translation>Tastzeichen an: ein Stoß ist ja, zwei nicht gemessen, drei der Rand.</translation>
+    </message>
+    <message>
+        <source>Felt patterns off.</source>
+        <translation>Tastzeichen aus.</translation>
     </message>
 </context>
 </TS>

@@ -11976,6 +11976,18 @@
         <source>Make the sounds of touch quieter (Ctrl+Alt+Page Down)</source>
         <translation>स्पर्श की ध्वनियाँ धीमी करें (Ctrl+Alt+Page Down)</translation>
     </message>
+    <message>
+        <source>Felt &amp;patterns</source>
+        <translation>स्पर्श संकेत (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Taps of the grip say what sounds say, for who does not hear them</source>
+        <translation>हैंडल की थपकियाँ वही बताती हैं जो ध्वनियाँ, उनके लिए जो सुन नहीं पाते</translation>
+    </message>
+    <message>
+        <source>One tap: yes. Two: not measured. Three: the edge. Only while forces are on.</source>
+        <translation>एक थपकी: हाँ। दो: मापा नहीं गया। तीन: किनारा। केवल जब बल चालू हों।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TouchController</name>
@@ -12653,6 +12665,25 @@
     <message>
         <source>Volume</source>
         <translation>आवाज़ का स्तर</translation>
+    </message>
+    <message>
+        <source>Felt patterns</source>
+        <translation>स्पर्श संकेत</translation>
+    </message>
+    <message>
+        <source>Taps of the grip: one is yes, two not measured, three the edge. Only while forces are on.</source>
+        <translation>हैंडल की थपकियाँ: एक हाँ, दो मापा नहीं गया, तीन किनारा। केवल जब बल चालू हों।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::FeltPatterns</name>
+    <message>
+        <source>Felt patterns on: one tap is yes, two not measured, three the edge.</source>
+        <translation>स्पर्श संकेत चालू: एक थपकी हाँ, दो मापा नहीं गया, तीन किनारा।</translation>
+    </message>
+    <message>
+        <source>Felt patterns off.</source>
+        <translation>स्पर्श संकेत बंद।</translation>
     </message>
 </context>
 </TS>
