@@ -20,7 +20,7 @@ namespace {
 using Law = TapLaw;
 
 GuideInput handAt(double z_mm) {
-  return {.hand = {0, 0, z_mm}, .forces_on = true, .rise = 1};
+  return {.hand = {0, 0, z_mm}, .velocity = {}, .forces_on = true, .rise = 1};
 }
 
 TEST(FeltTaps, AreHalfSinesOutwardAsManyAsThePatternHas) {
@@ -66,7 +66,9 @@ TEST(FeltTaps, NoneWithoutForcesAndThoseThatWaitTooLongAreForgotten) {
       GuideInput input = handAt(0);
       if (tick < ticks) change(input);
       const TapStep step = tapped(options, input, state);
-      if (tick < ticks) EXPECT_EQ(step.force, DeviceN{});
+      if (tick < ticks) {
+        EXPECT_EQ(step.force, DeviceN{});
+      }
       felt += step.force.z > 0 && state.force_n == 0 ? 1 : 0;
       state = step.state;
     }
