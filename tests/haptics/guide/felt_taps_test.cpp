@@ -114,7 +114,7 @@ TEST(FeltTaps, ArriveAsTheyAreWhateverTheStrengthAndBreakNoLimit) {
       double before_n = 0, most_n = 0, way_mm = 0, from_mm = 0;
       for (int i = 0; i < 6000; ++i) {
         const std::int64_t now = 1'000'000LL * (i + 1);
-        if (i == 1000) hand.moveTo({0, 0, -1});
+        if (i == 1000) hand.moveTo({0, 0, -6});
         if (i == 5000) {
           options.taps = {.id = 7, .pattern = FeltPattern::edge};
           from_mm = hand.position().z;
@@ -128,7 +128,7 @@ TEST(FeltTaps, ArriveAsTheyAreWhateverTheStrengthAndBreakNoLimit) {
         ASSERT_EQ(sample.softened, 0) << kind.name;
       }
       EXPECT_GT(before_n, 0.05) << "it touches";
-      EXPECT_LE(most_n, 0.41) << kind.name;
+      EXPECT_LE(most_n, 0.5) << kind.name << ": 0.4 N, and what a hand that comes back presses";
       EXPECT_GT(most_n, 0.2) << kind.name << ": the surface is left by the way that the hand gives";
       EXPECT_LT(way_mm, 3) << kind.name;
       EXPECT_EQ(core.audit().violations(), 0U) << kind.name << " at " << strength;
