@@ -79,6 +79,20 @@ void WindowHost::plot(std::span<const ForcePoint> samples) {
   window_.controllers().touch.plot(samples);
 }
 
+namespace {
+VisitDevice visitDevice(TouchDevice state) {
+  switch (state) {
+    case TouchDevice::ready:
+      break;
+    case TouchDevice::preparing:
+      return VisitDevice::preparing;
+    case TouchDevice::gone:
+      return VisitDevice::gone;
+  }
+  return VisitDevice::ready;
+}
+}  // namespace
+
 void WindowHost::showStatus(const TouchStatus& status) {
   TouchReadout readout;
   readout.device = status.device;
@@ -91,6 +105,7 @@ void WindowHost::showStatus(const TouchStatus& status) {
   readout.recording = status.recording;
   readout.recorded_samples = status.recorded_samples;
   window_.controllers().touch.show(readout);
+  if (exhibit_ != nullptr) exhibit_->noteDevice(visitDevice(status.state));
 }
 
 void WindowHost::announce(const QString& text, SaidBecause why) {
@@ -125,12 +140,14 @@ void WindowHost::showError(const QString& sentence, const QString& code) {
   // A plugin fails by itself, not because somebody asked for it just now.
   const QScopedValueRollback<SaidBecause> because(window_says_because_, SaidBecause::noticed);
   window_.messages().showError(sentence, code);
+  if (exhibit_ != nullptr) exhibit_->noteError(code);
 }
 
 bool WindowHost::run(const QString& command) {
   const QString button = QString::fromLatin1(kButtonFirst);
   if (command.startsWith(button)) {
-    return exhibit_ != nullptr && exhibit_->press(command.mid(button.size()));
+    if (exhibit_ == nullptr) return false;
+    return command == button ? exhibit_->chooses() : exhibit_->press(command.mid(button.size()));
   }
   if (exhibit_ != nullptr && !exhibit_->allows(command)) return false;
   return window_.runCommand(command);

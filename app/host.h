@@ -39,6 +39,7 @@ class WindowHost : public ShownWindow,
   void hush() override;
   void setVoice(Voice* voice) override;
   bool hasVoice() const override { return voice_ != nullptr && voice_->isOn(); }
+  bool isSpeaking() const override { return voice_ != nullptr && voice_->isSpeaking(); }
   void showError(const QString& sentence, const QString& code) override;
   bool run(const QString& command) override;
   std::shared_ptr<const RegionWindow> shownWindow() const override;

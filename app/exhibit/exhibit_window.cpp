@@ -24,8 +24,16 @@ QByteArray voiceState(const ExhibitSpeech& speech) {
 
 /// As plugins/haptics does.
 QByteArray touchState(const ExhibitTouch& touch) {
+  constexpr int kShapes = 2, kRounds = 1;
   return jsonOf({{"device", QString::fromStdString(touch.device)},
-                 {"strength_percent", touch.strength_percent}});
+                 {"strength_percent", touch.strength_percent},
+                 {"limit_n", touch.limit_n},
+                 {"introduction_shapes", kShapes},
+                 {"guide_rounds", kRounds},
+                 {"felt_patterns", touch.felt_patterns},
+                 {"one_button", touch.one_button},
+                 {"sound", touch.sounds_percent > 0},
+                 {"sound_volume_percent", touch.sounds_percent}});
 }
 
 }  // namespace
@@ -59,6 +67,7 @@ ExhibitWays ExhibitWindow::waysOf(PluginLoader& plugins, const Exhibit& exhibit)
           [&plugins, state = voiceState(exhibit.speech)] {
             plugins.restore(QStringLiteral("voice_plugin"), state);
           },
+      .speaks = [this] { return host_.isSpeaking(); },
       .now_s = [since] { return static_cast<double>(since.elapsed()) / kMs; },
       .day = localDay};
 }

@@ -74,7 +74,7 @@ class Reader {
   }
 
  private:
-  enum class Kind { text, number, whole, list, object };
+  enum class Kind { text, number, whole, truth, list, object };
 
   template <MessageId id, class... Given>
   void note(Given&&... given) {
@@ -103,6 +103,8 @@ class Reader {
         return said<MessageId::exhibit_kind_number>();
       case Kind::whole:
         return said<MessageId::exhibit_kind_whole>();
+      case Kind::truth:
+        return said<MessageId::exhibit_kind_truth>();
       case Kind::list:
         return said<MessageId::exhibit_kind_list>();
       case Kind::object:
@@ -119,6 +121,8 @@ class Reader {
         return json.is_number();
       case Kind::whole:
         return json.is_number_integer();
+      case Kind::truth:
+        return json.is_boolean();
       case Kind::list:
         return json.is_array();
       case Kind::object:
@@ -152,6 +156,10 @@ class Reader {
     if (wordsIn(into) > 0) return true;
     note<MessageId::exhibit_text_empty>(inside(place, key));
     return false;
+  }
+
+  void truth(const Json& json, const std::string& place, const char* key, bool& into) {
+    if (const Json* found = value(json, place, key, false, Kind::truth)) into = found->get<bool>();
   }
 
   template <class Number>
@@ -314,13 +322,21 @@ class Reader {
   }
 
   void readTouch(const Json& json) {
-    constexpr double kMostStrength = 100;
-    knowsOnly(json, "touch", {"device", "strength_percent"});
+    constexpr double kMostPercent = 100, kLeastLimit = 0.5, kMostLimit = 6;
+    knowsOnly(json, "touch",
+              {"device", "strength_percent", "limit_n", "introduction", "guide", "sounds_percent",
+               "felt_patterns", "one_button"});
     ExhibitTouch& touch = check_.exhibit.touch;
     if (text(json, "touch", "device", false, touch.device) && touch.device.size() > kMostDevice) {
       note<MessageId::exhibit_text_long>("touch.device", touch.device.size(), kMostDevice);
     }
-    number(json, "touch", "strength_percent", 1, kMostStrength, touch.strength_percent);
+    number(json, "touch", "strength_percent", 1, kMostPercent, touch.strength_percent);
+    number(json, "touch", "limit_n", kLeastLimit, kMostLimit, touch.limit_n);
+    truth(json, "touch", "introduction", touch.introduction);
+    truth(json, "touch", "guide", touch.guide);
+    truth(json, "touch", "felt_patterns", touch.felt_patterns);
+    truth(json, "touch", "one_button", touch.one_button);
+    number(json, "touch", "sounds_percent", 0, kMostPercent, touch.sounds_percent);
   }
 
   void readPin(const Json& json) {

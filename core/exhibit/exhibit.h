@@ -45,6 +45,12 @@ struct ExhibitSpeech {
 struct ExhibitTouch {
   std::string device = "mouse";  ///< As the panel Touch keeps it: "falcon".
   int strength_percent = 40;     ///< 1 to 100 of every force.
+  double limit_n = 4;            ///< No force is larger; 0.5 to 6.
+  bool introduction = true;      ///< Each visitor's first object begins with it.
+  bool guide = true;             ///< The hand is offered to be led, if the device can.
+  int sounds_percent = 50;       ///< Volume of the sounds of touch; 0: none.
+  bool felt_patterns = false;    ///< Taps say what sounds say; where no voice speaks always.
+  bool one_button = false;       ///< All by one button of a device or switch, which scans.
 };
 
 /// What a museum sets up: a playlist of objects in several languages, for a visitor who is alone

@@ -23,7 +23,7 @@ struct Word {
   std::string_view name;
   MessageId words;
 };
-constexpr std::array<Word, 26> kWords{
+constexpr std::array<Word, 29> kWords{
     {{"", MessageId::command_none},
      {"finer", MessageId::command_finer},
      {"coarser", MessageId::command_coarser},
@@ -49,16 +49,23 @@ constexpr std::array<Word, 26> kWords{
      {"repeatSpeech", MessageId::command_repeat},
      {"louderSpeech", MessageId::command_louder},
      {"softerSpeech", MessageId::command_softer},
-     {"guide", MessageId::command_guide}}};
+     {"guide", MessageId::command_guide},
+     {"take", MessageId::command_take},
+     {"next", MessageId::command_next},
+     {"back", MessageId::command_back}}};
 
 /// One-button scanning goes round in these: what is touched, then what is said (EN 301
 /// 549, 5.1.3.4, 5.1.3.11 and 5.9: repeat and volume by hand, and nothing that needs two buttons at
 /// once).
-constexpr std::array<ButtonCommand, 10> kScan{
-    ButtonCommand::where_am_i, ButtonCommand::finer,  ButtonCommand::coarser,
-    ButtonCommand::begin_move, ButtonCommand::guide,  ButtonCommand::toggle_forces,
-    ButtonCommand::repeat,     ButtonCommand::louder, ButtonCommand::softer,
-    ButtonCommand::help};
+constexpr std::array<ButtonCommand, 11> kScan{
+    ButtonCommand::where_am_i,    ButtonCommand::finer,      ButtonCommand::coarser,
+    ButtonCommand::whole,         ButtonCommand::begin_move, ButtonCommand::guide,
+    ButtonCommand::toggle_forces, ButtonCommand::repeat,     ButtonCommand::louder,
+    ButtonCommand::softer,        ButtonCommand::help};
+/// The same where something is chosen.
+constexpr std::array<ButtonCommand, 7> kScanChoosing{
+    ButtonCommand::take,   ButtonCommand::next,   ButtonCommand::back, ButtonCommand::repeat,
+    ButtonCommand::louder, ButtonCommand::softer, ButtonCommand::help};
 /// The same in Move mode.
 constexpr std::array<ButtonCommand, 9> kScanMoving{
     ButtonCommand::confirm_move, ButtonCommand::next_place,    ButtonCommand::previous_place,
@@ -219,17 +226,27 @@ void ButtonCommands::heldTogether(double held_s) {
   }
 }
 
+std::span<const ButtonCommand> ButtonCommands::scanned() const {
+  if (moving_) return kScanMoving;
+  if (choosing_) return kScanChoosing;
+  return kScan;
+}
+
 ButtonCommand ButtonCommands::offer(int index) const {
-  const std::span<const ButtonCommand> all =
-      moving_ ? std::span<const ButtonCommand>(kScanMoving) : std::span<const ButtonCommand>(kScan);
+  const std::span<const ButtonCommand> all = scanned();
   return index + 1 == offers() ? all.back() : all[static_cast<std::size_t>(index)];
 }
 
 /// The three of the voice stand before the last.
 int ButtonCommands::offers() const {
   constexpr std::size_t kOfVoice = 3;
-  const std::size_t all = moving_ ? kScanMoving.size() : kScan.size();
-  return static_cast<int>(all - (has_voice_ ? 0 : kOfVoice));
+  return static_cast<int>(scanned().size() - (has_voice_ ? 0 : kOfVoice));
+}
+
+void ButtonCommands::setChoosing(bool choosing) {
+  if (choosing == choosing_) return;
+  choosing_ = choosing;
+  offered_ = -1;  // What was offered is not there any more.
 }
 
 bool ButtonCommands::anyDown() const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +42,10 @@ enum class ButtonCommand : std::uint8_t {
   louder,
   softer,
   guide,
+  // Where something is chosen, for who has one button: ButtonCommands::setChoosing().
+  take,
+  next,
+  back,
 };
 /// Object name of the window's command: "finer", "whereAmI".
 std::string_view commandName(ButtonCommand command) noexcept;
@@ -90,6 +95,9 @@ class ButtonCommands {
   /// There is a voice whose volume and last words the buttons can change and repeat. Without one
   /// nothing of that is offered.
   void setVoice(bool has_voice) { has_voice_ = has_voice; }
+  /// Somebody chooses now, as in an exhibit's list: one button offers to take what was said, to go
+  /// on to the next, and back.
+  void setChoosing(bool choosing);
   /// Begins help: what the buttons do now, in sentences. After it the four buttons are those of the
   /// voice, if there is one, for kHelpLastsS: Plus louder, Minus softer, Centre repeats, Forward
   /// goes back. Each press begins that time anew; long presses do what they always do.
@@ -115,6 +123,7 @@ class ButtonCommands {
   void longPress(std::size_t index);
   bool anyDown() const;
   void scan(double time_s);
+  std::span<const ButtonCommand> scanned() const;
   ButtonCommand offer(int index) const;
   int offers() const;
   void run(ButtonCommand command);
@@ -124,6 +133,7 @@ class ButtonCommands {
   std::vector<ButtonOutcome> outcomes_;
   bool moving_ = false;
   bool has_voice_ = true;
+  bool choosing_ = false;
   bool forces_on_ = false, forces_on_at_press_ = false;  // Of Centre.
   bool together_ = false;                                // Plus and minus; until both are up.
   int together_said_ = 0;

@@ -286,7 +286,19 @@ void HapticCore::pullBack(const HapticOptions& options, GuideInput guide, double
   const double part = 1 / strength;
   input.fields = input.fields + part * step.force;
   input.fields_mj += part * step.energy_mj;
-  input.given_mj = part * step.given_mj;
+  input.given_mj += part * step.given_mj;
+}
+
+void HapticCore::tapHand(const HapticOptions& options, GuideInput guide, double strength,
+                         ForceInput& input) RELIEVO_REALTIME {
+  guide.in_detent = guide.in_detent || guided_;
+  const TapStep step = tapped(options.taps, guide, taps_);
+  taps_ = step.state;
+  if (!(strength > 0) || guide.in_detent) return;
+  const double part = 1 / strength;
+  input.fields = input.fields + part * step.force;
+  input.fields_mj += part * step.energy_mj;
+  input.given_mj += part * step.given_mj;
 }
 
 GuideStep HapticCore::lead(const HapticOptions& options, const GuidePath* path,
@@ -399,6 +411,7 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   const GuideInput hand = guideInput(options, input, reading.buttons, force_options);
   const GuideStep guide = lead(options, path, hand);
   pullBack(options, hand, force_options.strength, input);
+  tapHand(options, hand, force_options.strength, input);
   if (options.detent.on) input = throughDetent(options.detent, input, force_options);
   if (guide.on) input = throughGuide(guide, input, force_options);
   const DeviceN before = force_.last;
@@ -431,6 +444,8 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   sample.beacon = beacon_.id;
   sample.beacon_end = beacon_.end;
   sample.pulled_back = beacon_.pulls;
+  sample.taps = taps_.id;
+  sample.tapped = taps_.left > 0;
   if (sample.engaged != EngagePhase::off) sample.slow = slow_;
   sample.change = change_.running() ? change_.weight() : 1;
   return sample;

@@ -9,6 +9,7 @@
 #include "haptics/force/force_model.h"
 #include "haptics/force/move_detent.h"
 #include "haptics/guide/beacon_pull.h"
+#include "haptics/guide/felt_taps.h"
 #include "haptics/guide/guide.h"
 #include "haptics/loop/force_stop.h"
 #include "haptics/loop/hand_speed.h"
@@ -48,6 +49,7 @@ struct HapticOptions {
   MoveDetent detent;     ///< While on, felt in place of the surface.
   GuideOptions guide;    ///< Likewise, while it leads.
   BeaconOptions beacon;  ///< Felt with the surface.
+  TapOptions taps;       ///< Likewise.
   ForceStopOptions stop;
   /// Below RateWatch::kLeastHz no surface is stiffer than what `timing` allows at the rate that is
   /// left (E306). Without a `timing`, which withinDevice() knows of a device that pushes, none
@@ -96,10 +98,12 @@ struct HapticSample {
   std::uint64_t guide_path = 0;         ///< GuidePath::id of the last run; 0: there was none.
   GuideEnd beacon_end = GuideEnd::none;
   std::uint64_t beacon = 0;  ///< BeaconOptions::id of the last pull; 0: there was none.
+  std::uint64_t taps = 0;    ///< TapOptions::id of the last pattern; 0: there was none.
   SlowRate slow;
   double change = 1;  ///< How much of a new surface is there; 1: all of it, none is coming.
   bool contact = false;
   bool pulled_back = false;  ///< By a beacon.
+  bool tapped = false;       ///< A pattern is being felt, or waits.
   bool clamped = false;      ///< A limit changed the force.
   std::uint8_t frame = 0;    ///< Sides of the window that the hand pushes over: pan that way.
   bool late = false;         ///< This tick came more than half a period late.
@@ -196,6 +200,9 @@ class HapticCore {
   /// Adds a beacon's pull to what is felt of the surface.
   void pullBack(const HapticOptions& options, GuideInput guide, double strength,
                 ForceInput& input) RELIEVO_REALTIME;
+  /// Likewise a felt pattern.
+  void tapHand(const HapticOptions& options, GuideInput guide, double strength,
+               ForceInput& input) RELIEVO_REALTIME;
   ForceInput throughGuide(const GuideStep& step, const ForceInput& input,
                           ForceOptions& options) const RELIEVO_REALTIME;
   void checkGuide(const GuideStep& step, const ForceOptions& options,
@@ -217,6 +224,7 @@ class HapticCore {
   ForceStop stop_;
   GuideState guide_;
   BeaconState beacon_;
+  TapState taps_;
   ForceAudit audit_;
 
   HandSpeed speed_;

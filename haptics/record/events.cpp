@@ -112,15 +112,21 @@ std::string eventBetween(const HapticSample& before, const HapticSample& now) {
     events.add(now.stopped == StopReason::held ? "stopped by a held button"
                                                : "the window is silent: forces fade out");
   }
-  if (now.guide_path != before.guide_path) events.add("the hand is led");
+  if (now.guide_path != before.guide_path && now.guide_path != 0) {
+    events.add(std::string(kLedEvent));
+  }
+  if (now.guide == GuidePhase::pausing && before.guide != GuidePhase::pausing) {
+    events.add(std::string(kCornerEvent));
+  }
   const bool let_go = now.guide == GuidePhase::off && now.guide_end != GuideEnd::none;
   if (let_go && (before.guide != GuidePhase::off || now.guide_path != before.guide_path)) {
-    events.add("the guide lets go: " + std::string(guideEndText(now.guide_end)));
+    events.add(std::string(kLetGoEvent) + ": " + std::string(guideEndText(now.guide_end)));
   }
   if (now.pulled_back && now.beacon != before.beacon) events.add("a marker pulls the hand");
   if (before.pulled_back && !now.pulled_back) {
     events.add("the marker lets go: " + std::string(guideEndText(now.beacon_end)));
   }
+  if (now.tapped && now.taps != before.taps) events.add("a pattern of taps");
   const bool slow = now.slow.rate_hz > 0, was_slow = before.slow.rate_hz > 0;
   if (slow && !was_slow) {
     events.add("E306: update rate " + numberText(now.slow.rate_hz, 0) + " per second; stiffness " +
@@ -138,7 +144,8 @@ std::string eventBetween(const HapticSample& before, const HapticSample& now) {
 
 std::string eventAtStart(const HapticSample& first) {
   return windowText(first) + "; " + stiffnessText(first) + "; " +
-         std::string(phaseText(first.engaged));
+         std::string(phaseText(first.engaged)) +
+         (first.guide != GuidePhase::off ? "; " + std::string(kLedEvent) : std::string());
 }
 
 std::string loopLines(const LoopStats& stats) {

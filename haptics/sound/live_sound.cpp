@@ -55,6 +55,10 @@ LiveSound::LiveSound(HeardRing& samples, const SynthOptions& options)
       most_lead_(kLeastLead),
       gain_step_(1 - std::exp(-1 / (kGainS * kSampleRateHz))) {}
 
+void LiveSound::setSpeech(bool speech) noexcept {
+  speech_.store(speech, std::memory_order_relaxed);
+}
+
 void LiveSound::setWindow(const HeardWindow& window) {
   windows_.write(window);
 }
@@ -94,9 +98,13 @@ void LiveSound::take(const HapticSample& sample) RELIEVO_REALTIME {
     place = {.region = &window->region, .gain = window->gain, .heights = window->heights};
   }
   std::optional<Earcon> also;
+  if (sample.guide == GuidePhase::pausing && last_.guide != GuidePhase::pausing) {
+    also = Earcon::corner;
+  }
   if (beginsAProblem(last_, sample)) also = Earcon::problem;
-  mixer_.place(touchSampleOf(touchRow(sample, t_s), place), newest_, TouchMixer::Happenings::heard,
-               also);
+  TouchSample touch = touchSampleOf(touchRow(sample, t_s), place);
+  touch.led = sample.guide != GuidePhase::off;
+  mixer_.place(touch, newest_, TouchMixer::Happenings::heard, also);
   last_ = sample;
   taken_.fetch_add(1, std::memory_order_relaxed);
 }
@@ -162,6 +170,7 @@ void LiveSound::render(std::span<Frame> frames) RELIEVO_REALTIME {
     while (struck_.pop(earcon)) mixer_.strike(earcon);
   }
   std::fill_n(frames.begin(), silent, Frame{});
+  mixer_.setSpeech(speech_.load(std::memory_order_relaxed));
   mixer_.render(frames.subspan(silent));
   setLoudness(frames);
 }

@@ -42,6 +42,7 @@ class LiveSound {
   void setWindow(const HeardWindow& window);  ///< It lies under the hand, or soon will.
   void setVolume(int percent) noexcept;       ///< 0 .. 100; it glides there.
   void strike(Earcon earcon);                 ///< The sign of a command.
+  void setSpeech(bool speech) noexcept;       ///< Somebody speaks now.
 
   /// Makes the next frames. Allocates nothing and waits for nothing. [audio thread]
   void render(std::span<Frame> frames) RELIEVO_REALTIME;
@@ -62,6 +63,7 @@ class LiveSound {
   TripleBuffer<HeardWindow> windows_;
   SpscRing<Earcon, 16> struck_;
   std::atomic<float> requested_gain_{1};
+  std::atomic<bool> speech_{false};
   std::atomic<std::uint64_t> taken_{0};
 
   // [audio thread]

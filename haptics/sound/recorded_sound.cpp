@@ -11,6 +11,7 @@
 #include "core/recording/log_table.h"
 #include "core/region/window.h"
 #include "haptics/device/device.h"
+#include "haptics/record/events.h"
 #include "haptics/sound/touch_mixer.h"
 
 namespace relievo::sound {
@@ -36,6 +37,29 @@ bool tellsAProblem(std::string_view event) {
   return std::any_of(kFaults.begin(), kFaults.end(),
                      [&](DeviceFault fault) { return has(describe(fault)); });
 }
+
+bool tells(std::string_view event, std::string_view words) {
+  return event.find(words) != std::string_view::npos;
+}
+
+/// Whether the hand is led, by the events up to a time.
+class Led {
+ public:
+  explicit Led(const TouchRecording& recording)
+      : next_(recording.events.begin()), end_(recording.events.end()) {}
+  bool at(double t_s) {
+    for (; next_ != end_ && next_->t_s <= t_s; ++next_) {
+      if (next_->is_note) continue;
+      if (tells(next_->text, kLedEvent)) is_led_ = true;
+      if (tells(next_->text, kLetGoEvent)) is_led_ = false;
+    }
+    return is_led_;
+  }
+
+ private:
+  decltype(TouchRecording::events)::const_iterator next_, end_;
+  bool is_led_ = false;
+};
 
 /// Windows by the row, which mostly has the one of the row before.
 class Windows {
@@ -114,11 +138,12 @@ RecordedSound::RecordedSound(const TouchRecording& recording, const SoundRequest
   double left = kInfinity, right = -kInfinity;
   bool has_hand = false, has_windows = true;
   Windows windows(recording);
+  Led led(recording);
   for (const TouchRow& row : recording.rows) {
     const TouchedWindow* const window = windows.of(row);
     has_hand = has_hand || row.hand_hip != DeviceMm{};
     has_windows = has_windows && window != nullptr;
-    if (!row.contact) continue;
+    if (!led.at(row.t_s) && !row.contact) continue;
     const double height_mm = row.proxy.z / gainOf(window);
     touched = {std::min(touched.low_mm, height_mm), std::max(touched.high_mm, height_mm)};
     left = std::min(left, row.proxy.x);
@@ -163,6 +188,7 @@ RecordedSound::Summary RecordedSound::render(
   };
   auto event = recording_.events.begin();
   Windows windows(recording_);
+  Led led(recording_);
   for (const TouchRow& row : recording_.rows) {
     // A thousandth of a millisecond's grace: times are sums of floating-point steps.
     if (row.t_s > recording_.startS() + to_s_ + 1e-6) break;
@@ -170,16 +196,20 @@ RecordedSound::Summary RecordedSound::render(
     const std::int64_t frame = frame_at(row.t_s);
     if (is_in) render_to(frame);
     // Earlier events strike nothing; sounds that last are heard from the start.
-    const Heard heard =
-        mixer.place(sampleOf(row, windows.of(row)), frame,
-                    is_in ? TouchMixer::Happenings::heard : TouchMixer::Happenings::unheard);
+    TouchSample sample = sampleOf(row, windows.of(row));
+    sample.led = led.at(row.t_s);
+    const Heard heard = mixer.place(
+        sample, frame, is_in ? TouchMixer::Happenings::heard : TouchMixer::Happenings::unheard);
     for (std::size_t i = 0; i < heard.count; ++i) {
       ++summary.struck[static_cast<std::size_t>(heard.struck[i].earcon)];
     }
     for (; event != recording_.events.end() && event->t_s <= row.t_s; ++event) {
       const bool is_problem = !event->is_note && tellsAProblem(event->text);
-      if (!is_in || (!event->is_note && !is_problem)) continue;
-      const Earcon earcon = is_problem ? Earcon::problem : Earcon::done;
+      const bool is_corner = !event->is_note && tells(event->text, kCornerEvent);
+      if (!is_in || (!event->is_note && !is_problem && !is_corner)) continue;
+      const Earcon earcon = is_problem  ? Earcon::problem
+                            : is_corner ? Earcon::corner
+                                        : Earcon::done;
       mixer.strike(earcon);
       ++summary.struck[static_cast<std::size_t>(earcon)];
     }

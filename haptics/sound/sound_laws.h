@@ -72,9 +72,10 @@ enum class Earcon : std::uint8_t {
   finer,         ///< Two notes up.
   coarser,       ///< Two notes down.
   done,          ///< Three notes up.
-  problem        ///< Two low notes.
+  problem,       ///< Two low notes.
+  corner         ///< A short high note: the guide waits at a corner.
 };
-inline constexpr int kEarcons = 7;
+inline constexpr int kEarcons = 8;
 
 /// One tone of an earcon.
 struct Note {
@@ -102,6 +103,8 @@ constexpr Notes notesOf(Earcon earcon) noexcept {
       return {{{{523, 0, kS}, {659, kS, kS}, {784, 2 * kS, kS}}}, 3};
     case Earcon::problem:
       return {{{{220, 0, kS}, {165, kS, kS}}}, 2};
+    case Earcon::corner:
+      return {{{{880, 0, kS}}}, 1};
     case Earcon::contact:
       break;
   }

@@ -42,9 +42,10 @@ Synth::Synth(const SynthOptions& options) RELIEVO_REALTIME : options_(options),
 }
 
 void Synth::take(const Heard& heard) RELIEVO_REALTIME {
-  const bool begins = heard.contact && !heard_.contact;
+  const bool touches = heard.contact && !heard_.contact;
+  const bool begins = (heard.contact || heard.led) && !heard_.contact && !heard_.led;
   heard_ = heard;
-  if (begins && tone_until_ < 0) tone_until_ = frame_ + framesOf(options_.tone_for_s);
+  if (touches && tone_until_ < 0) tone_until_ = frame_ + framesOf(options_.tone_for_s);
   // A hand that lands elsewhere does not glide there.
   if (begins) {
     tone_log_hz_ = std::log2(heightHz(heard.height));
@@ -144,15 +145,21 @@ Frame Synth::mixed() RELIEVO_REALTIME {
   y1_ = y;
   friction_gain_ += friction_step_ * (friction_rms_ - friction_gain_);
   const double rustle = std::clamp(friction_gain_ * y, -kMostFriction, kMostFriction);
-  const bool has_tone = heard_.contact && frame_ < tone_until_;
+  const bool has_tone = heard_.led || (heard_.contact && frame_ < tone_until_);
   tone_gain_ += tone_step_ * ((has_tone ? kToneLevel : 0) - tone_gain_);
   tone_log_hz_ += glide_step_ * (std::log2(heightHz(heard_.height)) - tone_log_hz_);
   tone_phase_ += kTurn * std::exp2(tone_log_hz_) / kSampleRateHz;
   if (tone_phase_ > kTurn) tone_phase_ -= kTurn;
   place_ += place_step_ * (heard_.place - place_);
-  const double lasting = rustle + tone_gain_ * std::sin(tone_phase_);
+  const double lasting = beside_speech_ * (rustle + tone_gain_ * std::sin(tone_phase_));
   const Sides sides = sidesOf(place_);
   ++frame_;
+  constexpr double kFade = 1 / (kFadeS * kSampleRateHz), kStruckLeft = 0.5;
+  beside_speech_ =
+      speech_ ? std::max(0.0, beside_speech_ - kFade) : std::min(1.0, beside_speech_ + kFade);
+  const double struck = kStruckLeft + (1 - kStruckLeft) * beside_speech_;
+  left *= struck;
+  right *= struck;
   return limited(left + lasting * sides.left, right + lasting * sides.right);
 }
 

@@ -32,6 +32,10 @@ class Synth {
   void take(const Heard& heard) RELIEVO_REALTIME;
   /// An earcon that no touch has struck: of a command, of a fault.
   void strike(Earcon earcon, double approach_mm_per_s, double place) RELIEVO_REALTIME;
+  /// While somebody speaks what lasts is silent, after kFadeS, and what is struck half as loud (EN
+  /// 301 549, 5.1.3.10). From the next frame on.
+  void setSpeech(bool speech) RELIEVO_REALTIME { speech_ = speech; }
+  static constexpr double kFadeS = 0.03;
   /// The next frames.
   void render(std::span<Frame> frames) RELIEVO_REALTIME;
 
@@ -69,6 +73,8 @@ class Synth {
   double tone_phase_ = 0, tone_log_hz_ = 0, tone_gain_ = 0;
   double place_ = 0.5;
   double limiter_gain_ = 1;
+  bool speech_ = false;
+  double beside_speech_ = 1;  // 1: nobody speaks, 0: somebody does; between them it fades.
   // How much of the way to a new value is gone with each frame.
   double friction_step_, tone_step_, glide_step_, place_step_, release_step_;
 };

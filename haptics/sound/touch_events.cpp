@@ -42,10 +42,14 @@ TouchEvents::Velocity TouchEvents::speedOf(DeviceMm TouchSample::*member) const 
   return {by.x / s, by.y / s, by.z / s};
 }
 
-Heard TouchEvents::next(const TouchSample& sample) RELIEVO_REALTIME {
+Heard TouchEvents::next(const TouchSample& given) RELIEVO_REALTIME {
+  TouchSample sample = given;
+  // The surface is not felt meanwhile; it is touched anew when the guide lets go.
+  if (sample.led) sample.contact = false;
   const bool has_before = count_ > 0;
   const TouchSample before = has_before ? kept_[count_ - 1] : sample;
   Heard heard{.contact = sample.contact,
+              .led = sample.led,
               .force_n = sample.force_n,
               .height = sample.height,
               .place = sample.place};

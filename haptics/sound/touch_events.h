@@ -18,6 +18,7 @@ struct TouchSample {
   ViewMm normal{0, 0, 1};  ///< Of the surface at the proxy; its axes are the hand's.
   double force_n = 0;
   bool contact = false;
+  bool led = false;      ///< By a guide, which is felt in place of the surface.
   bool at_edge = false;  ///< The proxy is where the window ends.
   CellStatus origin = CellStatus::outside;
   int detail = 1;
@@ -34,6 +35,7 @@ struct Struck {
 /// How a touch sounds from one moment to the next.
 struct Heard {
   bool contact = false;
+  bool led = false;           ///< The tone sounds in contact or not; of the surface nothing does.
   double slide_mm_per_s = 0;  ///< Of the proxy along the surface.
   double force_n = 0;
   double height = 0, place = 0.5;
@@ -47,7 +49,7 @@ class TouchEvents {
  public:
   static constexpr double kSpanS = 0.008;
 
-  Heard next(const TouchSample& sample) RELIEVO_REALTIME;
+  Heard next(const TouchSample& given) RELIEVO_REALTIME;
 
  private:
   static constexpr std::size_t kMost =

@@ -44,7 +44,7 @@ void TouchMixer::takeDue() RELIEVO_REALTIME {
 }
 
 void TouchMixer::fallSilent() RELIEVO_REALTIME {
-  heard_.contact = false;
+  heard_.contact = heard_.led = false;
   heard_.count = 0;
   synth_.take(heard_);
 }
@@ -52,10 +52,10 @@ void TouchMixer::fallSilent() RELIEVO_REALTIME {
 void TouchMixer::render(std::span<Frame> frames) RELIEVO_REALTIME {
   while (!frames.empty()) {
     takeDue();
-    if (heard_.contact && frame_ >= silent_at_) fallSilent();
+    if (lasts() && frame_ >= silent_at_) fallSilent();
     auto next = static_cast<std::int64_t>(frames.size());
     if (count_ > 0) next = std::min(next, waiting_[first_].frame - frame_);
-    if (heard_.contact) next = std::min(next, silent_at_ - frame_);
+    if (lasts()) next = std::min(next, silent_at_ - frame_);
     const auto part = static_cast<std::size_t>(next);
     synth_.render(frames.first(part));
     frames = frames.subspan(part);

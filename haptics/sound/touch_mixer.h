@@ -33,6 +33,8 @@ class TouchMixer {
               std::optional<Earcon> also = {}) RELIEVO_REALTIME;
   /// Strikes an earcon at once, without a sample.
   void strike(Earcon earcon) RELIEVO_REALTIME { synth_.strike(earcon, 0, 0.5); }
+  /// From the next frame on somebody speaks, or does not any more.
+  void setSpeech(bool speech) RELIEVO_REALTIME { synth_.setSpeech(speech); }
   /// Ends lasting sounds with the next frame.
   void fallSilent() RELIEVO_REALTIME;
   /// Makes the next frames.
@@ -46,6 +48,7 @@ class TouchMixer {
     std::optional<Earcon> also;
     std::int64_t frame = 0;
   };
+  bool lasts() const RELIEVO_REALTIME { return heard_.contact || heard_.led; }
   void takeDue() RELIEVO_REALTIME;
   void hear(const Waiting& waiting) RELIEVO_REALTIME;
 

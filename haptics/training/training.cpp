@@ -81,12 +81,15 @@ Message Training::task() const {
 }
 
 void Training::enter(TrainingShape shape, double now_s) {
+  const int shapes = shapes_;
   *this = Training();
+  shapes_ = shapes;
   shape_ = shape;
   since_s_ = last_s_ = now_s;
 }
 
-Training::News Training::begin(double now_s, std::vector<Message> before) {
+Training::News Training::begin(double now_s, std::vector<Message> before, int shapes) {
+  shapes_ = shapes;
   enter(TrainingShape::plate, now_s);
   News news{.say = std::move(before), .other_shape = true};
   news.say.push_back(task());
@@ -97,7 +100,7 @@ Training::News Training::next(Message why, double now_s) {
   News news;
   news.say.push_back(std::move(why));
   const int after = static_cast<int>(shape_) + 1;
-  news.over = after == kTrainingShapes;
+  news.over = after == shapes_;
   if (news.over) {
     news.say.push_back(said<MessageId::training_ends>());
     return news;

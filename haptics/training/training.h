@@ -38,9 +38,9 @@ struct TrainingTouch {
   bool contact = false;
 };
 
-/// Five tasks, each until the hand has found what it is about, or 20 s have gone by; after 10 s a
-/// hint. So it takes less than two minutes, and any of them can be passed over. No clock: time is
-/// an argument, and increases.
+/// Five tasks, or the first of them, each until the hand has found what it is about, or 20 s have
+/// gone by; after 10 s a hint. So it takes less than two minutes, and any of them can be passed
+/// over. No clock: time is an argument, and increases.
 class Training {
  public:
   static constexpr double kHintS = 10, kMostS = 20;
@@ -60,7 +60,8 @@ class Training {
   };
 
   /// The first task. @param before  what is said before it
-  News begin(double now_s, std::vector<Message> before);
+  /// @param shapes  how many there are, 1 .. kTrainingShapes
+  News begin(double now_s, std::vector<Message> before, int shapes = kTrainingShapes);
   /// Call it at least ten times a second.
   News touch(const TrainingTouch& touch, double now_s);
   /// On to the next task at once.
@@ -75,6 +76,7 @@ class Training {
   void enter(TrainingShape shape, double now_s);
 
   TrainingShape shape_ = TrainingShape::plate;
+  int shapes_ = kTrainingShapes;
   double since_s_ = 0, last_s_ = 0;
   bool hinted_ = false;
   double contact_s_ = 0;                     // In all; of the bump: within it, in a row.

@@ -31,7 +31,8 @@ class Controls {
   virtual void addAction(const QString& menu, QAction* action) = 0;  ///< Takes ownership.
   /// Runs a command by its object name ("finer", "coarser", "whole"): the same path as keys.
   /// With "button:" before the name it only offers a button's press to whoever has other use for
-  /// buttons now, as an exhibit's list of objects has. @return false: unknown, disabled, not taken
+  /// buttons now, as an exhibit's list of objects has; without a name it asks whether somebody
+  /// chooses by them now. @return false: unknown, disabled, not taken
   virtual bool run(const QString& command) = 0;
 };
 
@@ -92,8 +93,16 @@ class ShownWindow : public QObject {
   void wentToMarker(double x_mm, double y_mm);
 };
 
+/// Whether the device that was asked for can be touched with.
+enum class TouchDevice : std::uint8_t {
+  ready,
+  preparing,  ///< It starts, or waits for a person to push its grip in.
+  gone        ///< It failed, or another one has taken its place.
+};
+
 /// What the status bar and the accessible texts say about touch.
 struct TouchStatus {
+  TouchDevice state = TouchDevice::ready;
   QString device;      ///< "mouse", "Falcon ready", "no device".
   double rate_hz = 0;  ///< Measured rate of the force loop.
   double worst_period_ms = 0;
@@ -126,6 +135,8 @@ class Voice {
   virtual ~Voice() = default;
   /// Somebody has switched it on: its volume, and repeating, are commands.
   virtual bool isOn() const = 0;
+  /// Something is being said.
+  virtual bool isSpeaking() const = 0;
   /// @return false: it does not speak now; the screen reader is told
   virtual bool speak(const std::vector<Message>& sentences, SaidBecause why) = 0;
   /// The same of a text in the window's language.
@@ -151,6 +162,8 @@ class Messages {
   virtual void setVoice(Voice* voice) = 0;
   /// There is one, and it is on.
   virtual bool hasVoice() const = 0;
+  /// The voice says something: other sounds that last are to be silent.
+  virtual bool isSpeaking() const = 0;
   /// A sentence about a failure above the views; it stays until it is closed.
   /// @param code  of the catalogue ("E401"), or empty
   virtual void showError(const QString& sentence, const QString& code) = 0;

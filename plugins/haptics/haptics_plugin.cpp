@@ -28,6 +28,7 @@ void HapticsPlugin::attach(Host& host) {
   buttons_ = std::make_unique<ButtonControl>(*parts_, *device_, button_settings_);
   guide_ = std::make_unique<GuideControl>(*parts_, *device_, *recording_, *surface_, *buttons_);
   sound_ = std::make_unique<SoundControl>(*parts_, *device_);
+  felt_ = std::make_unique<FeltPatterns>(*parts_);
   connectParts();
   connectActions();
   connectPanel();
@@ -48,6 +49,7 @@ void HapticsPlugin::detach() noexcept {
   sleep_.reset();
   if (device_) device_->stopLooking();
   if (recording_) recording_->end();
+  felt_.reset();
   sound_.reset();
   guide_.reset();
   buttons_.reset();
@@ -73,6 +75,11 @@ void HapticsPlugin::connectParts() {
   connect(surface_.get(), &TouchedSurface::laid, sound_.get(), &SoundControl::takeWindow);
   connect(recording_.get(), &RecordingControl::noted, sound_.get(),
           [this] { sound_->strike(sound::Earcon::done); });
+  connect(guide_.get(), &GuideControl::found, sound_.get(),
+          [this] { sound_->strike(sound::Earcon::done); });
+  connect(guide_.get(), &GuideControl::found, felt_.get(),
+          [this] { felt_->feel(FeltPattern::yes); });
+  connect(felt_.get(), &FeltPatterns::changed, this, &HapticsPlugin::applySettings);
   connect(announcer_.get(), &LoopAnnouncer::forcesEnd, this, &HapticsPlugin::dropForces);
   connect(buttons_.get(), &ButtonControl::changed, this, &HapticsPlugin::applySettings);
   connect(guide_.get(), &GuideControl::changed, this, &HapticsPlugin::applySettings);
@@ -106,12 +113,16 @@ void HapticsPlugin::takePanelSettings() {
   TouchSettings settings = parts_->panel->settings();
   settings.window_silence_s = settings_.window_silence_s;
   settings.bound_by_rate = settings_.bound_by_rate;
+  settings.limit_n = settings_.limit_n;
+  settings.introduction_shapes = settings_.introduction_shapes;
+  settings.guide_rounds = settings_.guide_rounds;
   settings_ = settings;
   if (settings_.device != device_->opened()) requested_device_ = settings_.device;
   device_->useSettings();
   applySettings();
   surface_->applySettings();
   sound_->applySettings(SoundControl::Tell::yes);
+  felt_->showSettings();
 }
 
 void HapticsPlugin::takeDevice() {
@@ -191,6 +202,7 @@ void HapticsPlugin::applySettings() {
   HapticOptions options = hapticOptions(settings_, parts_->forces_asked);
   if (buttons_) buttons_->addTo(options);
   if (guide_) guide_->addTo(options);
+  if (felt_) felt_->addTo(options);
   session()->setOptions(options);
 }
 
@@ -209,6 +221,7 @@ void HapticsPlugin::frame() {
   recording_->watch();
   buttons_->follow(sample);
   guide_->follow(sample);
+  felt_->follow(sample);
   sound_->watch();
   watchSleep(sample);
   constexpr int kFramesPerReadout = 8, kFramesPerStatus = 32;
@@ -244,6 +257,7 @@ void HapticsPlugin::slowReadouts(bool with_status) {
 // Its numbers change with every look, and each change is a picture of the window.
 void HapticsPlugin::tellStatus(const LoopReport& report) {
   TouchStatus status;
+  status.state = device_->stateOf(report.sample.fault);
   status.device = report.device;
   status.rate_hz = report.stats.rate_hz;
   status.worst_period_ms = report.stats.worst_period_ms;
@@ -291,6 +305,7 @@ void HapticsPlugin::restoreState(const QByteArray& state) {
   if (!session()) return;
   buttons_->showSettings();
   sound_->applySettings(SoundControl::Tell::no);  // Before the panel, which asks.
+  felt_->showSettings();
   parts_->showSettings();
   device_->useSettings();
   applySettings();

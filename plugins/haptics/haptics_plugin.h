@@ -10,6 +10,7 @@
 #include "plugins/haptics/buttons/button_control.h"
 #include "plugins/haptics/device/force_return.h"
 #include "plugins/haptics/device/hand_device.h"
+#include "plugins/haptics/guide/felt_patterns.h"
 #include "plugins/haptics/guide/guide_control.h"
 #include "plugins/haptics/loop_announcer.h"
 #include "plugins/haptics/loop_session.h"
@@ -74,6 +75,7 @@ class HapticsPlugin : public QObject, public Plugin {
   std::unique_ptr<ButtonControl> buttons_;
   std::unique_ptr<GuideControl> guide_;
   std::unique_ptr<SoundControl> sound_;
+  std::unique_ptr<FeltPatterns> felt_;
   std::unique_ptr<SleepWatch> sleep_;
   QTimer timer_;
   bool wants_forces_ = false;  // Of the device that is being opened.

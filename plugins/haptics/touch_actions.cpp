@@ -155,6 +155,14 @@ void makeSoundActions(TouchActions& actions) {
                               "Make the sounds of touch quieter (Ctrl+Alt+Page Down)"),
             QT_TRANSLATE_NOOP("relievo::TouchActions", "Speech has a volume of its own.")},
            {QKeySequence(Qt::CTRL + Qt::ALT + Qt::Key_PageDown)}, false);
+  actions.felt =
+      made({"feltPatterns", QT_TRANSLATE_NOOP("relievo::TouchActions", "Felt &patterns"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Taps of the grip say what sounds say, for who does not hear them"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "One tap: yes. Two: not measured. Three: the edge. Only while forces "
+                              "are on.")},
+           {}, true);
 }
 
 void makeForceActions(TouchActions& actions) {
@@ -236,7 +244,7 @@ TouchActions addTouchActions(Host& host) {
         actions.move_back,   actions.where_am_i,  actions.where_am_i_long, actions.say_detail,
         actions.guide,       actions.guide_along, actions.training,        actions.next_shape,
         actions.button_help, actions.rumble,      actions.sound,           actions.louder,
-        actions.quieter}) {
+        actions.quieter,     actions.felt}) {
     host.controls.addAction(touch, action);
   }
   host.controls.addAction(record, actions.record);

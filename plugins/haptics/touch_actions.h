@@ -29,6 +29,7 @@ struct TouchActions {
   QAction* sound = nullptr;            ///< "touchSounds": on and off; Ctrl+Alt+A.
   QAction* louder = nullptr;           ///< "soundsLouder": Ctrl+Alt+Page up.
   QAction* quieter = nullptr;          ///< "soundsQuieter": Ctrl+Alt+Page down.
+  QAction* felt = nullptr;             ///< "feltPatterns": on and off.
   QAction* button_help = nullptr;      ///< "buttonHelp": what the device's buttons do now.
   QAction* record = nullptr;           ///< "record": start and stop; Ctrl+R.
   QAction* note = nullptr;             ///< "addNote": into the running recording; Ctrl+Shift+N.

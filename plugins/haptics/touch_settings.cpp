@@ -22,6 +22,7 @@ HapticOptions hapticOptions(const TouchSettings& settings, bool forces_on) {
   setFeel(options, settings.feel);
   options.force.strength = settings.strength_percent / 100.0;
   options.force.forces_on = forces_on;
+  options.force.limit_n = settings.limit_n;
   options.frame = true;
   options.bound_by_rate = settings.bound_by_rate;
   options.holds_grip = settings.holds_grip;
@@ -51,6 +52,10 @@ QByteArray toJson(const TouchSettings& settings) {
                            {"window_silence_s", settings.window_silence_s},
                            {"bound_by_rate", settings.bound_by_rate},
                            {"holds_grip", settings.holds_grip},
+                           {"limit_n", settings.limit_n},
+                           {"introduction_shapes", settings.introduction_shapes},
+                           {"guide_rounds", settings.guide_rounds},
+                           {"felt_patterns", settings.felt_patterns},
                            {"sound", settings.sound.on},
                            {"sound_volume_percent", settings.sound.volume_percent},
                            {"device", QString::fromStdString(settings.device)}};
@@ -89,6 +94,12 @@ TouchSettings touchSettingsFromJson(const QByteArray& json) {
       within(object["window_silence_s"], kLeastSilenceS, kMostSilenceS, settings.window_silence_s);
   settings.bound_by_rate = object["bound_by_rate"].toBool(true);
   settings.holds_grip = object["holds_grip"].toBool(true);
+  settings.limit_n = within(object["limit_n"], kLeastLimitN, settings.limit_n, settings.limit_n);
+  settings.introduction_shapes =
+      std::clamp(object["introduction_shapes"].toInt(kTrainingShapes), 1, kTrainingShapes);
+  settings.guide_rounds = std::clamp(object["guide_rounds"].toInt(settings.guide_rounds), 1,
+                                     static_cast<int>(kMostRounds));
+  settings.felt_patterns = object["felt_patterns"].toBool(false);
   settings.sound.on = object["sound"].toBool(false);
   settings.sound.volume_percent =
       std::clamp(object["sound_volume_percent"].toInt(settings.sound.volume_percent), 0, 100);

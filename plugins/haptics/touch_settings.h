@@ -6,6 +6,7 @@
 
 #include "haptics/loop/haptic_core.h"
 #include "haptics/loop/surface_preset.h"
+#include "haptics/training/training.h"
 
 namespace relievo {
 
@@ -26,13 +27,18 @@ struct TouchSettings {
   double window_silence_s = 2;   ///< ForceStopOptions; only in the settings' file.
   bool bound_by_rate = true;     ///< Likewise: false only where a device is emulated (E306).
   bool holds_grip = true;        ///< HapticOptions.
+  double limit_n = ForceOptions{}.limit_n;    ///< Of any force; only in an exhibit's file.
+  int introduction_shapes = kTrainingShapes;  ///< The first so many; likewise.
+  int guide_rounds = kMostRounds;             ///< Round an outline; likewise.
   SoundSettings sound;
+  bool felt_patterns = false;  ///< Taps that say what sounds and speech say (FeltPattern).
   friend bool operator==(const TouchSettings&, const TouchSettings&) = default;
 };
 
 inline constexpr double kLeastStiffness = 0.05, kMostStiffness = 1.5;  ///< N per mm of hand.
 inline constexpr double kMostFrictionAsked = 1;
 inline constexpr double kMostDamping = 0.002;  ///< N s per mm of hand.
+inline constexpr double kLeastLimitN = 0.5;
 inline constexpr double kLeastSilenceS = 0.5, kMostSilenceS = 30;
 inline constexpr int kStrengthStep = 10;  ///< Percent; a smaller change of force is hardly felt.
 

@@ -32,6 +32,7 @@ class OwnVoice : public QObject, public Voice {
   explicit OwnVoice(VoiceWays ways, QObject* parent = nullptr);
 
   bool isOn() const override { return settings_.own_voice; }
+  bool isSpeaking() const override;
   bool speak(const std::vector<Message>& sentences, SaidBecause why) override;
   bool speak(const QString& text, SaidBecause why) override;
   void hush() override;
@@ -66,7 +67,6 @@ class OwnVoice : public QObject, public Voice {
   void leaveProgram(const Message& why);
   void changeAfterFailure(Channel left, const Message& why);
   void wasHeard();
-  bool isSpeaking() const;
   QString textOf(const Speech& speech) const;
   SpeechStyle styleOf(const Speech& speech) const;
 

@@ -2,6 +2,7 @@
 #include "plugins/voice/voice_plugin.h"
 
 #include <algorithm>
+#include <cmath>
 #include <QAction>
 #include <QApplication>
 #include <QEvent>
@@ -14,7 +15,15 @@
 namespace relievo {
 namespace {
 
-constexpr int kVolumeStep = 10;
+constexpr double kStepDb = 3;
+
+/// Three decibels louder or softer; both ways of speaking take a percentage of the amplitude.
+int steppedVolume(int percent, bool louder) {
+  constexpr double kDbPerDecade = 20;
+  const double factor = std::pow(10.0, (louder ? kStepDb : -kStepDb) / kDbPerDecade);
+  const int stepped = static_cast<int>(std::lround(factor * percent));
+  return louder ? std::max(stepped, percent + 1) : std::min(stepped, percent - 1);
+}
 
 /// Where the voice speaks; what somebody has set on the plugin's object before is taken instead.
 VoiceWays waysOf(const QObject& plugin) {
@@ -50,13 +59,13 @@ void VoicePlugin::attach(Host& host) {
   louder_action_ = addCommand({.name = QStringLiteral("louderSpeech"),
                                .label = tr("&Louder speech"),
                                .key = {},
-                               .tip = tr("Raise the volume of the voice by 10 percent")});
-  connect(louder_action_, &QAction::triggered, this, [this] { changeVolume(kVolumeStep); });
+                               .tip = tr("Raise the volume of the voice by 3 decibels")});
+  connect(louder_action_, &QAction::triggered, this, [this] { changeVolume(true); });
   softer_action_ = addCommand({.name = QStringLiteral("softerSpeech"),
                                .label = tr("Sof&ter speech"),
                                .key = {},
-                               .tip = tr("Lower the volume of the voice by 10 percent")});
-  connect(softer_action_, &QAction::triggered, this, [this] { changeVolume(-kVolumeStep); });
+                               .tip = tr("Lower the volume of the voice by 3 decibels")});
+  connect(softer_action_, &QAction::triggered, this, [this] { changeVolume(false); });
   connect(panel_, &VoicePanel::settingsChanged, this, [this] {
     settings_ = panel_->settings();
     applySettings();
@@ -124,11 +133,12 @@ void VoicePlugin::repeat() {
   if (!voice_->repeat()) host_->messages.say({said<MessageId::voice_nothing_to_repeat>()});
 }
 
-void VoicePlugin::changeVolume(int percent) {
+void VoicePlugin::changeVolume(bool louder) {
   const int now = settings_.volume_percent;
   // One that the panel has set lower does not become louder by "softer".
-  const int least = percent < 0 ? std::min(now, kLeastVolume) : kLeastVolume;
-  settings_.volume_percent = std::clamp(now + percent, least, settings_.loudest_percent);
+  const int least = louder ? kLeastVolume : std::min(now, kLeastVolume);
+  settings_.volume_percent =
+      std::clamp(steppedVolume(now, louder), least, settings_.loudest_percent);
   if (panel_) panel_->setSettings(settings_);
   applySettings();
   host_->messages.say({said<MessageId::voice_volume>(settings_.volume_percent)});

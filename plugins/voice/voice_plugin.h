@@ -37,7 +37,7 @@ class VoicePlugin : public QObject, public Plugin {
   };
   QAction* addCommand(const Command& command);
   void repeat();
-  void changeVolume(int percent);
+  void changeVolume(bool louder);
   /// The screen reader says what the voice could not.
   void handBack(const Speech& speech);
 

@@ -60,6 +60,7 @@ class TestHost : public ShownWindow,
   }
   void setVoice(Voice* speaker) override { voice = speaker; }
   bool hasVoice() const override { return voice != nullptr && voice->isOn(); }
+  bool isSpeaking() const override { return voice != nullptr && voice->isSpeaking(); }
   ObjectPlace placeAt(double /*x_mm*/, double /*y_mm*/) const override { return object; }
   bool run(const QString& command) override {
     if (command.startsWith(QLatin1String("button:"))) {

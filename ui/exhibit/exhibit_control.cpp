@@ -10,8 +10,11 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "core/describe/hand_place.h"
+#include "core/describe/named_place.h"
 #include "core/project/project_files.h"
 #include "core/region/hand.h"
+#include "ui/exhibit/visit_words.h"
 #include "ui/language/language.h"
 #include "ui/message/message_text.h"
 #include "ui/views/detail_view.h"
@@ -21,11 +24,20 @@ namespace relievo {
 namespace {
 
 constexpr int kTickMs = 50;
-constexpr double kStirMm = 5;  // Of hand: less is a hand that rests.
+constexpr double kRestS = 0.8;  // A pause in the middle of exploring is shorter.
+constexpr double kLetGoS = 2;   // In contact, without any motion.
+constexpr double kReadWordS = 0.25;
 constexpr double kLongestFrameS = 0.25;
 constexpr double kSaveS = 60;
 constexpr double kPinPatienceS = 20;
 constexpr double kNothingComesS = 5;  // After this an object that nobody reads is not coming.
+
+VisitPlan planOf(const Exhibit& exhibit) {
+  return {.languages = exhibit.languages.size(),
+          .objects = exhibit.objects.size(),
+          .introduction = exhibit.touch.introduction,
+          .guide = exhibit.touch.guide && exhibit.touch.device != "mouse"};
+}
 
 }  // namespace
 
@@ -36,7 +48,7 @@ ExhibitControl::ExhibitControl(MainWindow& window, Exhibit exhibit, ExhibitWays 
       lock_(window),
       caption_(new ExhibitCaption(window.centralWidget())),
       chime_(exhibit_.speech.volume_percent),
-      visit_(exhibit_.languages.size(), exhibit_.objects.size(), exhibit_.times, ways_.now_s()),
+      visit_(planOf(exhibit_), exhibit_.times, ways_.now_s()),
       staff_(exhibit_.pin),
       counts_(recordsFolder(exhibit_)),
       health_(recordsFolder(exhibit_) / "health.log") {
@@ -96,13 +108,69 @@ void ExhibitControl::feel(const Probe& probe) {
   if (visit_.state() == Visit::State::touching && probe.touching) {
     counts_.touch(ways_.day(), exhibit_.objects[visit_.object()].id, since_s);
   }
+  probe_ = probe;
   const double scale = 1 / handMapping(*window).objectMmPerHandMm();
   const DeviceMm at{scale * probe.hip.x, scale * probe.hip.y, scale * probe.hip.z};
-  const double away =
-      std::max({std::abs(at.x - hand_.x), std::abs(at.y - hand_.y), std::abs(at.z - hand_.z)});
-  if (felt_before_ && away < kStirMm) return;
-  hand_ = at;
-  if (std::exchange(felt_before_, true)) visit_.stir(now_s);
+  if (hand_.moved(at, now_s)) visit_.stir(now_s);
+}
+
+bool ExhibitControl::isChecked(const char* command) const {
+  const QAction* action = window_.commands().named(QString::fromLatin1(command));
+  return action != nullptr && action->isChecked();
+}
+
+void ExhibitControl::noteError(const QString& code) {
+  if (code == QLatin1String("E402")) toggle("feltPatterns", true);
+}
+
+/// What others do by themselves.
+void ExhibitControl::watch(double now_s) {
+  const bool has_forces = window_.commands().named(QStringLiteral("forces")) != nullptr;
+  const bool forces = isChecked("forces");
+  if (std::exchange(had_forces_, forces) && !forces) visit_.stopped(now_s);
+  const bool speaks = (ways_.speaks && ways_.speaks()) || now_s < read_until_s_;
+  if (speaks || facts_.areAwaited()) visit_.speaking(now_s);
+  switch (visit_.state()) {
+    case Visit::State::introduction:
+      if (!isChecked("touchIntroduction")) visit_.introduced(now_s);
+      break;
+    case Visit::State::guiding:
+      if (!isChecked("guide")) visit_.guided(now_s);
+      break;
+    case Visit::State::touching:
+      // A mouse that lies still is held down, perhaps; a grip that does is held by nobody.
+      if (exhibit_.touch.device != "mouse" && probe_.touching && (forces || !has_forces) &&
+          hand_.stillS(now_s) > kLetGoS) {
+        visit_.letGo(now_s);
+      } else if (!speaks && hand_.restsS(now_s) > kRestS) {
+        sayPlace();
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+/// Where the hand rests, once for each visitor and place: its name, or that nobody measured it.
+void ExhibitControl::sayPlace() {
+  const Document& document = window_.document();
+  const auto window = document.window();
+  if (!probe_.touching || !window || probe_.window_id != window->id) return;
+  const DetailLadder& ladder = document.surface()->ladder;
+  const RectMm object{ladder.left_mm, ladder.bottom_mm, ladder.width_mm, ladder.height_mm};
+  const double reach_mm = HandWatch::kStirMm * handMapping(*window).objectMmPerHandMm();
+  const std::string name = nameAt(document.project().places, object, probe_.proxy, reach_mm);
+  if (!name.empty()) {
+    if (told_places_.insert(name).second) speak({said<MessageId::place_named>(name)});
+    return;
+  }
+  if (probe_.origin != CellStatus::interpolated && probe_.origin != CellStatus::base_plane) return;
+  constexpr double kParts = 20;  // Of the object's longer side.
+  const double part_mm = std::max(object.width_mm, object.height_mm) / kParts;
+  const auto column = std::lround((probe_.proxy.x - object.x_mm) / part_mm);
+  const auto row = std::lround((probe_.proxy.y - object.y_mm) / part_mm);
+  const std::string place = "\n" + std::to_string(column) + "\n" + std::to_string(row);
+  if (told_places_.insert(place).second) speak({said<MessageId::exhibit_not_measured>()});
 }
 
 void ExhibitControl::tick() {
@@ -115,6 +183,7 @@ void ExhibitControl::tick() {
       showPin();
     }
   }
+  watch(now_s);
   for (const Visit::Order& order : visit_.take(now_s)) carryOut(order);
   watchOpening();  // After the order to open, from which it counts.
   if (now_s - saved_s_ > kSaveS) saveCounts();
@@ -123,69 +192,96 @@ void ExhibitControl::tick() {
 void ExhibitControl::carryOut(const Visit::Order& order) {
   using Do = Visit::Do;
   switch (order.what) {
-    case Do::chime:
-      return chime_.play();
-    case Do::welcome: {
-      useLanguage(order.index);
-      std::vector<Message> words{said<MessageId::exhibit_welcome>(),
-                                 said<MessageId::exhibit_grip>(),
-                                 said<MessageId::exhibit_volume>()};
-      if (exhibit_.languages.size() > 1) {
-        words.push_back(said<MessageId::exhibit_take_language>());
-        words.push_back(said<MessageId::exhibit_next_language>());
-      }
-      return speak(words);
-    }
+    case Do::welcome:
     case Do::offer_language:
       useLanguage(order.index);
-      return speak(
-          {said<MessageId::exhibit_take_language>(), said<MessageId::exhibit_next_language>()});
-    case Do::offer_object:
-      return speak(wordsOf(order.index));
+      break;
+    case Do::say_needs_help:
+      log("help was asked for");
+      break;
+    case Do::chime:
+      return chime_.play();
     case Do::open:
       return openObject(order.index);
-    case Do::begin_touch:
-      return beginTouch(order.index);
-    case Do::say_failed:
-      return speak({said<MessageId::exhibit_object_failed>()});
-    case Do::say_needs_help:
-      return speak({said<MessageId::exhibit_needs_help>()});
-    case Do::end_touch:
-      return endTouch();
+    case Do::retry_device:
+      return run("takeForcesBack");
     case Do::louder:
       return run("louderSpeech");
     case Do::softer:
       return run("softerSpeech");
-    case Do::ask_still_there:
-      return speak({said<MessageId::exhibit_still_there>()});
-    case Do::say_goodbye:
-      return speak({said<MessageId::exhibit_goodbye>()});
+    case Do::repeat:
+      return speak(std::vector<Message>(said_));
     case Do::reset:
       return reset();
+    default:
+      carryOutTouch(order);
+      break;
+  }
+  const std::vector<Message> words = visitWords(order, exhibit_, exhibit_.languages[language_]);
+  if (!words.empty()) speak(words);
+}
+
+/// Between the opening of an object and its end; what is said then comes after it.
+void ExhibitControl::carryOutTouch(const Visit::Order& order) {
+  using Do = Visit::Do;
+  switch (order.what) {
+    case Do::introduce:
+      return toggle("touchIntroduction", true);
+    case Do::end_introduction:
+      return toggle("touchIntroduction", false);
+    case Do::next_shape:
+      return run("nextShape");
+    case Do::say_object:
+      setForces(true);
+      return facts_.give([this](const std::vector<Message>& facts) { sayObject(facts); });
+    case Do::guide:
+      setForces(true);
+      return toggle("guide", true);
+    case Do::begin_touch:
+    case Do::begin_free:
+      felt_s_ = ways_.now_s();
+      setForces(true);
+      return window_.detailView().setFocus();
+    case Do::end_touch:
+      return endTouch();
+    case Do::touch_again:
+      return setForces(true);
+    default:
+      return;
   }
 }
 
+void ExhibitControl::sayObject(std::vector<Message> words) {
+  if (const auto window = window_.document().window()) {
+    HandPlace place;
+    place.object_mm_per_hand_mm = handMapping(*window).objectMmPerHandMm();
+    words.push_back(said<MessageId::exhibit_feel_all>());
+    words.push_back(detailWords(place).at(1));  // The scale.
+  }
+  speak(words);
+}
+
+void ExhibitControl::toggle(const char* command, bool on) {
+  if (isChecked(command) != on) run(command);
+}
+
+void ExhibitControl::setForces(bool on) {
+  QAction* forces = window_.commands().named(QStringLiteral("forces"));
+  if (forces != nullptr && forces->isChecked() != on) forces->trigger();
+  had_forces_ = isChecked("forces");
+}
+
 void ExhibitControl::speak(const std::vector<Message>& sentences) {
-  caption_->setSaid(messageText(sentences));
+  const QString shown = messageText(sentences);
+  caption_->setSaid(shown);
+  read_until_s_ = ways_.now_s() + kReadWordS * (shown.count(QLatin1Char(' ')) + 1);
+  said_ = sentences;
   ways_.say(sentences);
 }
 
 void ExhibitControl::useLanguage(std::size_t index) {
   language_ = index;
   applyLanguage(*qApp, QString::fromStdString(exhibit_.languages[index]));
-}
-
-std::vector<Message> ExhibitControl::wordsOf(std::size_t index) const {
-  const ExhibitObject& object = exhibit_.objects[index];
-  const std::string& tag = exhibit_.languages[language_];
-  std::vector<Message> words{
-      said<MessageId::exhibit_object_of>(index + 1, exhibit_.objects.size(), object.title.at(tag))};
-  if (const auto found = object.description.find(tag); found != object.description.end()) {
-    words.push_back(said<MessageId::quoted>(found->second));
-  }
-  words.push_back(said<MessageId::exhibit_take_object>());
-  if (exhibit_.objects.size() > 1) words.push_back(said<MessageId::exhibit_next_object>());
-  return words;
 }
 
 void ExhibitControl::openObject(std::size_t index) {
@@ -215,6 +311,11 @@ void ExhibitControl::openObject(std::size_t index) {
 }
 
 void ExhibitControl::objectOpened() {
+  if (visit_.state() == Visit::State::opening) {
+    counts_.start(ways_.day(), exhibit_.objects[visit_.object()].id);
+    const bool says = exhibit_.touch.introduction || exhibit_.touch.guide;
+    facts_.find(says ? window_.document().surface() : nullptr);
+  }
   visit_.opened(ways_.now_s());
 }
 
@@ -233,17 +334,8 @@ void ExhibitControl::watchOpening() {
   if (ways_.now_s() - opening_since_s_ > kNothingComesS) objectFailed(window_.message());
 }
 
-void ExhibitControl::beginTouch(std::size_t object) {
-  counts_.start(ways_.day(), exhibit_.objects[object].id);
-  felt_s_ = ways_.now_s();
-  speak({said<MessageId::exhibit_hold>(), said<MessageId::exhibit_buttons>(),
-         said<MessageId::exhibit_buttons_more>(), said<MessageId::exhibit_help>()});
-  QAction* forces = window_.commands().named(QStringLiteral("forces"));
-  if (forces != nullptr && !forces->isChecked()) forces->trigger();
-  window_.detailView().setFocus();
-}
-
 void ExhibitControl::endTouch() {
+  had_forces_ = false;  // It is not the visitor who switches them off.
   window_.controllers().touch.stopForces();
   run("moveBack");
 }
@@ -251,6 +343,7 @@ void ExhibitControl::endTouch() {
 /// Beacons and places of the visitor go; the next one begins with the whole relief.
 void ExhibitControl::reset() {
   saveCounts();
+  told_places_.clear();
   if (window_.hasUnsavedWork()) {
     window_.controllers().opening.forgetState();
     window_.controllers().touch.forgetProbe();
@@ -364,7 +457,7 @@ void ExhibitControl::endAtOnce() {
 }
 
 bool ExhibitControl::isQuiet() const {
-  return visit_.state() != Visit::State::touching;
+  return visit_.state() != Visit::State::touching && visit_.state() != Visit::State::help;
 }
 
 void ExhibitControl::log(const std::string& words) {

@@ -6,10 +6,12 @@
 #include <QKeyEvent>
 #include <QObject>
 #include <QTimer>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "core/exhibit/exhibit.h"
+#include "core/exhibit/hand_watch.h"
 #include "core/exhibit/rotating_log.h"
 #include "core/exhibit/visit.h"
 #include "core/exhibit/visit_counts.h"
@@ -17,6 +19,7 @@
 #include "core/region/probe.h"
 #include "ui/exhibit/chime.h"
 #include "ui/exhibit/exhibit_caption.h"
+#include "ui/exhibit/exhibit_facts.h"
 #include "ui/exhibit/exhibit_lock.h"
 #include "ui/views/touch_readout.h"
 
@@ -30,6 +33,8 @@ struct ExhibitWays {
   std::function<void(const std::vector<Message>& sentences)> say;
   /// Language and volume of the voice as at the start of a visit.
   std::function<void()> reset_voice;
+  /// The voice says something; null: it is not known.
+  std::function<bool()> speaks;
   std::function<double()> now_s;     ///< Of a clock that only goes on.
   std::function<std::string()> day;  ///< "2026-11-24".
 };
@@ -47,6 +52,12 @@ class ExhibitControl : public QObject {
   /// A button of the device, by the command that it stands for: "finer". @return false: it is not
   /// about the visit, and does what it always does
   bool press(const QString& command);
+  /// Buttons choose something now.
+  bool chooses() const { return visit_.chooses() && !caption_->asks(); }
+  /// An error of a plugin. Where no voice speaks (E402) the grip's taps say yes and no.
+  void noteError(const QString& code);
+  /// How the device is.
+  void noteDevice(VisitDevice device) { visit_.device(device, ways_.now_s()); }
   /// Whether a command may be run now: those of visitors, while the staff is not asked.
   bool allows(const QString& command) const;
   /// Where the hand is.
@@ -65,15 +76,20 @@ class ExhibitControl : public QObject {
 
  private:
   void connectDocument();
+  void watch(double now_s);
   void carryOut(const Visit::Order& order);
+  void carryOutTouch(const Visit::Order& order);
+  bool isChecked(const char* command) const;
+  void toggle(const char* command, bool on);
+  void setForces(bool on);
+  void sayObject(std::vector<Message> words);
+  void sayPlace();
   void speak(const std::vector<Message>& sentences);
   void useLanguage(std::size_t index);
-  std::vector<Message> wordsOf(std::size_t object) const;
   void openObject(std::size_t index);
   void objectOpened();
   void objectFailed(const QString& why);
   void watchOpening();
-  void beginTouch(std::size_t object);
   void endTouch();
   void reset();
   bool atWhole() const;
@@ -104,8 +120,13 @@ class ExhibitControl : public QObject {
   int open_object_ = -1;      // That the document has, or is being opened.
   double opening_since_s_ = 0;
   double pin_key_s_ = 0, saved_s_ = 0, felt_s_ = 0;
-  DeviceMm hand_;
-  bool felt_before_ = false;
+  double read_until_s_ = 0;  // Who reads what was said needs so long.
+  HandWatch hand_;
+  Probe probe_;                        // The newest.
+  std::set<std::string> told_places_;  // To this visitor.
+  std::vector<Message> said_;          // Last.
+  ExhibitFacts facts_;
+  bool had_forces_ = false;
   QString device_;
 };
 

@@ -20,11 +20,13 @@
 namespace relievo {
 namespace {
 
-constexpr std::array kAllowed{
-    "finer",     "coarser",    "whole",        "move_left",    "move_right",     "move_up",
-    "move_down", "forces",     "forcesOff",    "whereAmI",     "whereAmILong",   "sayDetail",
-    "moveMode",  "moveBack",   "guide",        "next_place",   "previous_place", "beacon",
-    "nextShape", "buttonHelp", "repeatSpeech", "louderSpeech", "softerSpeech"};
+constexpr std::array kAllowed{"finer",          "coarser",      "whole",        "move_left",
+                              "move_right",     "move_up",      "move_down",    "forces",
+                              "forcesOff",      "whereAmI",     "whereAmILong", "sayDetail",
+                              "moveMode",       "moveBack",     "guide",        "next_place",
+                              "previous_place", "beacon",       "nextShape",    "buttonHelp",
+                              "repeatSpeech",   "louderSpeech", "softerSpeech", "touchIntroduction",
+                              "takeForcesBack", "feltPatterns"};
 
 /// A hand is moved by them where there is no device.
 bool movesTheHand(int key) {

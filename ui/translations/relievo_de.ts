@@ -3103,6 +3103,17 @@
     </message>
 </context>
 <context>
+    <name>relievo::FeltPatterns</name>
+    <message>
+        <source>Felt patterns on: one tap is yes, two not measured, three the edge.</source>
+        <translation>Tastzeichen an: ein Stoß ist ja, zwei nicht gemessen, drei der Rand.</translation>
+    </message>
+    <message>
+        <source>Felt patterns off.</source>
+        <translation>Tastzeichen aus.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::FigureDialog</name>
     <message>
         <source>There is not enough memory for this figure. Nothing was written.</source>
@@ -8068,10 +8079,6 @@
         <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächster Ort. Minus: voriger Ort. Vorwärts: fertig; lang: am Umriss entlangführen. Mitte: zurück; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
     </message>
     <message>
-        <source>One button. Press: I offer where am I, finer, coarser, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
-        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, verschieben, führen, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
-    </message>
-    <message>
         <source>Gamepads that are no HID devices cannot be used: this program was built without the system&apos;s header linux/input.h.</source>
         <translation>Gamepads, die keine HID-Geräte sind, können nicht benutzt werden: Dieses Programm wurde ohne die Kopfdatei linux/input.h des Systems gebaut.</translation>
     </message>
@@ -8412,10 +8419,6 @@
         <translation>Minus gehalten: das ganze Relief, dann andere Objekte.</translation>
     </message>
     <message>
-        <source>Plus and Minus held together: louder, softer, again.</source>
-        <translation>Plus und Minus zusammen gehalten: lauter, leiser, noch einmal.</translation>
-    </message>
-    <message>
         <source>Are you still there? Press any button, or I will stop.</source>
         <translation>Sind Sie noch da? Drücken Sie einen Knopf, sonst höre ich auf.</translation>
     </message>
@@ -8498,6 +8501,98 @@
     <message>
         <source>Cannot read %1: it holds more than %2 points, the limit. Thin it out or cut it into parts first.</source>
         <translation>%1 kann nicht gelesen werden: Die Datei enthält mehr als %2 Punkte; mehr geht nicht. Dünnen Sie sie vorher aus, oder teilen Sie sie.</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>Plus held: help, and louder, softer, say it again.</source>
+        <translation>Plus gehalten: Hilfe, und lauter, leiser, noch einmal.</translation>
+    </message>
+    <message>
+        <source>Hold the grip lightly. Nothing will pull you.</source>
+        <translation>Halten Sie den Griff locker. Nichts zieht Sie.</translation>
+    </message>
+    <message>
+        <source>Push it in as far as it goes, and pull it out.</source>
+        <translation>Drücken Sie ihn ganz hinein, und ziehen Sie ihn heraus.</translation>
+    </message>
+    <message>
+        <source>Now the buttons. Press any of them to go on.</source>
+        <translation>Nun die Knöpfe. Drücken Sie einen, um weiterzugehen.</translation>
+    </message>
+    <message>
+        <source>Middle button: where am I.</source>
+        <translation>Mittlerer Knopf: wo bin ich.</translation>
+    </message>
+    <message>
+        <source>Plus: closer. Plus held: help.</source>
+        <translation>Plus: näher. Plus gehalten: Hilfe.</translation>
+    </message>
+    <message>
+        <source>Minus: wider. Minus held: the whole relief.</source>
+        <translation>Minus: weiter. Minus gehalten: das ganze Relief.</translation>
+    </message>
+    <message>
+        <source>Forward: move. Forward held: a marker.</source>
+        <translation>Vorwärts: verschieben. Vorwärts gehalten: eine Marke.</translation>
+    </message>
+    <message>
+        <source>Middle button held long: stop, and go on.</source>
+        <translation>Mittlerer Knopf lang gehalten: anhalten und weitermachen.</translation>
+    </message>
+    <message>
+        <source>You feel all of it now.</source>
+        <translation>Sie fühlen es jetzt ganz.</translation>
+    </message>
+    <message>
+        <source>Shall I guide your hand along the outline once?</source>
+        <translation>Soll ich Ihre Hand einmal am Umriss entlangführen?</translation>
+    </message>
+    <message>
+        <source>Plus for yes, Minus for no.</source>
+        <translation>Plus für ja, Minus für nein.</translation>
+    </message>
+    <message>
+        <source>Now touch as you like.</source>
+        <translation>Fühlen Sie nun, wie Sie möchten.</translation>
+    </message>
+    <message>
+        <source>Not measured here. The real surface is missing in the scan.</source>
+        <translation>Hier nicht gemessen. Die wirkliche Oberfläche fehlt im Scan.</translation>
+    </message>
+    <message>
+        <source>Forces off. Middle button held long: on again.</source>
+        <translation>Kräfte aus. Mittlerer Knopf lang gehalten: wieder an.</translation>
+    </message>
+    <message>
+        <source>Take the grip again to go on.</source>
+        <translation>Nehmen Sie den Griff wieder, um weiterzumachen.</translation>
+    </message>
+    <message>
+        <source>Now Plus is louder and Minus is softer.</source>
+        <translation>Jetzt ist Plus lauter und Minus leiser.</translation>
+    </message>
+    <message>
+        <source>Middle button: say it again. Forward: back to touching.</source>
+        <translation>Mittlerer Knopf: noch einmal sagen. Vorwärts: zurück zum Fühlen.</translation>
+    </message>
+    <message>
+        <source>Take it</source>
+        <translation>Nehmen</translation>
+    </message>
+    <message>
+        <source>The next one</source>
+        <translation>Das nächste</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, whole object, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
+        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, ganzes Objekt, verschieben, führen, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
     </message>
 </context>
 <context>
@@ -10686,6 +10781,64 @@
     </message>
 </context>
 <context>
+    <name>relievo::SoundControl</name>
+    <message>
+        <source>the sound server does not answer</source>
+        <translation>der Klangserver antwortet nicht</translation>
+    </message>
+    <message>
+        <source>There is no sound: %1. Touch goes on without it. Switch the sounds off and on to try again.</source>
+        <translation>Es gibt keinen Klang: %1. Das Fühlen geht ohne ihn weiter. Schalten Sie die Klänge aus und wieder ein, um es neu zu versuchen.</translation>
+    </message>
+    <message>
+        <source>Sounds of touch at %1 percent.</source>
+        <translation>Klänge beim Fühlen bei %1 Prozent.</translation>
+    </message>
+    <message>
+        <source>Sounds of touch on.</source>
+        <translation>Klänge beim Fühlen an.</translation>
+    </message>
+    <message>
+        <source>Sounds of touch off.</source>
+        <translation>Klänge beim Fühlen aus.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SoundRows</name>
+    <message>
+        <source>Sounds of touch</source>
+        <translation>Klänge beim Fühlen</translation>
+    </message>
+    <message>
+        <source>Volume of the sounds in percent</source>
+        <translation>Lautstärke der Klänge in Prozent</translation>
+    </message>
+    <message>
+        <source>Hear what the hand meets, while it touches (Ctrl+Alt+A).</source>
+        <translation>Hören, worauf die Hand trifft, während sie fühlt (Ctrl+Alt+A).</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the sounds of touch; speech has a volume of its own.</source>
+        <translation>Der Klänge beim Fühlen; die Sprache hat eine eigene Lautstärke.</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Lautstärke</translation>
+    </message>
+    <message>
+        <source>Felt patterns</source>
+        <translation>Tastzeichen</translation>
+    </message>
+    <message>
+        <source>Taps of the grip: one is yes, two not measured, three the edge. Only while forces are on.</source>
+        <translation>Stöße des Griffs: einer ist ja, zwei nicht gemessen, drei der Rand. Nur solange Kräfte an sind.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::StartPage</name>
     <message>
         <source>Acceptance relief: dome, step, ridge, grating</source>
@@ -11944,6 +12097,18 @@
         <source>Make the sounds of touch quieter (Ctrl+Alt+Page Down)</source>
         <translation>Die Klänge beim Fühlen leiser machen (Ctrl+Alt+Bild ab)</translation>
     </message>
+    <message>
+        <source>Felt &amp;patterns</source>
+        <translation>Tastzeichen (&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Taps of the grip say what sounds say, for who does not hear them</source>
+        <translation>Stöße des Griffs sagen, was Klänge sagen, für alle, die sie nicht hören</translation>
+    </message>
+    <message>
+        <source>One tap: yes. Two: not measured. Three: the edge. Only while forces are on.</source>
+        <translation>Ein Stoß: ja. Zwei: nicht gemessen. Drei: der Rand. Nur solange Kräfte an sind.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TouchController</name>
@@ -12496,16 +12661,16 @@
         <translation>La&amp;uter sprechen</translation>
     </message>
     <message>
-        <source>Raise the volume of the voice by 10 percent</source>
-        <translation>Erhöht die Lautstärke der Stimme um 10 Prozent</translation>
-    </message>
-    <message>
         <source>Sof&amp;ter speech</source>
         <translation>Leiser s&amp;prechen</translation>
     </message>
     <message>
-        <source>Lower the volume of the voice by 10 percent</source>
-        <translation>Verringert die Lautstärke der Stimme um 10 Prozent</translation>
+        <source>Raise the volume of the voice by 3 decibels</source>
+        <translation>Erhöht die Lautstärke der Stimme um 3 Dezibel</translation>
+    </message>
+    <message>
+        <source>Lower the volume of the voice by 3 decibels</source>
+        <translation>Verringert die Lautstärke der Stimme um 3 Dezibel</translation>
     </message>
 </context>
 <context>
@@ -12571,56 +12736,6 @@
     <message>
         <source>hand scale 1 : %1</source>
         <translation>Maßstab der Hand 1 : %1</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::SoundControl</name>
-    <message>
-        <source>the sound server does not answer</source>
-        <translation>der Klangserver antwortet nicht</translation>
-    </message>
-    <message>
-        <source>There is no sound: %1. Touch goes on without it. Switch the sounds off and on to try again.</source>
-        <translation>Es gibt keinen Klang: %1. Das Fühlen geht ohne ihn weiter. Schalten Sie die Klänge aus und wieder ein, um es neu zu versuchen.</translation>
-    </message>
-    <message>
-        <source>Sounds of touch at %1 percent.</source>
-        <translation>Klänge beim Fühlen bei %1 Prozent.</translation>
-    </message>
-    <message>
-        <source>Sounds of touch on.</source>
-        <translation>Klänge beim Fühlen an.</translation>
-    </message>
-    <message>
-        <source>Sounds of touch off.</source>
-        <translation>Klänge beim Fühlen aus.</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::SoundRows</name>
-    <message>
-        <source>Sounds of touch</source>
-        <translation>Klänge beim Fühlen</translation>
-    </message>
-    <message>
-        <source>Volume of the sounds in percent</source>
-        <translation>Lautstärke der Klänge in Prozent</translation>
-    </message>
-    <message>
-        <source>Hear what the hand meets, while it touches (Ctrl+Alt+A).</source>
-        <translation>Hören, worauf die Hand trifft, während sie fühlt (Ctrl+Alt+A).</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Of the sounds of touch; speech has a volume of its own.</source>
-        <translation>Der Klänge beim Fühlen; die Sprache hat eine eigene Lautstärke.</translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Lautstärke</translation>
     </message>
 </context>
 </TS>

@@ -3103,6 +3103,17 @@
     </message>
 </context>
 <context>
+    <name>relievo::FeltPatterns</name>
+    <message>
+        <source>Felt patterns on: one tap is yes, two not measured, three the edge.</source>
+        <translation>स्पर्श संकेत चालू: एक थपकी हाँ, दो मापा नहीं गया, तीन किनारा।</translation>
+    </message>
+    <message>
+        <source>Felt patterns off.</source>
+        <translation>स्पर्श संकेत बंद।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::FigureDialog</name>
     <message>
         <source>There is not enough memory for this figure. Nothing was written.</source>
@@ -8068,10 +8079,6 @@
         <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला स्थान। माइनस: पिछला स्थान। आगे: पूरा; देर तक: रूपरेखा के साथ ले चलना। बीच: वापस; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
     </message>
     <message>
-        <source>One button. Press: I offer where am I, finer, coarser, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
-        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, खिसकाना, ले चलना, बल, फिर से कहें, और तेज़, और धीमा, सहायता। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
-    </message>
-    <message>
         <source>Gamepads that are no HID devices cannot be used: this program was built without the system&apos;s header linux/input.h.</source>
         <translation>जो गेमपैड HID उपकरण नहीं हैं, उनका उपयोग नहीं हो सकता: यह प्रोग्राम सिस्टम की हेडर फ़ाइल linux/input.h के बिना बनाया गया था।</translation>
     </message>
@@ -8412,10 +8419,6 @@
         <translation>माइनस दबाए रखें: पूरा उभार, फिर दूसरी वस्तुएँ।</translation>
     </message>
     <message>
-        <source>Plus and Minus held together: louder, softer, again.</source>
-        <translation>प्लस और माइनस साथ दबाए रखें: तेज़, धीमा, फिर से।</translation>
-    </message>
-    <message>
         <source>Are you still there? Press any button, or I will stop.</source>
         <translation>क्या आप अभी यहाँ हैं? कोई बटन दबाएँ, नहीं तो मैं रुक जाऊँगा।</translation>
     </message>
@@ -8498,6 +8501,98 @@
     <message>
         <source>Cannot read %1: it holds more than %2 points, the limit. Thin it out or cut it into parts first.</source>
         <translation>%1 पढ़ी नहीं जा सकती: इसमें %2 से अधिक बिंदु हैं, जो सीमा है। पहले इसे विरल करें या भागों में बाँटें।</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true या false</translation>
+    </message>
+    <message>
+        <source>Plus held: help, and louder, softer, say it again.</source>
+        <translation>प्लस दबाए रखें: सहायता, तेज़, धीमा, फिर से।</translation>
+    </message>
+    <message>
+        <source>Hold the grip lightly. Nothing will pull you.</source>
+        <translation>हैंडल हल्के से पकड़ें। कुछ भी आपको नहीं खींचेगा।</translation>
+    </message>
+    <message>
+        <source>Push it in as far as it goes, and pull it out.</source>
+        <translation>उसे पूरा अंदर धकेलें, फिर बाहर खींचें।</translation>
+    </message>
+    <message>
+        <source>Now the buttons. Press any of them to go on.</source>
+        <translation>अब बटन। आगे बढ़ने के लिए कोई बटन दबाएँ।</translation>
+    </message>
+    <message>
+        <source>Middle button: where am I.</source>
+        <translation>बीच का बटन: मैं कहाँ हूँ।</translation>
+    </message>
+    <message>
+        <source>Plus: closer. Plus held: help.</source>
+        <translation>प्लस: पास। प्लस दबाए रखें: सहायता।</translation>
+    </message>
+    <message>
+        <source>Minus: wider. Minus held: the whole relief.</source>
+        <translation>माइनस: चौड़ा। माइनस दबाए रखें: पूरा उभार।</translation>
+    </message>
+    <message>
+        <source>Forward: move. Forward held: a marker.</source>
+        <translation>आगे: खिसकाएँ। आगे दबाए रखें: एक निशान।</translation>
+    </message>
+    <message>
+        <source>Middle button held long: stop, and go on.</source>
+        <translation>बीच का बटन देर तक दबाए रखें: रुकें, फिर चलें।</translation>
+    </message>
+    <message>
+        <source>You feel all of it now.</source>
+        <translation>अभी आप उसे पूरा छू रहे हैं।</translation>
+    </message>
+    <message>
+        <source>Shall I guide your hand along the outline once?</source>
+        <translation>क्या मैं आपका हाथ एक बार रूपरेखा पर ले चलूँ?</translation>
+    </message>
+    <message>
+        <source>Plus for yes, Minus for no.</source>
+        <translation>हाँ के लिए प्लस, नहीं के लिए माइनस।</translation>
+    </message>
+    <message>
+        <source>Now touch as you like.</source>
+        <translation>अब जैसे चाहें वैसे छुएँ।</translation>
+    </message>
+    <message>
+        <source>Not measured here. The real surface is missing in the scan.</source>
+        <translation>यहाँ मापा नहीं गया। असली सतह स्कैन में नहीं है।</translation>
+    </message>
+    <message>
+        <source>Forces off. Middle button held long: on again.</source>
+        <translation>बल बंद। बीच का बटन देर तक दबाए रखें: फिर चालू।</translation>
+    </message>
+    <message>
+        <source>Take the grip again to go on.</source>
+        <translation>आगे बढ़ने के लिए हैंडल फिर पकड़ें।</translation>
+    </message>
+    <message>
+        <source>Now Plus is louder and Minus is softer.</source>
+        <translation>अब प्लस से तेज़ और माइनस से धीमा।</translation>
+    </message>
+    <message>
+        <source>Middle button: say it again. Forward: back to touching.</source>
+        <translation>बीच का बटन: फिर से कहें। आगे: वापस छूने पर।</translation>
+    </message>
+    <message>
+        <source>Take it</source>
+        <translation>इसे लें</translation>
+    </message>
+    <message>
+        <source>The next one</source>
+        <translation>अगला</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>वापस</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, whole object, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
+        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, पूरी वस्तु, खिसकाना, ले चलना, बल, फिर से कहें, और तेज़, और धीमा, सहायता। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
     </message>
 </context>
 <context>
@@ -10686,6 +10781,64 @@
     </message>
 </context>
 <context>
+    <name>relievo::SoundControl</name>
+    <message>
+        <source>the sound server does not answer</source>
+        <translation>ध्वनि सर्वर उत्तर नहीं देता</translation>
+    </message>
+    <message>
+        <source>There is no sound: %1. Touch goes on without it. Switch the sounds off and on to try again.</source>
+        <translation>ध्वनि नहीं है: %1। स्पर्श उसके बिना चलता रहता है। फिर कोशिश करने के लिए ध्वनियाँ बंद करके चालू करें।</translation>
+    </message>
+    <message>
+        <source>Sounds of touch at %1 percent.</source>
+        <translation>स्पर्श की ध्वनियाँ %1 प्रतिशत पर।</translation>
+    </message>
+    <message>
+        <source>Sounds of touch on.</source>
+        <translation>स्पर्श की ध्वनियाँ चालू।</translation>
+    </message>
+    <message>
+        <source>Sounds of touch off.</source>
+        <translation>स्पर्श की ध्वनियाँ बंद।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SoundRows</name>
+    <message>
+        <source>Sounds of touch</source>
+        <translation>स्पर्श की ध्वनियाँ</translation>
+    </message>
+    <message>
+        <source>Volume of the sounds in percent</source>
+        <translation>ध्वनियों की मात्रा प्रतिशत में</translation>
+    </message>
+    <message>
+        <source>Hear what the hand meets, while it touches (Ctrl+Alt+A).</source>
+        <translation>छूते समय सुनें कि हाथ किससे मिलता है (Ctrl+Alt+A)।</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the sounds of touch; speech has a volume of its own.</source>
+        <translation>स्पर्श की ध्वनियों की; बोली की अपनी अलग मात्रा है।</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>आवाज़ का स्तर</translation>
+    </message>
+    <message>
+        <source>Felt patterns</source>
+        <translation>स्पर्श संकेत</translation>
+    </message>
+    <message>
+        <source>Taps of the grip: one is yes, two not measured, three the edge. Only while forces are on.</source>
+        <translation>हैंडल की थपकियाँ: एक हाँ, दो मापा नहीं गया, तीन किनारा। केवल जब बल चालू हों।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::StartPage</name>
     <message>
         <source>Acceptance relief: dome, step, ridge, grating</source>
@@ -11944,6 +12097,18 @@
         <source>Make the sounds of touch quieter (Ctrl+Alt+Page Down)</source>
         <translation>स्पर्श की ध्वनियाँ धीमी करें (Ctrl+Alt+Page Down)</translation>
     </message>
+    <message>
+        <source>Felt &amp;patterns</source>
+        <translation>स्पर्श संकेत (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Taps of the grip say what sounds say, for who does not hear them</source>
+        <translation>हैंडल की थपकियाँ वही बताती हैं जो ध्वनियाँ, उनके लिए जो सुन नहीं पाते</translation>
+    </message>
+    <message>
+        <source>One tap: yes. Two: not measured. Three: the edge. Only while forces are on.</source>
+        <translation>एक थपकी: हाँ। दो: मापा नहीं गया। तीन: किनारा। केवल जब बल चालू हों।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TouchController</name>
@@ -12496,16 +12661,16 @@
         <translation>और तेज़ बोलें (&amp;L)</translation>
     </message>
     <message>
-        <source>Raise the volume of the voice by 10 percent</source>
-        <translation>आवाज़ 10 प्रतिशत बढ़ाता है</translation>
-    </message>
-    <message>
         <source>Sof&amp;ter speech</source>
         <translation>और धीमे बोलें (&amp;T)</translation>
     </message>
     <message>
-        <source>Lower the volume of the voice by 10 percent</source>
-        <translation>आवाज़ 10 प्रतिशत घटाता है</translation>
+        <source>Raise the volume of the voice by 3 decibels</source>
+        <translation>आवाज़ 3 डेसिबल बढ़ाता है</translation>
+    </message>
+    <message>
+        <source>Lower the volume of the voice by 3 decibels</source>
+        <translation>आवाज़ 3 डेसिबल घटाता है</translation>
     </message>
 </context>
 <context>
@@ -12571,56 +12736,6 @@
     <message>
         <source>hand scale 1 : %1</source>
         <translation>हाथ का पैमाना 1 : %1</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::SoundControl</name>
-    <message>
-        <source>the sound server does not answer</source>
-        <translation>ध्वनि सर्वर उत्तर नहीं देता</translation>
-    </message>
-    <message>
-        <source>There is no sound: %1. Touch goes on without it. Switch the sounds off and on to try again.</source>
-        <translation>ध्वनि नहीं है: %1। स्पर्श उसके बिना चलता रहता है। फिर कोशिश करने के लिए ध्वनियाँ बंद करके चालू करें।</translation>
-    </message>
-    <message>
-        <source>Sounds of touch at %1 percent.</source>
-        <translation>स्पर्श की ध्वनियाँ %1 प्रतिशत पर।</translation>
-    </message>
-    <message>
-        <source>Sounds of touch on.</source>
-        <translation>स्पर्श की ध्वनियाँ चालू।</translation>
-    </message>
-    <message>
-        <source>Sounds of touch off.</source>
-        <translation>स्पर्श की ध्वनियाँ बंद।</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::SoundRows</name>
-    <message>
-        <source>Sounds of touch</source>
-        <translation>स्पर्श की ध्वनियाँ</translation>
-    </message>
-    <message>
-        <source>Volume of the sounds in percent</source>
-        <translation>ध्वनियों की मात्रा प्रतिशत में</translation>
-    </message>
-    <message>
-        <source>Hear what the hand meets, while it touches (Ctrl+Alt+A).</source>
-        <translation>छूते समय सुनें कि हाथ किससे मिलता है (Ctrl+Alt+A)।</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Of the sounds of touch; speech has a volume of its own.</source>
-        <translation>स्पर्श की ध्वनियों की; बोली की अपनी अलग मात्रा है।</translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>आवाज़ का स्तर</translation>
     </message>
 </context>
 </TS>

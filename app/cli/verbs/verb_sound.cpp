@@ -27,7 +27,7 @@ struct SoundArguments {
 };
 
 constexpr std::array<const char*, sound::kEarcons> kEarconNames{
-    "contact", "edge", "not_measured", "finer", "coarser", "done", "problem"};
+    "contact", "edge", "not_measured", "finer", "coarser", "done", "problem", "corner"};
 
 bool isWavName(const std::filesystem::path& file) {
   std::string ending = file.extension().string();

@@ -22,7 +22,7 @@ struct NamedFields {
       visit("proxy", s.proxy); visit("force", s.force); visit("fields", s.fields);
       visit("stiffness_by_detail", s.stiffness_by_detail); visit("detail_stiffness", s.detail_stiffness);
       visit("frame", s.frame); visit("cushion", s.cushion); visit("workspace", s.workspace); visit("id", s.id);
-      visit("gate", s.detent); visit("guide", s.guide); visit("beacon", s.beacon); visit("stop", s.stop); visit("bound_by_rate", s.bound_by_rate);
+      visit("gate", s.detent); visit("guide", s.guide); visit("beacon", s.beacon); visit("taps", s.taps); visit("stop", s.stop); visit("bound_by_rate", s.bound_by_rate);
       visit("holds_grip", s.holds_grip); visit("timing", s.timing);
     } else if constexpr (kIs<T, ProxyOptions>) {
       visit("kind", s.kind); visit("step_mm", s.step_mm); visit("updates_per_tick", s.updates_per_tick);
@@ -55,6 +55,11 @@ struct NamedFields {
       visit("path", s.path);
     } else if constexpr (kIs<T, BeaconOptions>) {
       visit("id", s.id); visit("place", s.place); visit("scene_id", s.scene_id);
+    } else if constexpr (kIs<T, TapOptions>) {
+      visit("id", s.id); visit("pattern", s.pattern);
+    } else if constexpr (kIs<T, TapState>) {
+      visit("id", s.id); visit("left", s.left); visit("since_s", s.since_s); visit("waited_s", s.waited_s);
+      visit("from_mm", s.from_mm); visit("force_n", s.force_n);
     } else if constexpr (kIs<T, BeaconState>) {
       visit("id", s.id); visit("end", s.end); visit("place", s.place); visit("weight", s.weight);
       visit("since_s", s.since_s); visit("away_s", s.away_s); visit("fast_s", s.fast_s);
@@ -76,6 +81,7 @@ struct NamedFields {
       visit("proxy", s.proxy_); visit("chain", s.chain_); visit("change", s.change_); visit("settings", s.settings_);
       visit("rate", s.rate_); visit("slow", s.slow_); visit("felt_now", s.felt_now_); visit("frame", s.frame_);
       visit("hand", s.hand_); visit("soft", s.soft_); visit("force", s.force_); visit("stop", s.stop_); visit("guide", s.guide_); visit("beacon", s.beacon_);
+      visit("taps", s.taps_);
       visit("audit", s.audit_); visit("places", s.speed_.places_); visit("oldest", s.speed_.oldest_);
       visit("places_seen", s.speed_.seen_); visit("hip", s.hip_); visit("fault", s.fault_); visit("tick", s.tick_);
       visit("window_id", s.felt_.window_id); visit("scene_id", s.felt_.scene_id); visit("surface", s.felt_.surface);

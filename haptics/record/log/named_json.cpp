@@ -48,6 +48,9 @@ constexpr StopReason lastOf(StopReason) {
 constexpr GuidePhase lastOf(GuidePhase) {
   return GuidePhase::pausing;
 }
+constexpr FeltPattern lastOf(FeltPattern) {
+  return FeltPattern::edge;
+}
 constexpr GuideEnd lastOf(GuideEnd) {
   return GuideEnd::surface;
 }

@@ -27,7 +27,8 @@ DeviceButtons::DeviceButtons(Host& host, std::unique_ptr<hid::HidDevices> hid,
 void DeviceButtons::press(std::uint8_t button, bool down, double time_s) {
   if (down) host_.messages.hush();
   const std::uint32_t bit = button < 32 ? std::uint32_t{1} << button : 0;
-  if (down && (led_ || taught_)) {
+  const bool is_taught = taught_ && !settings_.one_button;  // One button scans.
+  if (down && (led_ || is_taught)) {
     let_go_ |= bit;
     led_ ? Q_EMIT letGo() : Q_EMIT taught(button);
     return;
@@ -105,6 +106,9 @@ void DeviceButtons::frame(const HapticSample& sample, double now_s) {
   sample_ = sample;
   commands_.setForcesOn(sample.engaged != EngagePhase::off);
   commands_.setVoice(host_.messages.hasVoice());
+  if (settings_.one_button) {
+    commands_.setChoosing(taught_ || host_.controls.run(QString::fromLatin1(kButtonFirst)));
+  }
   readHid(now_s);
   if (detent_.on && !host_.view.shownWindow()) cancelMoving();
   commands_.hand(sample.hip);
@@ -142,7 +146,25 @@ bool DeviceButtons::takenByWindow(ButtonCommand command) {
   return true;
 }
 
+/// In the introduction, of who has one button: the task again, the next one, or no more.
+bool DeviceButtons::carryOutTaught(ButtonCommand command) {
+  switch (command) {
+    case ButtonCommand::take:
+      Q_EMIT taught(ButtonCommands::kCentre);
+      return true;
+    case ButtonCommand::next:
+      Q_EMIT taught(ButtonCommands::kForward);
+      return true;
+    case ButtonCommand::back:
+      host_.controls.run(QStringLiteral("touchIntroduction"));
+      return true;
+    default:
+      return false;
+  }
+}
+
 void DeviceButtons::carryOut(ButtonCommand command) {
+  if (taught_ && carryOutTaught(command)) return;
   if (takenByWindow(command)) return;
   switch (command) {
     case ButtonCommand::where_am_i:

@@ -37,7 +37,8 @@ class DeviceButtons : public QObject {
   bool moving() const { return detent_.on; }
   /// The hand is being led: a button that goes down lets it go, and does nothing else.
   void setLed(bool led) { led_ = led; }
-  /// The introduction runs: buttons that go down are told to it by taught(), and do nothing else.
+  /// The introduction runs: buttons that go down are told to it by taught(), and do nothing else;
+  /// one that scans offers to go on.
   void setTaught(bool taught) { taught_ = taught; }
 
   // The commands that menus and keys share with the buttons. Each says its result.
@@ -67,6 +68,7 @@ class DeviceButtons : public QObject {
   bool takenByWindow(ButtonCommand command);
   void carryOut(ButtonCommand command);
   bool carryOutMove(ButtonCommand command);
+  bool carryOutTaught(ButtonCommand command);
   void setDetent(const MoveDetent& detent);
   HandPlace handPlace() const;
   /// Which window is shown, after what led there.

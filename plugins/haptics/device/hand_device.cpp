@@ -113,6 +113,12 @@ void HandDevice::openAnew() {
   change();
 }
 
+TouchDevice HandDevice::stateOf(DeviceFault fault) const {
+  if (isReplaced()) return TouchDevice::gone;
+  if (opening_ || fault == DeviceFault::not_ready) return TouchDevice::preparing;
+  return fault == DeviceFault::none ? TouchDevice::ready : TouchDevice::gone;
+}
+
 void HandDevice::useSettings() {
   if (session_ && parts_.settings.device != opened_) change();
 }

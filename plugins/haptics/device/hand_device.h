@@ -51,6 +51,8 @@ class HandDevice : public QObject {
   bool isOpening() const { return opening_ != nullptr; }
   /// The mouse is the hand, because the one that was asked for could not be opened.
   bool isReplaced() const { return !opening_ && !setup_ && !fallback_.isEmpty(); }
+  /// Of the device that was asked for. @param fault  that it reports now
+  TouchDevice stateOf(DeviceFault fault) const;
 
   /// Adds to a report what the device says of itself, and announces what is new of it.
   void report(LoopReport& report);

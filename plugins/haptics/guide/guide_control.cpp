@@ -49,7 +49,9 @@ void GuideControl::connectGuide() {
   });
   connect(&buttons_, &ButtonControl::letGo, this, [this] { guide_.letGo(); });
   connect(parts_.actions.guide, &QAction::triggered, this, [this] {
-    if (device_.session()) guide_.toggle(*device_.session(), parts_.forces_asked);
+    if (device_.session()) {
+      guide_.toggle(*device_.session(), parts_.forces_asked, parts_.settings.guide_rounds);
+    }
   });
   connect(parts_.actions.guide_along, &QAction::triggered, this, &GuideControl::chooseWay);
 }
@@ -64,6 +66,7 @@ void GuideControl::chooseWay() {
 }
 
 void GuideControl::connectTraining() {
+  connect(&training_, &TouchTraining::found, this, &GuideControl::found);
   connect(&training_, &TouchTraining::changed, this, &GuideControl::showTraining);
   connect(parts_.actions.training, &QAction::triggered, this, &GuideControl::setTraining);
   connect(parts_.actions.next_shape, &QAction::triggered, this, [this] { training_.skip(nowS()); });
@@ -71,6 +74,8 @@ void GuideControl::connectTraining() {
   connect(&buttons_, &ButtonControl::taught, this, [this](quint8 button) {
     if (button == ButtonCommands::kForward) training_.skip(nowS());
     if (button == ButtonCommands::kCentre) training_.repeat();
+    if (button == ButtonCommands::kPlus) parts_.host.controls.run(QStringLiteral("louderSpeech"));
+    if (button == ButtonCommands::kMinus) parts_.host.controls.run(QStringLiteral("softerSpeech"));
   });
 }
 
@@ -87,7 +92,8 @@ void GuideControl::setTraining(bool on) {
   marker_.drop();
   buttons_.cancelMoving();
   const bool were_off = !parts_.forces_asked;
-  training_.begin(were_off, nowS());
+  training_.begin({.shapes = parts_.settings.introduction_shapes, .switches_forces_on = were_off},
+                  nowS());
   if (were_off) Q_EMIT forcesAsked(true);
 }
 

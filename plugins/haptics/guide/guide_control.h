@@ -38,6 +38,7 @@ class GuideControl : public QObject {
   void setRecording(bool on);
 
  Q_SIGNALS:
+  void found();               ///< What a task of the introduction was about.
   void changed();             ///< addTo() adds something else now.
   void forcesAsked(bool on);  ///< They are to be switched.
 

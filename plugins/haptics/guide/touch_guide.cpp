@@ -51,8 +51,9 @@ bool TouchGuide::isPossible(const LoopSession& session, bool forces_on) {
   return !refusal;
 }
 
-void TouchGuide::toggle(const LoopSession& session, bool forces_on) {
+void TouchGuide::toggle(const LoopSession& session, bool forces_on, int rounds) {
   if (isOn()) return stop();
+  rounds_ = rounds;
   if (!isPossible(session, forces_on)) return;
   const std::shared_ptr<const RegionWindow> window = host_.view.shownWindow();
   const double tolerance_mm = kOutlineToleranceMm * handMapping(*window).objectMmPerHandMm();
@@ -129,7 +130,7 @@ std::optional<GuidePath> TouchGuide::pathOf(const Found& found, const HandMappin
   of = wordsOf(nearest->of);
   std::vector<DeviceMm> corners;
   for (const ViewMm& p : nearest->corners) corners.push_back(mapping.device_from_view(p));
-  return guidePath(corners, true, kMostRounds);
+  return guidePath(corners, true, static_cast<std::uint32_t>(rounds_));
 }
 
 void TouchGuide::take(LoopSession& session, const HapticSample& sample) {

@@ -27,7 +27,8 @@ class TouchGuide : public QObject {
   ~TouchGuide() override;  ///< Waits for the worker, some ten milliseconds.
 
   /// Along the outline nearest to the hand; or off, if it leads already.
-  void toggle(const LoopSession& session, bool forces_on);
+  /// @param rounds  1 .. kMostRounds
+  void toggle(const LoopSession& session, bool forces_on, int rounds = kMostRounds);
   /// Along the way of a recording or a stroke.
   void along(const QString& file, const LoopSession& session, bool forces_on);
   /// Off, and says so if it was on.
@@ -63,6 +64,7 @@ class TouchGuide : public QObject {
   Host& host_;
   std::future<Found> finding_;
   std::uint64_t path_ = 0;  // GuidePath::id; 0: none.
+  int rounds_ = kMostRounds;
 };
 
 }  // namespace relievo

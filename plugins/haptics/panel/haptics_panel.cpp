@@ -164,7 +164,7 @@ void HapticsPanel::setSettings(const TouchSettings& settings) {
   }
   feel_->setFeel(settings.feel);
   firmness_->setFile(settings.firmness);
-  sound_->set(settings.sound);
+  sound_->set(settings);
   device_->set(settings.device, settings.holds_grip);
   changed();
 }
@@ -175,6 +175,7 @@ TouchSettings HapticsPanel::settings() const {
   settings.feel = feel_->feel();
   settings.firmness = firmness_->file();
   settings.sound = sound_->sound();
+  settings.felt_patterns = sound_->feltPatterns();
   settings.holds_grip = device_->holdsGrip();
   settings.device = device_->device();
   return settings;

@@ -11,7 +11,7 @@ class QSpinBox;
 
 namespace relievo {
 
-/// The rows of the panel Touch about its sounds. [GUI thread]
+/// The rows of the panel Touch about its sounds, and about the taps that say the same. [GUI thread]
 class SoundRows : public QObject {
   Q_OBJECT
  public:
@@ -19,7 +19,8 @@ class SoundRows : public QObject {
   void addTo(QFormLayout* form);
 
   SoundSettings sound() const;
-  void set(const SoundSettings& sound);  ///< Emits nothing.
+  bool feltPatterns() const;
+  void set(const TouchSettings& settings);  ///< Emits nothing.
 
  Q_SIGNALS:
   void changed();  ///< By the person.
@@ -27,6 +28,7 @@ class SoundRows : public QObject {
  private:
   QCheckBox* on_;
   QSpinBox* volume_;
+  QCheckBox* felt_;
 };
 
 }  // namespace relievo

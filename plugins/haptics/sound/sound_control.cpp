@@ -45,6 +45,7 @@ void SoundControl::begin() {
 }
 
 void SoundControl::watch() {
+  if (live_) live_->setSpeech(parts_.host.messages.isSpeaking());
   if (!out_) return;
   const sound::SoundOut::State state = out_->state();
   const bool is_mute =

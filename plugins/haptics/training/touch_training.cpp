@@ -17,14 +17,16 @@ void TouchTraining::take(const Training::News& news) {
     window_ = std::make_unique<const RegionWindow>(
         trainingWindow(training_.shape(), kFirstId + ++windows_));
   }
+  if (news.found) Q_EMIT found();
   if (!news.say.empty()) host_.messages.say(news.say);
   if (news.over || news.other_shape) Q_EMIT changed();
 }
 
-void TouchTraining::begin(bool switches_forces_on, double now_s) {
-  std::vector<Message> before{said<MessageId::training_begins>()};
-  if (switches_forces_on) before.push_back(said<MessageId::training_forces>());
-  take(training_.begin(now_s, std::move(before)));
+void TouchTraining::begin(const Beginning& beginning, double now_s) {
+  std::vector<Message> before;
+  if (beginning.shapes == kTrainingShapes) before.push_back(said<MessageId::training_begins>());
+  if (beginning.switches_forces_on) before.push_back(said<MessageId::training_forces>());
+  take(training_.begin(now_s, std::move(before), beginning.shapes));
 }
 
 void TouchTraining::skip(double now_s) {

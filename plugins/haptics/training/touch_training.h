@@ -19,8 +19,11 @@ class TouchTraining : public QObject {
  public:
   explicit TouchTraining(Host& host) : host_(host) {}
 
-  /// @param switches_forces_on  they were off, and come on for it
-  void begin(bool switches_forces_on, double now_s);
+  struct Beginning {
+    int shapes = kTrainingShapes;     ///< The first so many.
+    bool switches_forces_on = false;  ///< They were off, and come on for it.
+  };
+  void begin(const Beginning& beginning, double now_s);
   /// On to the next shape.
   void skip(double now_s);
   /// The task once more.
@@ -37,6 +40,7 @@ class TouchTraining : public QObject {
   ViewMm target(const HandTarget& target, const RegionWindow& shown) const;
 
  Q_SIGNALS:
+  void found();  ///< What a task was about.
   /// window() is another one, or none.
   void changed();
 

@@ -40,7 +40,14 @@ class ExhibitTest : public testing::Test {
           {{"file", "panel.ply"}, {"title", {{"en", "A panel"}, {"de", "Eine Tafel"}}}}}},
         {"idle", {{"still_there_s", 40}, {"goodbye_s", 10.5}, {"chime_s", 0}}},
         {"speech", {{"volume_percent", 60}, {"loudest_percent", 80}, {"words_per_minute", 180}}},
-        {"touch", {{"device", "falcon"}, {"strength_percent", 30}}},
+        {"touch",
+         {{"device", "falcon"},
+          {"strength_percent", 30},
+          {"limit_n", 2.5},
+          {"introduction", false},
+          {"guide", false},
+          {"sounds_percent", 0},
+          {"one_button", true}}},
         {"staff_pin", {{"salt", pin.salt}, {"sha256", pin.sha256}}},
         {"records", "counted"}};
   }
@@ -93,6 +100,11 @@ TEST_F(ExhibitTest, ItIsReadAsItIsWritten) {
   EXPECT_EQ(e.speech.words_per_minute, 180);
   EXPECT_EQ(e.touch.device, "falcon");
   EXPECT_EQ(e.touch.strength_percent, 30);
+  EXPECT_EQ(e.touch.limit_n, 2.5);
+  EXPECT_FALSE(e.touch.introduction);
+  EXPECT_FALSE(e.touch.guide);
+  EXPECT_EQ(e.touch.sounds_percent, 0);
+  EXPECT_TRUE(e.touch.one_button);
   EXPECT_EQ(recordsFolder(e), folder_ / "counted");
 }
 
@@ -104,6 +116,10 @@ TEST_F(ExhibitTest, WhatMayBeLeftOutHasDefaults) {
   EXPECT_EQ(e.times.goodbye_s, 15);
   EXPECT_EQ(e.times.chime_s, 45);
   EXPECT_EQ(e.touch.strength_percent, 40);
+  EXPECT_EQ(e.touch.limit_n, 4);
+  EXPECT_TRUE(e.touch.introduction);
+  EXPECT_TRUE(e.touch.guide);
+  EXPECT_EQ(e.touch.sounds_percent, 50);
   EXPECT_EQ(recordsFolder(e).filename(), "exhibit");
 }
 
@@ -134,6 +150,10 @@ TEST_F(ExhibitTest, EachFaultIsOneSentenceThatNamesItsPlace) {
        "languages[2]: 'en' stands there twice."},
       {"a number as language", [](Json& j) { j["languages"].push_back(3); },
        "languages[2] must be a text."},
+      {"a word for yes", [](Json& j) { j["touch"]["guide"] = "yes"; },
+       "touch.guide must be true or false."},
+      {"forces beyond the loop's", [](Json& j) { j["touch"]["limit_n"] = 9; },
+       "touch.limit_n is 9; it must be from 0.5 to 6"},
       {"no objects", [](Json& j) { j["objects"] = Json::array(); }, "objects is empty."},
       {"too many objects", [](Json& j) { j["objects"] = Json(51, j["objects"][0]); },
        "objects has 51 entries; it can have 50."},

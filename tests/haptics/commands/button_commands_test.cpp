@@ -231,9 +231,23 @@ TEST_F(OneButton, TakesRepeatAndVolumeInMoveModeToo) {
 TEST_F(OneButton, AScanThatNobodyTakesEnds) {
   hold(kPlus, 0.2);
   EXPECT_THAT(pass(20), IsEmpty());
-  EXPECT_THAT(offers_, ElementsAre(where_am_i, finer, coarser, begin_move, guide, toggle_forces,
-                                   repeat, louder, softer, help))
+  EXPECT_THAT(offers_, ElementsAre(where_am_i, finer, coarser, whole, begin_move, guide,
+                                   toggle_forces, repeat, louder, softer, help))
       << "all that four buttons do, and the voice's (EN 301 549, 5.9)";
+}
+
+TEST_F(OneButton, WhereSomethingIsChosenItTakesGoesOnAndGoesBack) {
+  hold(kPlus, 0.2);
+  buttons_.setChoosing(true);
+  EXPECT_THAT(hold(kPlus, 0.2), IsEmpty()) << "what was offered before is not taken";
+  offers_.clear();
+  pass(20);
+  hold(kPlus, 0.2);
+  EXPECT_THAT(pass(20), IsEmpty());
+  EXPECT_THAT(offers_, ElementsAre(next, back, repeat, louder, softer, help, take, next, back,
+                                   repeat, louder, softer, help));
+  hold(kPlus, 0.2);
+  EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(take));
 }
 
 TEST_F(OneButton, HeldForASecondAndAHalfStopsForcesAndTakesNoOffer) {
@@ -291,7 +305,7 @@ TEST_F(Buttons, HelpNamesEveryPressOfItsMode) {
 }
 
 TEST_F(Buttons, EveryCommandHasANameAndWords) {
-  for (int i = 1; i <= static_cast<int>(guide); ++i) {
+  for (int i = 1; i <= static_cast<int>(back); ++i) {
     EXPECT_FALSE(commandName(static_cast<ButtonCommand>(i)).empty());
     EXPECT_FALSE(englishText(messageOf(static_cast<ButtonCommand>(i))).empty());
   }

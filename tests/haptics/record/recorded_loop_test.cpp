@@ -81,6 +81,11 @@ class Recorded {
         ++options.id;
         lines_ += optionsLine(options);
       }
+      if (tick == 2700 || tick == 4100) {  // Felt patterns; the first one in the air.
+        options.taps = {.id = tick, .pattern = FeltPattern::edge};
+        ++options.id;
+        lines_ += optionsLine(options);
+      }
       if (tick == 1400) recorder_.start(file, "a recording");
       if (tick == 1500) {
         snapshots_.push({tick, core_, scenes_[now]->scene_id, scenes_[before]->scene_id, true});
@@ -100,6 +105,7 @@ class Recorded {
       batch.push_back(core_.tick(*scenes_[now], *scenes_[before], with, reading, now_ns, &path_));
       led_ticks += batch.back().guide != GuidePhase::off ? 1 : 0;
       pulled_ticks += batch.back().pulled_back ? 1 : 0;
+      tapped_ticks += batch.back().tapped ? 1 : 0;
       if (batch.size() == 50) {
         recorder_.take(batch);
         batch.clear();
@@ -111,7 +117,7 @@ class Recorded {
     return readLog(file);
   }
 
-  int led_ticks = 0, pulled_ticks = 0;
+  int led_ticks = 0, pulled_ticks = 0, tapped_ticks = 0;
   /// Surfaces that the last replay asked for.
   mutable std::set<std::uint64_t> asked;
 
@@ -153,6 +159,7 @@ TEST(RecordedLoop, RepeatsLiveChangesToTheLastBitInEitherFormat) {
     EXPECT_EQ(result.different, 0U) << name << " " << (result.first ? result.first->column : "");
     EXPECT_GT(recorded.led_ticks, 300) << "and was led";
     EXPECT_GT(recorded.pulled_ticks, 200) << "and was pulled back";
+    EXPECT_GT(recorded.tapped_ticks, 300) << "and felt patterns of taps";
   }
 }
 

@@ -53,7 +53,9 @@ HapticSample sampleAt(int tick) {
 /// the loop has given the samples up to then.
 class Stage {
  public:
-  explicit Stage(double frames_per_s = kSampleRateHz) : frames_per_s_(frames_per_s) {
+  using Samples = std::function<HapticSample(int tick)>;
+  explicit Stage(double frames_per_s = kSampleRateHz, Samples samples = sampleAt)
+      : frames_per_s_(frames_per_s), samples_(std::move(samples)) {
     live_.setWindow(kWindow);
     live_.setVolume(100);
   }
@@ -64,7 +66,7 @@ class Stage {
     while (static_cast<double>(frames_.size()) < seconds * frames_per_s_) {
       const double now_s = static_cast<double>(frames_.size()) / frames_per_s_;
       for (; 0.001 * tick_ <= now_s; ++tick_) {
-        if (lives(tick_)) ring_.push(sampleAt(tick_));
+        if (lives(tick_)) ring_.push(samples_(tick_));
       }
       frames_.resize(frames_.size() + block);
       live_.render(std::span<Frame>(frames_).last(block));
@@ -76,18 +78,18 @@ class Stage {
 
  private:
   double frames_per_s_;
+  Samples samples_;
   int tick_ = 0;
 };
 
-TouchRecording recordingOfTicks(int from, int to) {
+TouchRecording recordingOfTicks(int from, int to, const Stage::Samples& at = sampleAt) {
   TouchRecording recording;
   recording.name = "log.csv";
   recording.windows.push_back({.id = 1, .region = kWindow.region, .gain = kWindow.gain});
   for (int i = from; i <= to; ++i) {
     const double t_s = 1e-9 * static_cast<double>((i - from) * kTickNs);
-    recording.rows.push_back(touchRow(sampleAt(i), t_s));
-    if (i == from) continue;
-    const std::string event = eventBetween(sampleAt(i - 1), sampleAt(i));
+    recording.rows.push_back(touchRow(at(i), t_s));
+    const std::string event = i == from ? eventAtStart(at(i)) : eventBetween(at(i - 1), at(i));
     if (!event.empty()) recording.events.push_back({t_s, event, false});
   }
   return recording;
@@ -137,6 +139,67 @@ TEST(LiveSound, ATouchSoundsWhileItGoesOnAsItsRecordingDoesAfterwards) {
   EXPECT_EQ(different, 0U);
   EXPECT_GT(loudest, 0.1) << "it was not silent";
   for (std::size_t i = 0; i < silent; ++i) EXPECT_EQ(stage.frames_[i].left, 0);
+}
+
+/// A hand that is led over hills from the first tick to the 1600th, waits at three corners, and
+/// then touches what it was led along.
+HapticSample ledAt(int tick) {
+  HapticSample s = sampleAt(tick);
+  s.fault = DeviceFault::none;
+  s.origin = CellStatus::interpolated;
+  s.contact = tick % 7 < 3 || tick >= 1600;  // It bounces along.
+  s.guide_path = 9;
+  if (tick >= 1600) {
+    s.guide_end = GuideEnd::you_lead;
+  } else {
+    s.guide = tick % 500 < 100 ? GuidePhase::pausing : GuidePhase::leading;
+  }
+  return s;
+}
+
+TEST(LiveSound, AHandThatIsLedHearsHeightsAndCornersAndNothingOfTheSurface) {
+  Stage stage(kSampleRateHz, ledAt);
+  stage.play(2, 256);
+  const TouchRecording recording = recordingOfTicks(0, 1990, ledAt);
+  RecordedSound::Summary heard;
+  const std::vector<Frame> after = test::framesOf(RecordedSound(recording, asLive()), &heard);
+  const auto struck = [&](Earcon earcon) { return heard.struck[static_cast<std::size_t>(earcon)]; };
+  EXPECT_EQ(struck(Earcon::corner), 3U) << "of the first no beginning was seen";
+  EXPECT_EQ(struck(Earcon::contact), 1U) << "when the guide lets go";
+  EXPECT_EQ(struck(Earcon::not_measured), 1U);
+  const auto silent = static_cast<std::size_t>(stage.live_.silentFrames());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < 1990 * 48; ++i) {
+    const Frame& live = stage.frames_[silent + i];
+    different += live.left != after[i].left || live.right != after[i].right ? 1 : 0;
+  }
+  EXPECT_EQ(different, 0U) << "live as in the recording, to the last bit";
+}
+
+TEST(LiveSound, WhatLastsIsSilentWhileSomebodySpeaksAndComesBack) {
+  const auto held = [](int tick) {
+    HapticSample s = sampleAt(150);
+    s.tick = static_cast<std::uint64_t>(tick);
+    s.time_ns = kBootNs + tick * kTickNs;
+    return s;
+  };
+  Stage stage(kSampleRateHz, held);
+  stage.play(1, 256);
+  const auto loudest = [&](double from_s, double to_s) {
+    float most = 0;
+    for (auto i = static_cast<std::size_t>(from_s * kSampleRateHz);
+         i < static_cast<std::size_t>(to_s * kSampleRateHz); ++i) {
+      most = std::max({most, std::abs(stage.frames_[i].left), std::abs(stage.frames_[i].right)});
+    }
+    return most;
+  };
+  EXPECT_GT(loudest(0.9, 1), 0.02F) << "the tone";
+  stage.live_.setSpeech(true);
+  stage.play(2, 256);
+  EXPECT_EQ(loudest(1.05, 2), 0.0F) << "30 ms, and a block, later";
+  stage.live_.setSpeech(false);
+  stage.play(3, 256);
+  EXPECT_GT(loudest(2.9, 3), 0.02F);
 }
 
 TEST(LiveSound, IsAsLongAfterEveryTickWhateverTheServerAsksFor) {

@@ -343,5 +343,22 @@ TEST(RecordedSound, AnOlderRecordingWithoutTheHandSoundsByItsWindow) {
   for (const std::size_t i : onsetsIn(a)) EXPECT_NEAR(a[i].left, b[i].left, 1e-6);
 }
 
+TEST(RecordedSound, OfAHandThatIsLedTheHeightIsHeardWithoutContactAndAfterTwoMinutes) {
+  TouchRecording recording = test::recordingOf(3, [](TouchRow& row) {
+    row.proxy.z = row.t_s < 1.5 ? 5 : 15;
+    row.hand_hip = {40, 40, 30};
+  });
+  recording.events.push_back({3.5, "new window: 1; the hand is led", false});
+  recording.events.push_back({5.5, "the guide lets go: a button", false});
+  SoundRequest request;
+  request.heights = ToneHeights{0, 20};
+  request.synth.tone_for_s = 0;
+  const std::vector<double> left = test::leftOf(test::framesOf(RecordedSound(recording, request)));
+  EXPECT_EQ(test::rms(left, 0, 0.49), 0) << "not led, and nothing is touched";
+  EXPECT_NEAR(test::cents(test::pitchHz(left, 0.8, 1.4), heightHz(0.25)), 0, 5);
+  EXPECT_NEAR(test::cents(test::pitchHz(left, 1.8, 2.4), heightHz(0.75)), 0, 5);
+  EXPECT_LT(test::rms(left, 2.6, 3), 1e-4) << "the hand leads";
+}
+
 }  // namespace
 }  // namespace relievo::sound

@@ -16,6 +16,7 @@ using testing::ElementsAre;
 class RecordingVoice : public Voice {
  public:
   bool isOn() const override { return speaks; }
+  bool isSpeaking() const override { return false; }
   bool speak(const std::vector<Message>& sentences, SaidBecause why) override {
     return speak(QString::fromStdString(englishSpoken(sentences.front())), why);
   }

@@ -87,10 +87,10 @@ TEST_F(VoicePluginTest, LouderAndSofterHoldFromTheNextWordsOnAndAreSaid) {
   chooseOwnVoice();
   host_.actions.at("softerSpeech")->trigger();
   host_.actions.at("softerSpeech")->trigger();
-  EXPECT_EQ(inPanel<QSpinBox>("voiceVolume")->value(), 80);
+  EXPECT_EQ(inPanel<QSpinBox>("voiceVolume")->value(), 50) << "by 3 dB each";
   host_.actions.at("louderSpeech")->trigger();
   EXPECT_EQ(host_.announcements,
-            QStringList({"Volume 90 percent.", "Volume 80 percent.", "Volume 90 percent."}));
+            QStringList({"Volume 71 percent.", "Volume 50 percent.", "Volume 71 percent."}));
   for (int i = 0; i < 20; ++i) host_.actions.at("softerSpeech")->trigger();
   EXPECT_EQ(inPanel<QSpinBox>("voiceVolume")->value(), 10) << "who hears nothing finds no way back";
   for (int i = 0; i < 20; ++i) host_.actions.at("louderSpeech")->trigger();

@@ -21,8 +21,11 @@ class ExhibitControlTest : public GuiTest {
     applyLanguage(*qApp, QStringLiteral("en"));
   }
 
-  void begin() {
+  /// @param whole  with the introduction, and a grip that can lead
+  void begin(bool whole = false) {
     Exhibit exhibit;
+    exhibit.touch.introduction = exhibit.touch.guide = whole;
+    if (whole) exhibit.touch.device = "falcon";
     exhibit.languages = {"en", "de"};
     for (const char* name : {"first.ply", "second.ply"}) {
       ExhibitObject object;
@@ -40,6 +43,7 @@ class ExhibitControlTest : public GuiTest {
         window(), exhibit,
         ExhibitWays{.say = [this](const std::vector<Message>& words) { said_ = words; },
                     .reset_voice = [this] { ++resets_; },
+                    .speaks = {},
                     .now_s = [this] { return now_s_; },
                     .day = [] { return std::string("2026-11-24"); }});
   }
@@ -182,6 +186,92 @@ TEST_F(ExhibitControlTest, WhoDoesNothingIsAskedAndThenTheNextOneFindsTheBeginni
   EXPECT_GT(resets_, resets) << "the volume, too";
   press("whereAmI");
   EXPECT_TRUE(caption().contains("For English")) << "and the language";
+}
+
+/// No plugin is here: shapes and guide end at once, and what the window does is seen.
+TEST_F(ExhibitControlTest, AVisitorIsToldOfButtonsObjectAndGuideAndThenTouches) {
+  begin(true);
+  press("whereAmI");
+  press("whereAmI");
+  press("whereAmI");
+  ASSERT_TRUE(waitFor([this] {
+    after(1);
+    return control_->visit().state() == Visit::State::buttons;
+  }));
+  ASSERT_TRUE(waitFor([this] {
+    after(0.5);
+    return caption().contains("Now the buttons. Press any of them to go on.");
+  }));
+  EXPECT_TRUE(caption().contains("Middle button: where am I.")) << caption().toStdString();
+  press("finer");
+  EXPECT_EQ(caption(), "Plus: closer. Plus held: help.") << "once, though it was pressed";
+  press("whereAmI");
+  EXPECT_EQ(caption(), "Middle button: where am I. Minus: wider. Minus held: the whole relief.");
+  press("moveMode");
+  press("moveMode");
+  press("moveMode");
+  ASSERT_EQ(control_->visit().state(), Visit::State::object);
+  ASSERT_TRUE(waitFor([this] {
+    control_->tick();
+    return caption().contains("You feel all of it now.");
+  })) << caption().toStdString();
+  EXPECT_TRUE(caption().startsWith("Relief, ")) << caption().toStdString();
+  EXPECT_TRUE(caption().contains("hand is")) << "the scale: " << caption().toStdString();
+  const QString object = caption();
+  press("moveMode");
+  EXPECT_EQ(caption(),
+            "Shall I guide your hand along the outline once? Plus for yes, Minus for no.");
+  press("repeatSpeech");
+  EXPECT_TRUE(caption().startsWith("Shall I guide"));
+  press("coarser");
+  EXPECT_EQ(control_->visit().state(), Visit::State::touching);
+  EXPECT_TRUE(caption().startsWith("Now touch as you like.")) << caption().toStdString();
+  EXPECT_TRUE(control_->press(QStringLiteral("sayDetail"))) << "Plus held: help";
+  control_->tick();
+  EXPECT_TRUE(caption().contains("Now Plus is louder and Minus is softer."));
+}
+
+TEST_F(ExhibitControlTest, WhereAHandRestsOnWhatNobodyMeasuredIsSaidOnceAndAGripThatLiesIsFree) {
+  begin(true);
+  press("whereAmI");
+  press("whereAmI");
+  press("whereAmI");
+  ASSERT_TRUE(waitFor([this] {
+    after(1);
+    if (control_->visit().state() == Visit::State::offer) press("coarser");
+    if (control_->visit().state() == Visit::State::buttons) press("moveMode");
+    return control_->visit().state() == Visit::State::touching;
+  }));
+  Probe probe;
+  probe.window_id = document().window()->id;
+  probe.touching = true;
+  probe.origin = CellStatus::base_plane;
+  const auto feel = [&](double by_mm) {
+    probe.hip.x = probe.proxy.x = document().window()->region.x_mm + by_mm;
+    control_->feel(probe);
+  };
+  const double side_mm = document().window()->region.side_mm;
+  feel(side_mm / 2);
+  after(30);  // Nobody holds the grip, which is said ...
+  after(5);   // ... and read.
+  said_.clear();
+  feel(side_mm / 3);
+  after(0.7);
+  EXPECT_TRUE(said_.empty()) << "no pause yet";
+  after(0.2);
+  EXPECT_EQ(caption(), "Not measured here. The real surface is missing in the scan.");
+  feel(side_mm / 2);
+  said_.clear();
+  after(30);
+  feel(side_mm / 3);
+  said_.clear();
+  after(1);
+  EXPECT_TRUE(said_.empty()) << "once for a visitor and a place: " << caption().toStdString();
+  after(1.5);
+  EXPECT_EQ(control_->visit().state(), Visit::State::let_go);
+  EXPECT_EQ(caption(), "Take the grip again to go on.");
+  feel(side_mm / 2);
+  EXPECT_EQ(control_->visit().state(), Visit::State::touching);
 }
 
 }  // namespace
