@@ -238,9 +238,17 @@ void ExhibitControl::beginTouch(std::size_t object) {
   felt_s_ = ways_.now_s();
   speak({said<MessageId::exhibit_hold>(), said<MessageId::exhibit_buttons>(),
          said<MessageId::exhibit_buttons_more>(), said<MessageId::exhibit_help>()});
+  switchForcesOn();
+  window_.detailView().setFocus();
+}
+
+/// A device that was lost between two visitors is opened anew, and its forces follow. Only where
+/// that fails at once is what takes its place to push.
+void ExhibitControl::switchForcesOn() {
+  const QString take_back = QStringLiteral("takeForcesBack");
+  if (window_.runCommand(take_back) && !window_.commands().named(take_back)->isEnabled()) return;
   QAction* forces = window_.commands().named(QStringLiteral("forces"));
   if (forces != nullptr && !forces->isChecked()) forces->trigger();
-  window_.detailView().setFocus();
 }
 
 void ExhibitControl::endTouch() {

@@ -73,6 +73,7 @@ class ExhibitControl : public QObject {
   void objectOpened();
   void objectFailed(const QString& why);
   void watchOpening();
+  void switchForcesOn();
   void beginTouch(std::size_t object);
   void endTouch();
   void reset();

@@ -24,7 +24,7 @@ constexpr std::array kAllowed{
     "finer",     "coarser",    "whole",        "move_left",    "move_right",     "move_up",
     "move_down", "forces",     "forcesOff",    "whereAmI",     "whereAmILong",   "sayDetail",
     "moveMode",  "moveBack",   "guide",        "next_place",   "previous_place", "beacon",
-    "nextShape", "buttonHelp", "repeatSpeech", "louderSpeech", "softerSpeech"};
+    "nextShape", "buttonHelp", "repeatSpeech", "louderSpeech", "softerSpeech",   "takeForcesBack"};
 
 /// A hand is moved by them where there is no device.
 bool movesTheHand(int key) {

@@ -39,6 +39,8 @@ class DeviceButtons : public QObject {
   void setLed(bool led) { led_ = led; }
   /// The introduction runs: buttons that go down are told to it by taught(), and do nothing else.
   void setTaught(bool taught) { taught_ = taught; }
+  /// Another device is the hand: nobody will tell that a button of the old one went up.
+  void forgetPresses();
 
   // The commands that menus and keys share with the buttons. Each says its result.
   void whereAmI(bool in_full);
