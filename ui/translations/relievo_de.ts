@@ -8443,6 +8443,18 @@
         <source>Too many tries. A PIN is taken again in %1 s.</source>
         <translation>Zu viele Versuche. In %1 s wird wieder eine PIN angenommen.</translation>
     </message>
+    <message>
+        <source>The plug-in %1 was not allowed, so that nothing was taken back.</source>
+        <translation>Das Plugin %1 war nicht erlaubt; es wurde nichts zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;. Nothing was changed. Name the maker&apos;s library itself, libdhd.so.3 for example.</source>
+        <translation>Es gibt keine Datei „%1“. Nichts wurde geändert. Nennen Sie die Bibliothek des Herstellers selbst, etwa libdhd.so.3.</translation>
+    </message>
+    <message>
+        <source>The settings of devices could not be written to &quot;%1&quot;. Nothing was changed. Check the folder&apos;s permissions.</source>
+        <translation>Die Einstellungen der Geräte konnten nicht nach „%1“ geschrieben werden. Nichts wurde geändert. Prüfen Sie die Rechte des Ordners.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -9321,6 +9333,22 @@
     <message>
         <source>Interlaced</source>
         <translation>Zeilenweise</translation>
+    </message>
+    <message>
+        <source>Force Dimension&apos;s library</source>
+        <translation>Bibliothek von Force Dimension</translation>
+    </message>
+    <message>
+        <source>File libdhd.so.3 or libdrd.so.3 of the maker of omega, delta, sigma and lambda; empty: the usual places. Holds when such a device is looked for next</source>
+        <translation>Datei libdhd.so.3 oder libdrd.so.3 des Herstellers von omega, delta, sigma und lambda; leer: die üblichen Orte. Gilt, sobald ein solches Gerät das nächste Mal gesucht wird</translation>
+    </message>
+    <message>
+        <source>Plug-ins for devices</source>
+        <translation>Plugins für Geräte</translation>
+    </message>
+    <message>
+        <source>Which plug-ins for haptic devices may run. A plug-in can do all that you can do: allow one only if you know where it is from. A file that changes must be allowed again</source>
+        <translation>Welche Plugins für haptische Geräte laufen dürfen. Ein Plugin kann alles, was Sie können: Erlauben Sie eines nur, wenn Sie wissen, woher es stammt. Eine Datei, die sich ändert, muss neu erlaubt werden</translation>
     </message>
 </context>
 <context>
@@ -12565,6 +12593,41 @@
     <message>
         <source>Volume</source>
         <translation>Lautstärke</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DeviceTrustBox</name>
+    <message>
+        <source>They are being looked for.</source>
+        <translation>Sie werden gesucht.</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>Noch einmal &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Look for plug-ins again</source>
+        <translation>Noch einmal nach Plugins suchen</translation>
+    </message>
+    <message>
+        <source>None was found. Your own are looked for in %1.</source>
+        <translation>Keines wurde gefunden. Ihre eigenen werden in %1 gesucht.</translation>
+    </message>
+    <message>
+        <source>Its folder is trusted.</source>
+        <translation>Seinem Ordner wird vertraut.</translation>
+    </message>
+    <message>
+        <source>%1 may run</source>
+        <translation>%1 darf laufen</translation>
+    </message>
+    <message>
+        <source>%1 may run from now on, until its file changes.</source>
+        <translation>%1 darf von jetzt an laufen, bis sich seine Datei ändert.</translation>
+    </message>
+    <message>
+        <source>%1 may not run any more.</source>
+        <translation>%1 darf nicht mehr laufen.</translation>
     </message>
 </context>
 </TS>

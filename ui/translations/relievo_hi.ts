@@ -8443,6 +8443,18 @@
         <source>Too many tries. A PIN is taken again in %1 s.</source>
         <translation>बहुत अधिक प्रयास। %1 s बाद फिर PIN ली जाएगी।</translation>
     </message>
+    <message>
+        <source>The plug-in %1 was not allowed, so that nothing was taken back.</source>
+        <translation>प्लगइन %1 को अनुमति नहीं थी; कुछ वापस नहीं लिया गया।</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;. Nothing was changed. Name the maker&apos;s library itself, libdhd.so.3 for example.</source>
+        <translation>फ़ाइल &quot;%1&quot; नहीं है। कुछ नहीं बदला। निर्माता की लाइब्रेरी का ही नाम दें, जैसे libdhd.so.3।</translation>
+    </message>
+    <message>
+        <source>The settings of devices could not be written to &quot;%1&quot;. Nothing was changed. Check the folder&apos;s permissions.</source>
+        <translation>उपकरणों की सेटिंग &quot;%1&quot; में लिखी नहीं जा सकीं। कुछ नहीं बदला। फ़ोल्डर की अनुमति जाँचें।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -9321,6 +9333,22 @@
     <message>
         <source>Interlaced</source>
         <translation>पंक्ति-दर-पंक्ति</translation>
+    </message>
+    <message>
+        <source>Force Dimension&apos;s library</source>
+        <translation>Force Dimension की लाइब्रेरी</translation>
+    </message>
+    <message>
+        <source>File libdhd.so.3 or libdrd.so.3 of the maker of omega, delta, sigma and lambda; empty: the usual places. Holds when such a device is looked for next</source>
+        <translation>omega, delta, sigma और lambda के निर्माता की फ़ाइल libdhd.so.3 या libdrd.so.3; खाली: सामान्य जगहें। ऐसा उपकरण अगली बार खोजे जाने पर लागू</translation>
+    </message>
+    <message>
+        <source>Plug-ins for devices</source>
+        <translation>उपकरणों के प्लगइन</translation>
+    </message>
+    <message>
+        <source>Which plug-ins for haptic devices may run. A plug-in can do all that you can do: allow one only if you know where it is from. A file that changes must be allowed again</source>
+        <translation>स्पर्श उपकरणों के कौन-से प्लगइन चल सकते हैं। प्लगइन वह सब कर सकता है जो आप कर सकते हैं: अनुमति तभी दें जब आप जानते हों कि वह कहाँ से है। बदली हुई फ़ाइल को फिर अनुमति चाहिए</translation>
     </message>
 </context>
 <context>
@@ -12565,6 +12593,41 @@
     <message>
         <source>Volume</source>
         <translation>आवाज़ का स्तर</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DeviceTrustBox</name>
+    <message>
+        <source>They are being looked for.</source>
+        <translation>उन्हें खोजा जा रहा है।</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>फिर खोजें (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Look for plug-ins again</source>
+        <translation>प्लगइन फिर खोजें</translation>
+    </message>
+    <message>
+        <source>None was found. Your own are looked for in %1.</source>
+        <translation>कोई नहीं मिला। आपके अपने %1 में खोजे जाते हैं।</translation>
+    </message>
+    <message>
+        <source>Its folder is trusted.</source>
+        <translation>उसके फ़ोल्डर पर भरोसा है।</translation>
+    </message>
+    <message>
+        <source>%1 may run</source>
+        <translation>%1 चल सकता है</translation>
+    </message>
+    <message>
+        <source>%1 may run from now on, until its file changes.</source>
+        <translation>%1 अब से चल सकता है, जब तक उसकी फ़ाइल न बदले।</translation>
+    </message>
+    <message>
+        <source>%1 may not run any more.</source>
+        <translation>%1 अब नहीं चल सकता।</translation>
     </message>
 </context>
 </TS>
