@@ -2,6 +2,8 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <clocale>
 #include <csignal>
+#include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -9,8 +11,10 @@
 #include <QHash>
 #include <QIcon>
 #include <QSurfaceFormat>
+#include <vector>
 
 #include "app/cli/dependencies.h"
+#include "app/cli/options/device_settings.h"
 #include "app/cli/options/falcon_setting.h"
 #include "app/cli/state.h"
 #include "app/end_signals.h"
@@ -19,9 +23,11 @@
 #include "app/options.h"
 #include "app/plugin_loader.h"
 #include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/worker/reader_guard.h"
 #include "ui/frame/accessible_widgets.h"
 #include "ui/language/language.h"
+#include "ui/message/message_text.h"
 #include "ui/views/surface_view.h"
 #include "ui/vtk/depth_capture.h"
 #include "ui/vtk/display_connection.h"
@@ -50,17 +56,60 @@ void prepareQt() {
   QCoreApplication::setApplicationVersion(QStringLiteral(RELIEVO_VERSION_STRING));
 }
 
-/// The preference is the setting of the Falcon's driver, which `relievo devices` follows, too.
-void shareFalconFirmware(relievo::MainWindow& window) {
-  const auto read = [] { return QFile::decodeName(relievo::batch::falconFirmware().c_str()); };
-  const auto write = [&window](const QVariant& file) {
-    try {
-      relievo::batch::setFalconFirmware(QFile::encodeName(file.toString()).toStdString());
-    } catch (const relievo::WriteError& error) {
-      window.messages().announce(QString::fromStdString(error.what()));
-    }
-  };
-  window.settings().keepElsewhere(QStringLiteral("falcon_firmware"), {read, write});
+/// A file that a driver keeps, which the command line follows, too.
+void shareFile(relievo::MainWindow& window, const char* key,
+               const std::function<std::filesystem::path()>& read,
+               const std::function<void(const std::filesystem::path&)>& write) {
+  window.settings().keepElsewhere(
+      QString::fromLatin1(key),
+      {[read] { return QFile::decodeName(read().c_str()); },
+       [&window, write](const QVariant& file) {
+         try {
+           write(QFile::encodeName(file.toString()).toStdString());
+         } catch (const relievo::Error& error) {
+           window.messages().announce(relievo::messageText(relievo::messageOf(error)));
+         }
+       }});
+}
+
+std::vector<relievo::DevicePluginRow> devicePluginRows() {
+  std::vector<relievo::DevicePluginRow> rows;
+  for (const relievo::batch::DevicePlugin& plugin : relievo::batch::devicePlugins()) {
+    relievo::DevicePluginRow row;
+    row.name = QString::fromStdString(plugin.name);
+    row.file = QFile::decodeName(plugin.file.c_str());
+    row.allowed = plugin.allowed;
+    // Else something besides the user's word keeps it from running.
+    const bool waits_for_user =
+        !plugin.why_not || plugin.why_not->id == relievo::MessageId::device_plugin_not_trusted;
+    row.can_change = plugin.can_be_allowed && waits_for_user;
+    if (!waits_for_user) row.note = relievo::messageText(*plugin.why_not);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+QString allowDevicePlugin(const QString& file, bool allowed) {
+  try {
+    relievo::batch::allowDevicePlugin(QFile::encodeName(file).toStdString(), allowed);
+  } catch (const relievo::Error& error) {
+    return relievo::messageText(relievo::messageOf(error));
+  }
+  return {};
+}
+
+/// What is chosen of devices is chosen for `relievo devices`, too.
+void shareDevices(relievo::MainWindow& window) {
+  using namespace relievo;
+  shareFile(window, "falcon_firmware", batch::falconFirmware, batch::setFalconFirmware);
+  shareFile(
+      window, "force_dimension_library",
+      [] { return batch::makersLibrary(batch::kForceDimension); },
+      [](const std::filesystem::path& file) {
+        batch::setMakersLibrary(batch::kForceDimension, file);
+      });
+  window.settings().keepDeviceTrust(
+      {devicePluginRows, allowDevicePlugin, QFile::decodeName(batch::ownDevicePlugins().c_str())});
 }
 
 /// What the command line names.
@@ -103,7 +152,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options,
                                                   : QString::fromStdString(options.language));
   }
   MainWindow window(captureDepths, mode);
-  shareFalconFirmware(window);
+  shareDevices(window);
   window.controllers().packages.setDependencies(batch::dependenciesOf);
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());

@@ -93,6 +93,11 @@ void ButtonCommands::setOptions(const ButtonOptions& options) {
   options_ = ButtonCommands(options).options_;
 }
 
+void ButtonCommands::forgetPresses() {
+  for (Button& button : buttons_) button = {};
+  together_ = false;
+}
+
 void ButtonCommands::toggleMoving() {
   moving_ = !moving_;
   move_from_.reset();

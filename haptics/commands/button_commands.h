@@ -85,6 +85,8 @@ class ButtonCommands {
   /// Another way of pressing from now on; what is held now does nothing any more.
   void setOptions(const ButtonOptions& options);
   const ButtonOptions& options() const noexcept { return options_; }
+  /// Who pressed is gone: what is held is up, and its press does nothing any more.
+  void forgetPresses();
   /// As the button Forward: begins Move mode, or confirms and leaves it.
   void toggleMoving();
   /// As Centre in Move mode. Does nothing outside of it.

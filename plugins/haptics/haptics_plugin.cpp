@@ -68,6 +68,7 @@ void HapticsPlugin::connectParts() {
   connect(device_.get(), &HandDevice::leaving, this, [this] {
     guide_->end();
     buttons_->cancelMoving();
+    buttons_->forgetPresses();
     recording_->end();
   });
   connect(device_.get(), &HandDevice::changed, this, &HapticsPlugin::takeDevice);

@@ -201,10 +201,12 @@ void makeForceActions(TouchActions& actions) {
            {}, false);
   actions.setup =
       made({"deviceSetup", QT_TRANSLATE_NOOP("relievo::TouchActions", "De&vice set-up…"),
-            QT_TRANSLATE_NOOP("relievo::TouchActions", "Set up, test and calibrate a Falcon"),
             QT_TRANSLATE_NOOP("relievo::TouchActions",
-                              "From plug to touch: access, firmware, homing, self test, force by a "
-                              "known weight, left or right hand.")},
+                              "Set up a Falcon or a Haply device, step by step"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "From plug to touch. A Falcon: access, firmware, homing, self test, "
+                              "force by a known weight, left or right hand. Haply: service, power, "
+                              "calibration, buttons.")},
            {}, false);
 }
 

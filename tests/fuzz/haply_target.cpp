@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/message/message.h"
+#include "haptics/device/haply/events.h"
 #include "haptics/device/haply/messages.h"
 #include "tests/fuzz/invariants.h"
 
@@ -15,6 +17,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (const auto version = haply::readVersion(text)) {
     fuzz::require(whole, "a version stands in a whole text");
     fuzz::require(version->major >= 0 && version->minor >= 0, "versions count from zero");
+  }
+  if (const auto event = haply::readEvent(text)) {
+    fuzz::require(whole, "an event stands in a whole text");
+    fuzz::require(!englishText(haply::describe(*event)).empty(), "each is a sentence");
   }
   haply::ServiceState state;
   if (!haply::readState(text, state)) return 0;

@@ -411,6 +411,12 @@ void addDevices(const Seeds& seeds) {
   seeds.add("host_page", "page", std::string(1, '\1'));
   seeds.add("host_page", "rounds", std::string(1, '\2'));
   seeds.add("hid", "gamepad", {reinterpret_cast<const char*>(kGamepad.data()), kGamepad.size()});
+  seeds.add("pad", "xbox",
+            "\x19"
+            "7cdb000000000000 0 0 0 0\n107030000 0\n");
+  seeds.add("haply", "event",
+            R"({"name":"device-safety-triggered","category":"device","level":"warning",)"
+            R"("data":{"device_id":"049D","safety_type":"ebrake_triggered"},"message":"stop"})");
   seeds.add("haply", "version", R"({"project_version":"3.5.0.0"})");
   seeds.add("haply", "state",
             R"({"session_id":7,"inverse3":[{"device_id":"A1","config":{"type":"minverse",)"

@@ -95,6 +95,26 @@ TEST_F(HaplyInTheList, EveryDeviceThatTheServiceSeesStandsThereByItsId) {
       << "to look changes nothing";
 }
 
+TEST_F(HaplyInTheList, WhatTheServiceTellsOfItsGripIsSaidOnceAndOfPlugsByTheStateAlone) {
+  setenv("RELIEVO_HAPLY_EVENTS", std::to_string(mock_.eventsPort()).c_str(), 1);
+  lookAtTheList();
+  ASSERT_TRUE(eventually([this] { return isListed("haply:049D"); }));
+  devices()->setCurrentIndex(devices()->findData("haply:049D"));
+  ASSERT_TRUE(said("Haply device ready."));
+  ASSERT_TRUE(eventually([this] {
+    mock_.with([](HaplyWorld& world) { world.tellEvent("device-battery-low"); });
+    return host_.announcements.contains("The battery of the grip is low.");
+  }));
+  mock_.with([](HaplyWorld& world) { world.fault = HaplyFault::device_absent; });
+  ASSERT_TRUE(said("The Haply device went away. Forces are off."));
+  mock_.with([](HaplyWorld& world) { world.fault = HaplyFault::none; });
+  ASSERT_TRUE(eventually([this] { return host_.announcements.count("Haply device ready.") == 2; }));
+  unsetenv("RELIEVO_HAPLY_EVENTS");
+  EXPECT_EQ(host_.announcements.count("The battery of the grip is low."), 1);
+  EXPECT_TRUE(host_.announcements.filter("was unplugged").isEmpty());
+  EXPECT_TRUE(host_.announcements.filter("was plugged in").isEmpty());
+}
+
 TEST_F(HaplyInTheList, OneIsChosenByAKey) {
   lookAtTheList();
   ASSERT_TRUE(eventually([this] { return isListed("haply:049D"); }));

@@ -154,6 +154,29 @@ TEST_F(PluginDeviceTest, AForceThatTheDeviceTookAwayComesBackByOneAction) {
   EXPECT_TRUE(eventually([this] { return takeBack()->isHidden(); }));
 }
 
+TEST_F(PluginDeviceTest, ItsOwnButtonCentreHeldTakesTheForceBack) {
+  ASSERT_NO_FATAL_FAILURE(loseForce());
+  // It stays away while the button is held: only opening it anew helps.
+  const fs::path holds = home_.file("log.holds").toStdString();
+  std::ofstream(holds) << "now";
+  ASSERT_TRUE(eventually([this] { return host_.commands.contains("forces"); }))
+      << "the window's command, as by key";
+  QAction* const forces = host_.actions.at("forces");
+  forces->trigger();  // As the window does.
+  EXPECT_TRUE(eventually([&] { return forces->isChecked(); }));
+  EXPECT_TRUE(probeBecomes([](const Probe& p) { return p.forces_on; }));
+  EXPECT_EQ(timesSaid("Device: stand-in.7"), 2);
+  EXPECT_EQ(host_.commands.count("forces"), 1) << "one press";
+  // The new device saw the button down from its first reading: that press is over.
+  fs::remove(holds);
+  host_.probes.clear();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.forces_on; }));
+  host_.commands.clear();
+  std::ofstream(holds) << "again";
+  EXPECT_TRUE(eventually([this] { return host_.commands.contains("forcesOff"); }))
+      << "the next press is one";
+}
+
 TEST_F(PluginDeviceTest, EscapeWhileItIsOpenedAnewLeavesTheForcesOff) {
   ASSERT_NO_FATAL_FAILURE(loseForce());
   const auto times_on = timesSaid("Forces on.");

@@ -20,6 +20,7 @@
 
 #include "core/relief/look.h"
 #include "core/relief/stereo.h"
+#include "ui/dialogs/device_trust_box.h"
 #include "ui/language/core_text.h"
 #include "ui/language/language.h"
 #include "ui/style/dialog_size.h"
@@ -310,9 +311,25 @@ void PreferencesDialog::makeDevice() {
            tr("File with the Falcon's firmware, or its folder; empty: the usual places. Holds when "
               "a Falcon is started next")},
           PathKind::file);
+  addPath({"force_dimension_library", tr("Force Dimension's library"),
+           tr("File libdhd.so.3 or libdrd.so.3 of the maker of omega, delta, sigma and lambda; "
+              "empty: the usual places. Holds when such a device is looked for next")},
+          PathKind::file);
+  makeDevicePlugins();
   addSwitch({"keep_work", tr("Keep work for a crash"),
              tr("A copy of unsaved work every two seconds, offered after a crash")},
             true);
+}
+
+void PreferencesDialog::makeDevicePlugins() {
+  if (!settings_.deviceTrust().list) return;
+  auto* box = new DeviceTrustBox(settings_.deviceTrust());
+  add({"device_plugins", tr("Plug-ins for devices"),
+       tr("Which plug-ins for haptic devices may run. A plug-in can do all that you can do: allow "
+          "one only if you know where it is from. A file that changes must be allowed again")},
+      box);
+  connect(box, &DeviceTrustBox::said, this, &PreferencesDialog::said);
+  resets_.emplace_back(stack_->count() - 1, [box] { box->allowNone(); });
 }
 
 void PreferencesDialog::makeRecording() {

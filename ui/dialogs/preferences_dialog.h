@@ -26,6 +26,7 @@ class PreferencesDialog : public QDialog {
   /// A setting has another value; the key is that of Settings::choice.
   void changed(const QString& key);
   void restartAsked();
+  void said(const QString& text);  ///< For speech and status bar.
 
  private:
   struct Row {
@@ -56,6 +57,7 @@ class PreferencesDialog : public QDialog {
   void makeStereo();
   void makeMouse();
   void makeDevice();
+  void makeDevicePlugins();
   void makeRecording();
 
   Settings& settings_;

@@ -265,7 +265,15 @@ void ExhibitControl::toggle(const char* command, bool on) {
   if (isChecked(command) != on) run(command);
 }
 
+/// A device that was lost between two visitors is opened anew, and its forces follow. Only where
+/// that fails at once is what takes its place to push.
+bool ExhibitControl::takesForcesBack() {
+  const QString take_back = QStringLiteral("takeForcesBack");
+  return window_.runCommand(take_back) && !window_.commands().named(take_back)->isEnabled();
+}
+
 void ExhibitControl::setForces(bool on) {
+  if (on && takesForcesBack()) return;
   QAction* forces = window_.commands().named(QStringLiteral("forces"));
   if (forces != nullptr && forces->isChecked() != on) forces->trigger();
   had_forces_ = isChecked("forces");

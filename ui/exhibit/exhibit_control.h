@@ -81,6 +81,7 @@ class ExhibitControl : public QObject {
   void carryOutTouch(const Visit::Order& order);
   bool isChecked(const char* command) const;
   void toggle(const char* command, bool on);
+  bool takesForcesBack();
   void setForces(bool on);
   void sayObject(std::vector<Message> words);
   void sayPlace();

@@ -2690,6 +2690,49 @@
         <source>The computer goes to sleep; the forces are off and this has ended. Begin again when it is awake.</source>
         <translation>Der Computer geht in den Ruhezustand; die Kräfte sind aus und dies ist beendet. Beginnen Sie noch einmal, wenn er wach ist.</translation>
     </message>
+    <message>
+        <source>Set up a &amp;Haply device…</source>
+        <translation>Ein &amp;Haply-Gerät einrichten …</translation>
+    </message>
+    <message>
+        <source>Set up a Haply device</source>
+        <translation>Ein Haply-Gerät einrichten</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DeviceTrustBox</name>
+    <message>
+        <source>They are being looked for.</source>
+        <translation>Sie werden gesucht.</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>Noch einmal &amp;suchen</translation>
+    </message>
+    <message>
+        <source>Look for plug-ins again</source>
+        <translation>Noch einmal nach Plugins suchen</translation>
+    </message>
+    <message>
+        <source>None was found. Your own are looked for in %1.</source>
+        <translation>Keines wurde gefunden. Ihre eigenen werden in %1 gesucht.</translation>
+    </message>
+    <message>
+        <source>Its folder is trusted.</source>
+        <translation>Seinem Ordner wird vertraut.</translation>
+    </message>
+    <message>
+        <source>%1 may run</source>
+        <translation>%1 darf laufen</translation>
+    </message>
+    <message>
+        <source>%1 may run from now on, until its file changes.</source>
+        <translation>%1 darf von jetzt an laufen, bis sich seine Datei ändert.</translation>
+    </message>
+    <message>
+        <source>%1 may not run any more.</source>
+        <translation>%1 darf nicht mehr laufen.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::Document</name>
@@ -3894,6 +3937,152 @@
     <message>
         <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
         <translation>Ein Falcon wurde eingesteckt. Wählen Sie ihn im Feld Fühlen, um ihn zu benutzen.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HaplySetupDialog</name>
+    <message>
+        <source>Device set-up: Haply</source>
+        <translation>Gerät einrichten: Haply</translation>
+    </message>
+    <message>
+        <source>State of the Haply device</source>
+        <translation>Zustand des Haply-Geräts</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service is being looked for.</source>
+        <translation>Haplys Inverse Service wird gesucht.</translation>
+    </message>
+    <message>
+        <source>What the service told last</source>
+        <translation>Was der Dienst zuletzt gemeldet hat</translation>
+    </message>
+    <message>
+        <source>Which Haply device</source>
+        <translation>Welches Haply-Gerät</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>G&amp;erät</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>&amp;Noch einmal</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>After another program set the device up, or the service did not obey forces</source>
+        <translation>Nachdem ein anderes Programm das Gerät eingerichtet hat oder der Dienst Kräfte nicht befolgt hat</translation>
+    </message>
+    <message>
+        <source>&amp;Use this device</source>
+        <translation>Dieses Gerät &amp;benutzen</translation>
+    </message>
+    <message>
+        <source>Use this device</source>
+        <translation>Dieses Gerät benutzen</translation>
+    </message>
+    <message>
+        <source>Set up a &amp;Falcon…</source>
+        <translation>Einen &amp;Falcon einrichten …</translation>
+    </message>
+    <message>
+        <source>Set up a Falcon</source>
+        <translation>Einen Falcon einrichten</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HaplySteps</name>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Inverse Service runs</source>
+        <translation>Inverse Service läuft</translation>
+    </message>
+    <message>
+        <source>Device is plugged in</source>
+        <translation>Gerät ist eingesteckt</translation>
+    </message>
+    <message>
+        <source>Motors have power</source>
+        <translation>Motoren haben Strom</translation>
+    </message>
+    <message>
+        <source>Service has started it</source>
+        <translation>Der Dienst hat es gestartet</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>Kalibriert</translation>
+    </message>
+    <message>
+        <source>Set up for touching</source>
+        <translation>Zum Fühlen eingerichtet</translation>
+    </message>
+    <message>
+        <source>Place of the hand</source>
+        <translation>Ort der Hand</translation>
+    </message>
+    <message>
+        <source>Buttons that are pressed</source>
+        <translation>Gedrückte Tasten</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Knöpfe am Gerät</translation>
+    </message>
+    <message>
+        <source>✓ done</source>
+        <translation>✓ erledigt</translation>
+    </message>
+    <message>
+        <source>– waits for this</source>
+        <translation>– darauf wird gewartet</translation>
+    </message>
+    <message>
+        <source>– not known yet</source>
+        <translation>– noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 right, %2 up, %3 out, in millimetres; %4 answers per second</source>
+        <translation>%1 nach rechts, %2 nach oben, %3 nach vorn, in Millimetern; %4 Antworten je Sekunde</translation>
+    </message>
+    <message>
+        <source>not known before the device is there</source>
+        <translation>nicht bekannt, bevor das Gerät da ist</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>Minus</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -8594,6 +8783,90 @@
         <source>One button. Press: I offer where am I, finer, coarser, whole object, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
         <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, ganzes Objekt, verschieben, führen, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
     </message>
+    <message>
+        <source>The plug-in %1 was not allowed, so that nothing was taken back.</source>
+        <translation>Das Plugin %1 war nicht erlaubt; es wurde nichts zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;. Nothing was changed. Name the maker&apos;s library itself, libdhd.so.3 for example.</source>
+        <translation>Es gibt keine Datei „%1“. Nichts wurde geändert. Nennen Sie die Bibliothek des Herstellers selbst, etwa libdhd.so.3.</translation>
+    </message>
+    <message>
+        <source>The settings of devices could not be written to &quot;%1&quot;. Nothing was changed. Check the folder&apos;s permissions.</source>
+        <translation>Die Einstellungen der Geräte konnten nicht nach „%1“ geschrieben werden. Nichts wurde geändert. Prüfen Sie die Rechte des Ordners.</translation>
+    </message>
+    <message>
+        <source>A Haply device was plugged in.</source>
+        <translation>Ein Haply-Gerät wurde eingesteckt.</translation>
+    </message>
+    <message>
+        <source>A Haply device was unplugged.</source>
+        <translation>Ein Haply-Gerät wurde getrennt.</translation>
+    </message>
+    <message>
+        <source>The Haply device connects and goes away again and again. Look at its cable, its plug and its power supply.</source>
+        <translation>Das Haply-Gerät verbindet sich und verschwindet immer wieder. Sehen Sie nach seinem Kabel, seinem Stecker und seinem Netzteil.</translation>
+    </message>
+    <message>
+        <source>The Haply device connects again and again. Look at its cable.</source>
+        <translation>Das Haply-Gerät verbindet sich immer wieder neu. Sehen Sie nach seinem Kabel.</translation>
+    </message>
+    <message>
+        <source>The battery of the Haply grip is low. Charge it.</source>
+        <translation>Die Batterie des Haply-Griffs ist schwach. Laden Sie ihn auf.</translation>
+    </message>
+    <message>
+        <source>The battery of the grip is low.</source>
+        <translation>Die Batterie des Griffs ist schwach.</translation>
+    </message>
+    <message>
+        <source>The Haply grip went to sleep. Press one of its buttons to wake it.</source>
+        <translation>Der Haply-Griff ist eingeschlafen. Drücken Sie eine seiner Tasten, um ihn zu wecken.</translation>
+    </message>
+    <message>
+        <source>The grip went to sleep.</source>
+        <translation>Der Griff ist eingeschlafen.</translation>
+    </message>
+    <message>
+        <source>The calibration of the Haply device failed. Put its grip into the inkwell again and wait until the light is steady.</source>
+        <translation>Das Kalibrieren des Haply-Geräts ist misslungen. Stecken Sie seinen Griff noch einmal in die Halterung und warten Sie, bis das Licht ruhig leuchtet.</translation>
+    </message>
+    <message>
+        <source>The calibration failed. Put the grip into the inkwell again.</source>
+        <translation>Das Kalibrieren ist misslungen. Stecken Sie den Griff noch einmal in die Halterung.</translation>
+    </message>
+    <message>
+        <source>The emergency stop of the Haply device was pressed. Forces are off until it is released.</source>
+        <translation>Der Notaus des Haply-Geräts wurde gedrückt. Die Kräfte sind aus, bis er gelöst wird.</translation>
+    </message>
+    <message>
+        <source>The emergency stop was pressed.</source>
+        <translation>Der Notaus wurde gedrückt.</translation>
+    </message>
+    <message>
+        <source>The emergency stop of the Haply device was released. F5 switches forces on again.</source>
+        <translation>Der Notaus des Haply-Geräts wurde gelöst. F5 schaltet die Kräfte wieder an.</translation>
+    </message>
+    <message>
+        <source>The emergency stop was released.</source>
+        <translation>Der Notaus wurde gelöst.</translation>
+    </message>
+    <message>
+        <source>A motor of the Haply device is held fast. Let its arm move freely.</source>
+        <translation>Ein Motor des Haply-Geräts wird festgehalten. Lassen Sie seinem Arm freie Bewegung.</translation>
+    </message>
+    <message>
+        <source>A motor is held fast.</source>
+        <translation>Ein Motor wird festgehalten.</translation>
+    </message>
+    <message>
+        <source>The Haply service holds the forces down, because the arm trembles. Hold the grip more firmly, or lower the strength.</source>
+        <translation>Der Haply-Dienst hält die Kräfte klein, weil der Arm zittert. Halten Sie den Griff fester, oder verringern Sie die Stärke.</translation>
+    </message>
+    <message>
+        <source>Forces are held down, because the arm trembles.</source>
+        <translation>Die Kräfte werden klein gehalten, weil der Arm zittert.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -9472,6 +9745,22 @@
     <message>
         <source>Interlaced</source>
         <translation>Zeilenweise</translation>
+    </message>
+    <message>
+        <source>Force Dimension&apos;s library</source>
+        <translation>Bibliothek von Force Dimension</translation>
+    </message>
+    <message>
+        <source>File libdhd.so.3 or libdrd.so.3 of the maker of omega, delta, sigma and lambda; empty: the usual places. Holds when such a device is looked for next</source>
+        <translation>Datei libdhd.so.3 oder libdrd.so.3 des Herstellers von omega, delta, sigma und lambda; leer: die üblichen Orte. Gilt, sobald ein solches Gerät das nächste Mal gesucht wird</translation>
+    </message>
+    <message>
+        <source>Plug-ins for devices</source>
+        <translation>Plugins für Geräte</translation>
+    </message>
+    <message>
+        <source>Which plug-ins for haptic devices may run. A plug-in can do all that you can do: allow one only if you know where it is from. A file that changes must be allowed again</source>
+        <translation>Welche Plugins für haptische Geräte laufen dürfen. Ein Plugin kann alles, was Sie können: Erlauben Sie eines nur, wenn Sie wissen, woher es stammt. Eine Datei, die sich ändert, muss neu erlaubt werden</translation>
     </message>
 </context>
 <context>
@@ -11878,14 +12167,6 @@
         <translation>&amp;Gerät einrichten…</translation>
     </message>
     <message>
-        <source>Set up, test and calibrate a Falcon</source>
-        <translation>Einen Falcon einrichten, prüfen und kalibrieren</translation>
-    </message>
-    <message>
-        <source>From plug to touch: access, firmware, homing, self test, force by a known weight, left or right hand.</source>
-        <translation>Vom Stecker zum Fühlen: Zugang, Firmware, Referenzfahrt, Selbsttest, Kraft an einem bekannten Gewicht, linke oder rechte Hand.</translation>
-    </message>
-    <message>
         <source>&amp;Record</source>
         <translation>&amp;Aufzeichnen</translation>
     </message>
@@ -12108,6 +12389,14 @@
     <message>
         <source>One tap: yes. Two: not measured. Three: the edge. Only while forces are on.</source>
         <translation>Ein Stoß: ja. Zwei: nicht gemessen. Drei: der Rand. Nur solange Kräfte an sind.</translation>
+    </message>
+    <message>
+        <source>Set up a Falcon or a Haply device, step by step</source>
+        <translation>Einen Falcon oder ein Haply-Gerät Schritt für Schritt einrichten</translation>
+    </message>
+    <message>
+        <source>From plug to touch. A Falcon: access, firmware, homing, self test, force by a known weight, left or right hand. Haply: service, power, calibration, buttons.</source>
+        <translation>Vom Stecker zum Fühlen. Ein Falcon: Zugang, Firmware, Referenzfahrt, Selbsttest, Kraft an einem bekannten Gewicht, linke oder rechte Hand. Haply: Dienst, Strom, Kalibrieren, Tasten.</translation>
     </message>
 </context>
 <context>

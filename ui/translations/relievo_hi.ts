@@ -2690,6 +2690,49 @@
         <source>The computer goes to sleep; the forces are off and this has ended. Begin again when it is awake.</source>
         <translation>कंप्यूटर सोने जा रहा है; बल बंद हैं और यह समाप्त हो गया। उसके जागने पर फिर से शुरू करें।</translation>
     </message>
+    <message>
+        <source>Set up a &amp;Haply device…</source>
+        <translation>Haply उपकरण तैयार करें… (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Set up a Haply device</source>
+        <translation>Haply उपकरण तैयार करें</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DeviceTrustBox</name>
+    <message>
+        <source>They are being looked for.</source>
+        <translation>उन्हें खोजा जा रहा है।</translation>
+    </message>
+    <message>
+        <source>&amp;Look again</source>
+        <translation>फिर खोजें (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Look for plug-ins again</source>
+        <translation>प्लगइन फिर खोजें</translation>
+    </message>
+    <message>
+        <source>None was found. Your own are looked for in %1.</source>
+        <translation>कोई नहीं मिला। आपके अपने %1 में खोजे जाते हैं।</translation>
+    </message>
+    <message>
+        <source>Its folder is trusted.</source>
+        <translation>उसके फ़ोल्डर पर भरोसा है।</translation>
+    </message>
+    <message>
+        <source>%1 may run</source>
+        <translation>%1 चल सकता है</translation>
+    </message>
+    <message>
+        <source>%1 may run from now on, until its file changes.</source>
+        <translation>%1 अब से चल सकता है, जब तक उसकी फ़ाइल न बदले।</translation>
+    </message>
+    <message>
+        <source>%1 may not run any more.</source>
+        <translation>%1 अब नहीं चल सकता।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::Document</name>
@@ -3894,6 +3937,152 @@
     <message>
         <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
         <translation>एक Falcon जोड़ा गया। उपयोग के लिए स्पर्श पटल में उसे चुनें।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HaplySetupDialog</name>
+    <message>
+        <source>Device set-up: Haply</source>
+        <translation>उपकरण की तैयारी: Haply</translation>
+    </message>
+    <message>
+        <source>State of the Haply device</source>
+        <translation>Haply उपकरण की अवस्था</translation>
+    </message>
+    <message>
+        <source>Haply&apos;s Inverse Service is being looked for.</source>
+        <translation>Haply की Inverse Service खोजी जा रही है।</translation>
+    </message>
+    <message>
+        <source>What the service told last</source>
+        <translation>सेवा ने अंत में क्या बताया</translation>
+    </message>
+    <message>
+        <source>Which Haply device</source>
+        <translation>कौन-सा Haply उपकरण</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>उपकरण (&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>फिर कोशिश (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>फिर कोशिश</translation>
+    </message>
+    <message>
+        <source>After another program set the device up, or the service did not obey forces</source>
+        <translation>जब दूसरे प्रोग्राम ने उपकरण तैयार किया हो, या सेवा ने बल का पालन न किया हो</translation>
+    </message>
+    <message>
+        <source>&amp;Use this device</source>
+        <translation>इस उपकरण का उपयोग करें (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Use this device</source>
+        <translation>इस उपकरण का उपयोग करें</translation>
+    </message>
+    <message>
+        <source>Set up a &amp;Falcon…</source>
+        <translation>Falcon तैयार करें… (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Set up a Falcon</source>
+        <translation>Falcon तैयार करें</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>बंद करें</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HaplySteps</name>
+    <message>
+        <source>Steps</source>
+        <translation>चरण</translation>
+    </message>
+    <message>
+        <source>Inverse Service runs</source>
+        <translation>Inverse Service चल रही है</translation>
+    </message>
+    <message>
+        <source>Device is plugged in</source>
+        <translation>उपकरण जुड़ा है</translation>
+    </message>
+    <message>
+        <source>Motors have power</source>
+        <translation>मोटरों को बिजली मिलती है</translation>
+    </message>
+    <message>
+        <source>Service has started it</source>
+        <translation>सेवा ने उसे चालू किया है</translation>
+    </message>
+    <message>
+        <source>Calibrated</source>
+        <translation>अंशांकित</translation>
+    </message>
+    <message>
+        <source>Set up for touching</source>
+        <translation>स्पर्श के लिए तैयार</translation>
+    </message>
+    <message>
+        <source>Place of the hand</source>
+        <translation>हाथ का स्थान</translation>
+    </message>
+    <message>
+        <source>Buttons that are pressed</source>
+        <translation>दबे हुए बटन</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>हाथ</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>बटन</translation>
+    </message>
+    <message>
+        <source>✓ done</source>
+        <translation>✓ पूरा</translation>
+    </message>
+    <message>
+        <source>– waits for this</source>
+        <translation>– इसकी प्रतीक्षा है</translation>
+    </message>
+    <message>
+        <source>– not known yet</source>
+        <translation>– अभी ज्ञात नहीं</translation>
+    </message>
+    <message>
+        <source>%1 right, %2 up, %3 out, in millimetres; %4 answers per second</source>
+        <translation>दाएँ %1, ऊपर %2, बाहर %3, मिलीमीटर में; प्रति सेकंड %4 उत्तर</translation>
+    </message>
+    <message>
+        <source>not known before the device is there</source>
+        <translation>उपकरण के आने से पहले ज्ञात नहीं</translation>
+    </message>
+    <message>
+        <source>Plus</source>
+        <translation>प्लस</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>आगे</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>बीच</translation>
+    </message>
+    <message>
+        <source>Minus</source>
+        <translation>माइनस</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>कोई नहीं</translation>
     </message>
 </context>
 <context>
@@ -8594,6 +8783,90 @@
         <source>One button. Press: I offer where am I, finer, coarser, whole object, move, guide, forces, say it again, louder, softer, help. Press again to take what I said last. Hold for a second and a half: forces off.</source>
         <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, पूरी वस्तु, खिसकाना, ले चलना, बल, फिर से कहें, और तेज़, और धीमा, सहायता। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
     </message>
+    <message>
+        <source>The plug-in %1 was not allowed, so that nothing was taken back.</source>
+        <translation>प्लगइन %1 को अनुमति नहीं थी; कुछ वापस नहीं लिया गया।</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;. Nothing was changed. Name the maker&apos;s library itself, libdhd.so.3 for example.</source>
+        <translation>फ़ाइल &quot;%1&quot; नहीं है। कुछ नहीं बदला। निर्माता की लाइब्रेरी का ही नाम दें, जैसे libdhd.so.3।</translation>
+    </message>
+    <message>
+        <source>The settings of devices could not be written to &quot;%1&quot;. Nothing was changed. Check the folder&apos;s permissions.</source>
+        <translation>उपकरणों की सेटिंग &quot;%1&quot; में लिखी नहीं जा सकीं। कुछ नहीं बदला। फ़ोल्डर की अनुमति जाँचें।</translation>
+    </message>
+    <message>
+        <source>A Haply device was plugged in.</source>
+        <translation>एक Haply उपकरण जोड़ा गया।</translation>
+    </message>
+    <message>
+        <source>A Haply device was unplugged.</source>
+        <translation>एक Haply उपकरण निकाला गया।</translation>
+    </message>
+    <message>
+        <source>The Haply device connects and goes away again and again. Look at its cable, its plug and its power supply.</source>
+        <translation>Haply उपकरण बार-बार जुड़ता और चला जाता है। उसकी केबल, प्लग और बिजली-अडैप्टर देखें।</translation>
+    </message>
+    <message>
+        <source>The Haply device connects again and again. Look at its cable.</source>
+        <translation>Haply उपकरण बार-बार जुड़ता है। उसकी केबल देखें।</translation>
+    </message>
+    <message>
+        <source>The battery of the Haply grip is low. Charge it.</source>
+        <translation>Haply मूठ की बैटरी कम है। उसे चार्ज करें।</translation>
+    </message>
+    <message>
+        <source>The battery of the grip is low.</source>
+        <translation>मूठ की बैटरी कम है।</translation>
+    </message>
+    <message>
+        <source>The Haply grip went to sleep. Press one of its buttons to wake it.</source>
+        <translation>Haply मूठ सो गई। उसे जगाने के लिए उसका कोई बटन दबाएँ।</translation>
+    </message>
+    <message>
+        <source>The grip went to sleep.</source>
+        <translation>मूठ सो गई।</translation>
+    </message>
+    <message>
+        <source>The calibration of the Haply device failed. Put its grip into the inkwell again and wait until the light is steady.</source>
+        <translation>Haply उपकरण का अंशांकन विफल हुआ। उसकी मूठ को फिर आधार-खाँचे में रखें और बत्ती के स्थिर होने तक रुकें।</translation>
+    </message>
+    <message>
+        <source>The calibration failed. Put the grip into the inkwell again.</source>
+        <translation>अंशांकन विफल हुआ। मूठ को फिर आधार-खाँचे में रखें।</translation>
+    </message>
+    <message>
+        <source>The emergency stop of the Haply device was pressed. Forces are off until it is released.</source>
+        <translation>Haply उपकरण की आपात-रोक दबाई गई। उसके छूटने तक बल बंद हैं।</translation>
+    </message>
+    <message>
+        <source>The emergency stop was pressed.</source>
+        <translation>आपात-रोक दबाई गई।</translation>
+    </message>
+    <message>
+        <source>The emergency stop of the Haply device was released. F5 switches forces on again.</source>
+        <translation>Haply उपकरण की आपात-रोक छूट गई। F5 से बल फिर चालू होते हैं।</translation>
+    </message>
+    <message>
+        <source>The emergency stop was released.</source>
+        <translation>आपात-रोक छूट गई।</translation>
+    </message>
+    <message>
+        <source>A motor of the Haply device is held fast. Let its arm move freely.</source>
+        <translation>Haply उपकरण की एक मोटर रुकी हुई है। उसकी बाँह को खुला चलने दें।</translation>
+    </message>
+    <message>
+        <source>A motor is held fast.</source>
+        <translation>एक मोटर रुकी हुई है।</translation>
+    </message>
+    <message>
+        <source>The Haply service holds the forces down, because the arm trembles. Hold the grip more firmly, or lower the strength.</source>
+        <translation>Haply की सेवा बल को कम रखती है, क्योंकि बाँह काँपती है। मूठ को मज़बूती से पकड़ें, या प्रबलता घटाएँ।</translation>
+    </message>
+    <message>
+        <source>Forces are held down, because the arm trembles.</source>
+        <translation>बल कम रखे जाते हैं, क्योंकि बाँह काँपती है।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -9472,6 +9745,22 @@
     <message>
         <source>Interlaced</source>
         <translation>पंक्ति-दर-पंक्ति</translation>
+    </message>
+    <message>
+        <source>Force Dimension&apos;s library</source>
+        <translation>Force Dimension की लाइब्रेरी</translation>
+    </message>
+    <message>
+        <source>File libdhd.so.3 or libdrd.so.3 of the maker of omega, delta, sigma and lambda; empty: the usual places. Holds when such a device is looked for next</source>
+        <translation>omega, delta, sigma और lambda के निर्माता की फ़ाइल libdhd.so.3 या libdrd.so.3; खाली: सामान्य जगहें। ऐसा उपकरण अगली बार खोजे जाने पर लागू</translation>
+    </message>
+    <message>
+        <source>Plug-ins for devices</source>
+        <translation>उपकरणों के प्लगइन</translation>
+    </message>
+    <message>
+        <source>Which plug-ins for haptic devices may run. A plug-in can do all that you can do: allow one only if you know where it is from. A file that changes must be allowed again</source>
+        <translation>स्पर्श उपकरणों के कौन-से प्लगइन चल सकते हैं। प्लगइन वह सब कर सकता है जो आप कर सकते हैं: अनुमति तभी दें जब आप जानते हों कि वह कहाँ से है। बदली हुई फ़ाइल को फिर अनुमति चाहिए</translation>
     </message>
 </context>
 <context>
@@ -11878,14 +12167,6 @@
         <translation>उपकरण की तैयारी (&amp;V)…</translation>
     </message>
     <message>
-        <source>Set up, test and calibrate a Falcon</source>
-        <translation>Falcon को तैयार करें, जाँचें और अंशांकित करें</translation>
-    </message>
-    <message>
-        <source>From plug to touch: access, firmware, homing, self test, force by a known weight, left or right hand.</source>
-        <translation>जोड़ने से छूने तक: पहुँच, फ़र्मवेयर, आरंभ स्थिति, स्व-जाँच, ज्ञात भार से बल, बायाँ या दायाँ हाथ।</translation>
-    </message>
-    <message>
         <source>&amp;Record</source>
         <translation>रिकॉर्ड करें (&amp;R)</translation>
     </message>
@@ -12108,6 +12389,14 @@
     <message>
         <source>One tap: yes. Two: not measured. Three: the edge. Only while forces are on.</source>
         <translation>एक थपकी: हाँ। दो: मापा नहीं गया। तीन: किनारा। केवल जब बल चालू हों।</translation>
+    </message>
+    <message>
+        <source>Set up a Falcon or a Haply device, step by step</source>
+        <translation>Falcon या Haply उपकरण को क़दम-दर-क़दम तैयार करें</translation>
+    </message>
+    <message>
+        <source>From plug to touch. A Falcon: access, firmware, homing, self test, force by a known weight, left or right hand. Haply: service, power, calibration, buttons.</source>
+        <translation>जोड़ने से स्पर्श तक। Falcon: पहुँच, फ़र्मवेयर, आरंभ स्थिति, स्व-परीक्षण, ज्ञात भार से बल, बायाँ या दायाँ हाथ। Haply: सेवा, बिजली, अंशांकन, बटन।</translation>
     </message>
 </context>
 <context>

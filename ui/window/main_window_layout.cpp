@@ -114,6 +114,8 @@ void MainWindow::showPreferences() {
   auto* dialog = new PreferencesDialog(settings_, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PreferencesDialog::changed, this, &MainWindow::applyPreference);
+  connect(dialog, &PreferencesDialog::said, this,
+          [this](const QString& text) { messages_->announce(text); });
   connect(dialog, &PreferencesDialog::restartAsked, this,
           [this] { controllers_->saving.restartWhenNothingIsUnsaved(); });
   dialog->show();

@@ -15,7 +15,7 @@ namespace relievo {
 namespace {
 
 // Those of plugins by their names, since the window does not know them.
-constexpr std::array<ManualTopic, 28> kTopics{{
+constexpr std::array<ManualTopic, 29> kTopics{{
     {"StartPage", "open"},
     {"SurfacePanel", "depth_map"},
     {"DepthMapDialog", "depth_map"},
@@ -28,6 +28,7 @@ constexpr std::array<ManualTopic, 28> kTopics{{
     {"HapticsPanel", "touch"},
     {"ButtonsPanel", "falcon"},
     {"DeviceSetupDialog", "falcon"},
+    {"HaplySetupDialog", "devices"},
     {"LoopDetailsDialog", "touch"},
     {"ScopeDialog", "touch"},
     {"NoteDialog", "recording_and_video"},

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QUrl>
+#include <utility>
 
 namespace relievo {
 namespace {
@@ -83,6 +84,10 @@ void Settings::keepElsewhere(const QString& key, const Elsewhere& place) {
   config_.remove(key);
   if (!before.isEmpty() && place.read().toString().isEmpty()) place.write(before);
   elsewhere_[key] = place;
+}
+
+void Settings::keepDeviceTrust(DeviceTrust trust) {
+  if (!safe_) device_trust_ = std::move(trust);
 }
 
 QVariant Settings::layout(const QString& key) const {

@@ -10,6 +10,7 @@
 #include <QStringList>
 
 #include "core/base/unit.h"
+#include "ui/window/device_trust.h"
 
 namespace relievo {
 
@@ -42,12 +43,17 @@ class Settings {
   };
   void keepElsewhere(const QString& key, const Elsewhere& place);
 
+  /// Which plug-ins for devices may run, for whoever shows it. Not in safe mode.
+  void keepDeviceTrust(DeviceTrust trust);
+  const DeviceTrust& deviceTrust() const { return device_trust_; }
+
   QVariant layout(const QString& key) const;
   void setLayout(const QString& key, const QVariant& value);
 
  private:
   bool safe_;
   std::map<QString, Elsewhere> elsewhere_;
+  DeviceTrust device_trust_;
   mutable QSettings config_, state_;
 };
 

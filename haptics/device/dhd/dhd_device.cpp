@@ -196,11 +196,11 @@ relievo_status DhdDevice::step(const Three& force_n, std::int64_t now_ns,
     status = statusOf(library_.last_error());
     library_.set_force(0, 0, 0, id);
   }
+  out.buttons = buttons_;  // Also where it shows no force.
   if (status < 0) return status;
   if (got == kAskedTooSoon) return RELIEVO_NO_NEWS;
   const Three place_mm = withinSight(placeMm(place_m), model_->half_extent_mm);
   for (std::size_t i = 0; i < 3; ++i) out.position_mm[i] = place_mm[i];
-  out.buttons = buttons_;
   out.time_ns = nowNs();
   out.hottest_motor = -1;
   return RELIEVO_OK;

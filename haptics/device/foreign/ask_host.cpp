@@ -12,6 +12,7 @@
 
 #include "core/base/failure.h"
 #include "haptics/device/foreign/host_process.h"
+#include "haptics/device/foreign/plugin_settings.h"
 #include "haptics/device/foreign/push_plugin.h"
 #include "haptics/rt/realtime_thread.h"
 
@@ -45,7 +46,10 @@ Answer ask(const PluginImage& image, const std::vector<std::string>& arguments, 
   const OwnedFd from(pipe[0]);
   OwnedFd to(pipe[1]);
   HostProcess host;
-  host.start({.arguments = arguments, .shared_fd = to.get(), .plugin_fd = image.bytes.get()});
+  host.start({.arguments = arguments,
+              .variables = variablesFor(image.file),
+              .shared_fd = to.get(),
+              .plugin_fd = image.bytes.get()});
   to.reset();
   Answer answer;
   const std::int64_t until_ns = monotonicNs() + static_cast<std::int64_t>(1e9 * seconds);

@@ -8,6 +8,7 @@
 
 #include "core/base/failure.h"
 #include "haptics/device/foreign/host_answers.h"
+#include "haptics/device/foreign/plugin_settings.h"
 #include "haptics/rt/realtime_thread.h"
 
 namespace relievo::foreign {
@@ -50,6 +51,7 @@ void ForeignDevice::open() {
     throw failure<MessageId::device_host_not_started>(std::strerror(reason));
   }
   host_.start({.arguments = {"drive", file_.string(), own_id_},
+               .variables = variablesFor(file_),
                .shared_fd = page_->fd(),
                .plugin_fd = image_->bytes.get()});
   host_pid_ = host_.pid();

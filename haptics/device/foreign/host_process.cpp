@@ -8,11 +8,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
 
 #include "core/base/failure.h"
 #include "core/file/own_program.h"
@@ -68,6 +70,28 @@ void setSignals(posix_spawnattr_t& attributes) {
   ::posix_spawnattr_setflags(
       &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
 }
+
+/// Of this process, without the variables that are set anew, and those.
+std::vector<std::string> environmentWith(const std::vector<std::string>& variables) {
+  std::vector<std::string> all = variables;
+  for (char* const* entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view text(*entry);
+    const std::string_view name = text.substr(0, text.find('=') + 1);
+    const bool anew = std::any_of(variables.begin(), variables.end(),
+                                  [&](const std::string& one) { return one.starts_with(name); });
+    if (!anew || name.empty()) all.emplace_back(text);
+  }
+  return all;
+}
+
+/// As the system wants them; they live as long as the words do.
+std::vector<char*> pointersTo(std::vector<std::string>& words) {
+  std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
 }  // namespace
 
 HostProcess::~HostProcess() {
@@ -94,12 +118,9 @@ void HostProcess::start(const Start& how) {
   setSignals(settings.attributes);
   std::vector<std::string> words{kHost};
   words.insert(words.end(), how.arguments.begin(), how.arguments.end());
-  std::vector<char*> arguments;
-  arguments.reserve(words.size() + 1);
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+  std::vector<std::string> variables = environmentWith(how.variables);
   const int error = ::posix_spawn(&pid_, program.c_str(), &settings.actions, &settings.attributes,
-                                  arguments.data(), environ);
+                                  pointersTo(words).data(), pointersTo(variables).data());
   if (error != 0) {
     pid_ = -1;
     refuse(error);

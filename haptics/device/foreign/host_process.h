@@ -20,9 +20,11 @@ class HostProcess {
 
   struct Start {
     std::vector<std::string> arguments;  ///< Without the program's name.
-    int shared_fd = -1;                  ///< Its descriptor 3; this one stays ours.
-    int plugin_fd = -1;                  ///< Its descriptor 5, a PluginImage's; likewise.
-    int output_fd = -1;                  ///< Its standard output; -1: it goes to standard error.
+    /// It gets this process's environment and these, as "NAME=VALUE".
+    std::vector<std::string> variables{};
+    int shared_fd = -1;  ///< Its descriptor 3; this one stays ours.
+    int plugin_fd = -1;  ///< Its descriptor 5, a PluginImage's; likewise.
+    int output_fd = -1;  ///< Its standard output; -1: it goes to standard error.
   };
   /// @throw FileError  the program is not installed, or may not be found
   /// @throw DeviceError  the system refuses

@@ -41,17 +41,41 @@ bool isSum(std::string_view text) {
          });
 }
 
+constexpr const char* kBetween = "  ";
+
 /// A line is a checksum, two spaces and a name for people. A list that others may write says
 /// nothing.
-std::vector<std::string> trustedSums(const fs::path& list) {
-  std::vector<std::string> sums;
+std::vector<std::string> trustedLines(const fs::path& list) {
+  std::vector<std::string> lines;
   std::ifstream stream(list);
-  if (!stream || !openToOthers(list).empty()) return sums;
+  if (!stream || !openToOthers(list).empty()) return lines;
   for (std::string line; std::getline(stream, line);) {
-    std::string sum = line.substr(0, line.find("  "));
-    if (isSum(sum)) sums.push_back(std::move(sum));
+    if (isSum(line.substr(0, line.find(kBetween)))) lines.push_back(std::move(line));
   }
+  return lines;
+}
+
+std::vector<std::string> trustedSums(const fs::path& list) {
+  std::vector<std::string> sums = trustedLines(list);
+  for (std::string& line : sums) line.erase(std::min(line.size(), line.find(kBetween)));
   return sums;
+}
+
+/// @throw WriteError  @throw DeviceError  others may write there, so that it would say nothing
+void writeTrusted(const std::vector<std::string>& lines, const fs::path& list) {
+  std::error_code error;
+  // Where new folders are open to a group, a list in them would say nothing.
+  const fs::path folder = list.parent_path();
+  if (fs::create_directories(folder, error)) {
+    fs::permissions(folder, fs::perms::owner_all, error);
+  }
+  AtomicFile written(list);
+  for (const std::string& line : lines) written.write(line + '\n');
+  written.commit();
+  fs::permissions(list, fs::perms::owner_read | fs::perms::owner_write, error);
+  if (const fs::path where = openToOthers(list); !where.empty()) {
+    throw failure<MessageId::device_plugin_open_to_others>(list, where);
+  }
 }
 
 bool isPlain(char c) {
@@ -121,6 +145,7 @@ void addFrom(const fs::path& folder, const Judgement& judgement, std::vector<Plu
     if (known) continue;
     file.why_not = whyNotTrusted(file.file, judgement);
     file.trusted = !file.why_not;
+    file.own = !judgement.by_place;
     files.push_back(std::move(file));
   }
 }
@@ -169,29 +194,30 @@ std::string trustPlugin(const fs::path& file, const PluginPlaces& places) {
   if (!image.open_to_others.empty()) {
     throw failure<MessageId::device_plugin_open_to_others>(file, image.open_to_others);
   }
-  const std::vector<std::string> sums = trustedSums(places.list);
-  if (std::find(sums.begin(), sums.end(), image.sha256) != sums.end()) return image.sha256;
-  std::ostringstream kept;
-  // What others may have written is not kept.
-  if (std::ifstream stream(places.list); stream && openToOthers(places.list).empty()) {
-    kept << stream.rdbuf();
-  }
-  std::string text = kept.str();
-  if (!text.empty() && text.back() != '\n') text += '\n';
-  std::error_code error;
-  // Where new folders are open to a group, a list in them would say nothing.
-  const fs::path folder = places.list.parent_path();
-  if (fs::create_directories(folder, error)) {
-    fs::permissions(folder, fs::perms::owner_all, error);
-  }
-  AtomicFile written(places.list);
-  written.write(text + image.sha256 + "  " + shownName(file) + "\n");
-  written.commit();
-  fs::permissions(places.list, fs::perms::owner_read | fs::perms::owner_write, error);
-  if (const fs::path where = openToOthers(places.list); !where.empty()) {
-    throw failure<MessageId::device_plugin_open_to_others>(places.list, where);
-  }
+  std::vector<std::string> lines = trustedLines(places.list);
+  const bool known = std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+    return line.starts_with(image.sha256);
+  });
+  if (known) return image.sha256;
+  lines.push_back(image.sha256 + kBetween + shownName(file));
+  writeTrusted(lines, places.list);
   return image.sha256;
+}
+
+void distrustPlugin(const fs::path& file, const PluginPlaces& places) {
+  std::string sum;  // Empty: it cannot be read any more.
+  try {
+    sum = readPlugin(file).sha256;
+  } catch (const FileError&) {
+    // Its name says which one is meant.
+  }
+  std::vector<std::string> lines = trustedLines(places.list);
+  const std::string end = kBetween + shownName(file);
+  const std::size_t taken = std::erase_if(lines, [&](const std::string& line) {
+    return line.ends_with(end) || (!sum.empty() && line.starts_with(sum));
+  });
+  if (taken == 0) throw failure<MessageId::device_plugin_not_allowed_before>(file);
+  writeTrusted(lines, places.list);
 }
 
 std::unique_ptr<Device> makePluginDevice(const std::string& id, const PluginPlaces& places) {

@@ -17,6 +17,7 @@ namespace relievo::foreign {
 struct PluginFile {
   std::string name;  ///< Without folder and ".so": the FILE of "plugin:FILE/ID".
   std::filesystem::path file;
+  bool own = false;  ///< It lies in the user's own folder: who may run is the user's to say.
   /// It lies where only an administrator writes, where RELIEVO_DEVICE_PATH says, or the user
   /// allowed exactly these bytes; and nobody else may change it.
   bool trusted = false;
@@ -45,6 +46,11 @@ PluginImage trustedImage(const PluginFile& plugin, const PluginPlaces& places = 
 /// @throw DeviceError  others may change it  @throw FileError, WriteError
 std::string trustPlugin(const std::filesystem::path& file,
                         const PluginPlaces& places = pluginPlaces());
+
+/// From now on neither this file nor an earlier form of it may run, until it is allowed again. One
+/// that is gone may be named, too.
+/// @throw DeviceError  it was not allowed  @throw WriteError
+void distrustPlugin(const std::filesystem::path& file, const PluginPlaces& places = pluginPlaces());
 
 /// The closed device "plugin:FILE/ID".
 /// @throw DeviceError  no such name or file, or it is not trusted

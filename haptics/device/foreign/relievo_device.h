@@ -95,7 +95,8 @@ typedef struct relievo_device {
   relievo_status (*limits)(void* self, relievo_device_limits* out); /* [main] after open */
   /* [device] One read and one write, in either order. No allocation, no lock that a thread of lower
    * priority holds, no file, no printing. May wait for the device, for at most 5 ms. The force is
-   * finite and within the limits, and holds until the next call. On failure zero force was sent. */
+   * finite and within the limits, and holds until the next call. On failure zero force was sent.
+   * `buttons` counts with NOT_READY, FORCE_OFF and OVERHEATED, too: it is 0 unless it is set. */
   relievo_status (*step)(void* self, const double force_n[3], int64_t now_ns, relievo_sample* out);
   /* [any] Zero force now, within 5 ms, also while step hangs. The next step may drive again. May
    * come at any time from create() to destroy(): before open() or during it, and after close(). */

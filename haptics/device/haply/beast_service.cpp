@@ -275,6 +275,22 @@ std::unique_ptr<Service> inverseService(ServiceAddress address) {
   return std::make_unique<BeastService>(std::move(address));
 }
 
+std::unique_ptr<Port> eventPort(const ServiceAddress& address, const std::stop_token& stop) {
+  try {
+    error_code bad;
+    const auto host = asio::ip::make_address(address.host, bad);
+    if (bad) return nullptr;
+    const std::int64_t until_ns = monotonicNs() + address.patience_ns;
+    auto session = std::make_unique<BeastPort>();
+    const bool reached = session->reach({host, address.events_port}, until_ns, stop);
+    const std::string name = address.host + ":" + std::to_string(address.events_port);
+    if (!reached || !session->shakeHands(name, until_ns, stop)) return nullptr;
+    return session;
+  } catch (const std::exception&) {
+    return nullptr;  // No descriptor is left, say.
+  }
+}
+
 bool hasInverseService() {
   return true;
 }

@@ -30,7 +30,7 @@ void HaplyDevice::takeLimits(std::string_view type, std::string_view id) {
 
 void HaplyDevice::open() {
   if (thread_.joinable()) return;
-  Inventory inventory = lookAround(*service_, {});
+  Inventory inventory = lookAround(*service_, looking_.get_token());
   const Choice choice = choose(inventory, *service_, chosen_);
   mailbox_.status.write(choice.status);
   if (choice.device == nullptr) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -26,6 +27,8 @@ class HaplyDevice : public Device {
   /// Finds the device and starts the thread; does not wait until it is ready.
   /// @throw DeviceError  no service, another one, no device, or several (E311 to E313)
   void open() override;
+  /// open() waits no longer. [any thread]
+  void giveUp() noexcept { looking_.request_stop(); }
   void close() noexcept override;
   DeviceReading read(std::int64_t now_ns) RELIEVO_REALTIME override;
   void send(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override;
@@ -37,6 +40,7 @@ class HaplyDevice : public Device {
  private:
   void takeLimits(std::string_view type, std::string_view id);
 
+  std::stop_source looking_;
   std::unique_ptr<Service> service_;
   std::string chosen_;
   DeviceInfo info_;  // [owner] writes while it is closed; the loop reads its numbers.

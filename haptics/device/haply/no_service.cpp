@@ -22,6 +22,11 @@ std::unique_ptr<Service> inverseService(ServiceAddress /*address*/) {
   return std::make_unique<NoService>();
 }
 
+std::unique_ptr<Port> eventPort(const ServiceAddress& /*address*/,
+                                const std::stop_token& /*stop*/) {
+  return nullptr;
+}
+
 bool hasInverseService() {
   return false;
 }

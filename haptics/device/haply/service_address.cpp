@@ -41,6 +41,7 @@ std::optional<ServiceAddress> addressOf(std::string_view text) {
   const bool whole = read.ec == std::errc() && read.ptr == text.data() + text.size();
   if (!whole || port == 0 || !isHost(address.host)) return std::nullopt;
   address.ports = {port};
+  address.events_port = 0;  // Nobody knows where it is.
   return address;
 }
 
@@ -51,6 +52,15 @@ std::string environment(const char* name) {
 }
 std::string namedAddress() {
   return environment("RELIEVO_HAPLY_SERVICE");
+}
+/// What is no port is none.
+std::optional<std::uint16_t> namedEventsPort() {
+  const std::string text = environment("RELIEVO_HAPLY_EVENTS");
+  if (text.empty()) return std::nullopt;
+  std::uint16_t port = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, port);
+  return read.ec == std::errc() && read.ptr == end ? port : std::uint16_t{0};
 }
 std::int64_t namedPatienceNs() {
   const std::string text = environment("RELIEVO_HAPLY_PATIENCE_S");
@@ -66,6 +76,7 @@ ServiceAddress serviceAddress() {
   auto address = named.empty() ? std::optional<ServiceAddress>(ServiceAddress{}) : addressOf(named);
   if (!address) throw failure<MessageId::haply_address_unknown>(named);
   address->patience_ns = namedPatienceNs();
+  address->events_port = namedEventsPort().value_or(address->events_port);
   return *std::move(address);
 }
 

@@ -28,6 +28,8 @@ class ButtonControl : public QObject {
   /// Takes what was pressed. Once a frame, with the newest sample.
   void follow(const HapticSample& sample);
   void cancelMoving() { buttons_->cancelMoving(); }
+  /// Another device is the hand.
+  void forgetPresses() { buttons_->forgetPresses(); }
   /// The hand is being led: a button that goes down is told by letGo(), and does nothing else.
   void setLed(bool led) { buttons_->setLed(led); }
   /// The introduction runs: buttons are told by taught(), and Where am I by taskAsked().

@@ -40,6 +40,11 @@ void DeviceButtons::press(std::uint8_t button, bool down, double time_s) {
   commands_.press(button, down, time_s);
 }
 
+void DeviceButtons::forgetPresses() {
+  commands_.forgetPresses();
+  let_go_ = 0;
+}
+
 void DeviceButtons::tellPlugs(const std::vector<std::string>& arrived,
                               const std::vector<std::string>& left) {
   for (const std::string& name : arrived) {

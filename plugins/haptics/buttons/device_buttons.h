@@ -40,6 +40,8 @@ class DeviceButtons : public QObject {
   /// The introduction runs: buttons that go down are told to it by taught(), and do nothing else;
   /// one that scans offers to go on.
   void setTaught(bool taught) { taught_ = taught; }
+  /// Another device is the hand: nobody will tell that a button of the old one went up.
+  void forgetPresses();
 
   // The commands that menus and keys share with the buttons. Each says its result.
   void whereAmI(bool in_full);

@@ -44,7 +44,7 @@ constexpr std::array<const char*, 3> kResults{
 
 DeviceSetupDialog::DeviceSetupDialog(std::unique_ptr<falcon::FalconDevice> device,
                                      falcon::FalconSettings settings, QWidget* parent)
-    : QDialog(parent), device_(std::move(device)), settings_(std::move(settings)) {
+    : SetUpDialog(parent), device_(std::move(device)), settings_(std::move(settings)) {
   setObjectName(QStringLiteral("deviceSetup"));
   setWindowTitle(tr("Device set-up"));
   build();
@@ -106,6 +106,9 @@ void DeviceSetupDialog::build() {
   auto* buttons = new QDialogButtonBox;
   save_ = buttons->addButton(tr("&Save and use the Falcon"), QDialogButtonBox::AcceptRole);
   named(save_, "setupSave", tr("Save and use the Falcon"));
+  auto* other = buttons->addButton(tr("Set up a &Haply device…"), QDialogButtonBox::ActionRole);
+  named(other, "setupOther", tr("Set up a Haply device"));
+  connect(other, &QPushButton::clicked, this, &DeviceSetupDialog::otherAsked);
   close_ = named(buttons->addButton(QDialogButtonBox::Close), "setupClose", tr("Close"));
   connect(buttons, &QDialogButtonBox::accepted, this, &DeviceSetupDialog::save);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

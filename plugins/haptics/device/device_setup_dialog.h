@@ -4,13 +4,13 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <QDialog>
 #include <QTimer>
 
 #include "haptics/device/falcon/calibration.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/falcon/self_test.h"
 #include "plugins/haptics/device/falcon_status_announcer.h"
+#include "plugins/haptics/device/set_up_dialog.h"
 
 class QCheckBox;
 class QDoubleSpinBox;
@@ -27,7 +27,7 @@ class SetupStartBox;
 /// From plug to touch, step by step: find, permission, firmware, homing, self test, calibration,
 /// handedness. All of it by keyboard, every change said. Holds the Falcon while it is open.
 /// [GUI thread]
-class DeviceSetupDialog : public QDialog {
+class DeviceSetupDialog : public SetUpDialog {
   Q_OBJECT
  public:
   /// @param device  the Falcon, closed; it is opened as soon as one is plugged in
@@ -40,13 +40,9 @@ class DeviceSetupDialog : public QDialog {
   bool installFirmware(const QString& file, bool accept_unknown);
   const falcon::LinkStatus& status() { return device_->status(); }
   /// Of the Falcon that was set up.
-  const std::string& deviceId() const { return device_->info().id; }
+  std::string deviceId() const override { return device_->info().id; }
   /// The computer is about to sleep: test and calibration end at zero force, the old setting stays.
-  void endBeforeSleep();
-
- Q_SIGNALS:
-  void said(const QString& text);  ///< For speech and status bar.
-  void saved();                    ///< Settings are on disk and the Falcon is to be used.
+  void endBeforeSleep() override;
 
  private:
   void build();

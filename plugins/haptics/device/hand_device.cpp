@@ -6,7 +6,12 @@
 
 #include "core/base/failure.h"
 #include "haptics/device/falcon/presence.h"
+#include "haptics/device/haply/device_search.h"
+#include "haptics/device/haply/service_address.h"
+#include "haptics/rt/realtime_thread.h"
 #include "plugins/haptics/buttons/rumble_sink.h"
+#include "plugins/haptics/device/device_setup_dialog.h"
+#include "plugins/haptics/device/haply_setup_dialog.h"
 #include "ui/message/message_text.h"
 
 namespace relievo {
@@ -36,6 +41,7 @@ void HandDevice::open() {
   opening_.reset();
   news_ = {};
   haply_told_.clear();
+  events_.reset();
   fallback_.clear();
   readouts_until_look_ = 0;
   opened_ = parts_.settings.device;
@@ -167,6 +173,7 @@ void HandDevice::announceState(LoopReport& report) {
     const bool is_news = of_haply->state != haply::LinkState::checking &&
                          std::exchange(haply_told_, report.device) != report.device;
     if (is_news) parts_.host.messages.announce(report.device, SaidBecause::noticed);
+    announceEvents(*of_haply);
     return;
   }
   const falcon::LinkStatus* status = session_->falconStatus();
@@ -175,6 +182,20 @@ void HandDevice::announceState(LoopReport& report) {
   if (status->state != falcon::LinkState::ready) report.not_ready = windowText(*status);
   for (const QString& words : news_.take(*status)) {
     parts_.host.messages.announce(words, SaidBecause::noticed);
+  }
+}
+
+/// Batteries, brakes, trembling: what its states do not tell. That this device is plugged in or
+/// gone, they do.
+void HandDevice::announceEvents(const haply::LinkStatus& status) {
+  if (!events_) events_ = std::make_unique<haply::EventChannel>(haply::serviceAddress());
+  const std::int64_t now_ns = monotonicNs();
+  for (const haply::ServiceEvent& event : events_->poll(now_ns)) {
+    const bool is_plug =
+        event.kind == haply::EventKind::connected || event.kind == haply::EventKind::disconnected;
+    const bool is_own = event.device.empty() || event.device == status.id;
+    if ((is_plug && is_own) || !event_news_.isNews(event, now_ns)) continue;
+    parts_.host.messages.say({haply::describe(event)}, SaidBecause::noticed);
   }
 }
 
@@ -219,28 +240,53 @@ void HandDevice::watchPlugs() {
   }
 }
 
+/// The Falcon is what most have who ask; a service of Haply's that runs, and no Falcon, means the
+/// other. Each assistant leads to the other one.
+HandDevice::Kind HandDevice::kindToSetUp() const {
+  if (haply::chosenBy(parts_.requested)) return Kind::haply;
+  if (falcon::falconChoice(parts_.requested) || !haply::isServiceThere()) return Kind::falcon;
+  return falcon::seenFalcons().empty() ? Kind::haply : Kind::falcon;
+}
+
 void HandDevice::setUp() {
   if (setup_) {
     setup_->raise();
     setup_->activateWindow();
     return;
   }
+  beginSetUp(kindToSetUp());
+}
+
+void HandDevice::beginSetUp(Kind kind) {
   const std::string before = parts_.requested;
   Q_EMIT forcesEnd(SaidBecause::asked);
-  if (opened_.starts_with("falcon")) {  // The dialog holds it now.
+  if (falcon::falconChoice(opened_) || haply::chosenBy(opened_)) {  // The dialog holds it now.
     parts_.settings.device = kMouseDevice;
     change();
   }
+  QWidget* const window = parts_.panel ? parts_.panel->window() : nullptr;
   try {
-    setup_ = makeDeviceSetup(falcon::falconChoice(before).value_or(falcon::FalconChoice{}),
-                             parts_.panel ? parts_.panel->window() : nullptr);
-  } catch (const DeviceError& error) {  // No USB on this computer.
+    if (kind == Kind::haply) {
+      setup_ = makeHaplySetup(haply::chosenBy(before).value_or(std::string()), window);
+    } else {
+      setup_ =
+          makeDeviceSetup(falcon::falconChoice(before).value_or(falcon::FalconChoice{}), window);
+    }
+  } catch (const Error& error) {  // No USB on this computer, or a setting that names no place.
     parts_.host.messages.showError(messageText(messageOf(error)), {});
     choose(before);
     return;
   }
-  connect(setup_, &DeviceSetupDialog::said, this,
+  connect(setup_, &SetUpDialog::said, this,
           [this](const QString& text) { parts_.host.messages.announce(text); });
+  connect(
+      setup_, &SetUpDialog::otherAsked, this,
+      [this, kind] {
+        setup_->disconnect(this);
+        delete setup_;  // It lets go of its device.
+        beginSetUp(kind == Kind::haply ? Kind::falcon : Kind::haply);
+      },
+      Qt::QueuedConnection);
   connect(setup_, &QDialog::finished, this, [this, before](int result) {
     if (!session_) return;
     const bool used = result == QDialog::Accepted && setup_;

@@ -7,10 +7,11 @@
 #include <string>
 
 #include "haptics/device/falcon/usb_bus.h"
+#include "haptics/device/haply/event_channel.h"
 #include "plugins/api/host.h"
-#include "plugins/haptics/device/device_setup_dialog.h"
 #include "plugins/haptics/device/falcon_status_announcer.h"
 #include "plugins/haptics/device/plugin_devices.h"
+#include "plugins/haptics/device/set_up_dialog.h"
 #include "plugins/haptics/loop_session.h"
 #include "plugins/haptics/panel/loop_health.h"
 #include "plugins/haptics/touch_parts.h"
@@ -62,7 +63,8 @@ class HandDevice : public QObject {
   void watchPlugs();
   void lookForPlugins() { plugin_devices_.look(); }
 
-  /// Opens the assistant for the Falcon, or shows the one that is open.
+  /// Opens the assistant for the device that was chosen, else for one that can be set up here, or
+  /// shows the one that is open.
   void setUp();
   /// The computer is about to sleep: nothing of the assistant keeps a force.
   void endSetUpBeforeSleep();
@@ -76,8 +78,12 @@ class HandDevice : public QObject {
   void openMouse(const Error& error, bool only_the_plug_helps);
   void beginOpening();
   void lookAgain();
+  enum class Kind : std::uint8_t { falcon, haply };
+  Kind kindToSetUp() const;
+  void beginSetUp(Kind kind);
   void showStandIn(const Message& message, bool only_the_plug_helps);
   void announceState(LoopReport& report);
+  void announceEvents(const haply::LinkStatus& status);
   QString heatText() const;
 
   TouchParts& parts_;
@@ -85,9 +91,11 @@ class HandDevice : public QObject {
   std::string opened_;                      // Id of the session's device.
   std::unique_ptr<DeviceOpening> opening_;  // Null: none is being opened.
   PluginDevices plugin_devices_;
-  QPointer<DeviceSetupDialog> setup_;
+  QPointer<SetUpDialog> setup_;
   FalconStatusAnnouncer news_;
-  QString haply_told_;           // Of a device of Haply, last.
+  QString haply_told_;                           // Of a device of Haply, last.
+  std::unique_ptr<haply::EventChannel> events_;  // Of its service, while it is the hand.
+  haply::EventNews event_news_;
   QString fallback_;             // Why the mouse is the hand; on the screen.
   int readouts_until_look_ = 0;  // For the one that was asked for; 0: a plug event will tell.
   std::unique_ptr<falcon::PlugWatch> plugs_;

@@ -92,6 +92,11 @@ TEST_F(DevicePlugins, TheUsersOwnIsAskedForOnce) {
   EXPECT_EQ(run({"devices", "--trust", file}).exit_code, 0);
   EXPECT_THAT(run({"devices"}).out, HasSubstr("plugin:mine/spring.1: Hand on a spring"));
   EXPECT_EQ(run({"devices", "--trust", path("nothing.so")}).exit_code, 2);
+  EXPECT_EQ(run({"devices", "--distrust", file}).exit_code, 0);
+  EXPECT_THAT(run({"devices"}).out, HasSubstr("plug-in mine: not allowed yet"));
+  const CommandResult twice = run({"devices", "--distrust", file});
+  EXPECT_EQ(twice.exit_code, 6);
+  EXPECT_THAT(twice.err, HasSubstr("was not allowed, so that nothing was taken back"));
 }
 
 TEST_F(DevicePlugins, ConformanceNamesTheFaultAndSaysSoByItsStatus) {
@@ -158,6 +163,27 @@ TEST_F(DevicePlugins, ADeviceOfForceDimensionIsListedAndTouchedWith) {
   const nlohmann::json replayed =
       test::reportOf(run({"replay", path("log.csv"), "--report", "json"}));
   EXPECT_EQ(replayed["identical"], true) << replayed;
+}
+
+TEST_F(DevicePlugins, WhereTheirLibraryLiesIsKept) {
+  const std::vector<std::string> ask{"devices", "library", "force_dimension"};
+  EXPECT_THAT(run(ask).out, HasSubstr("/no/libdhd.so.3, by RELIEVO_FORCE_DIMENSION_LIBRARY"));
+  const CommandResult set = run({"devices", "library", "force_dimension", kTheirLibrary});
+  EXPECT_EQ(set.exit_code, 0) << set.err;
+  EXPECT_THAT(set.out, HasSubstr(path("config/relievo/devices.conf")));
+  EXPECT_THAT(set.err, HasSubstr("not used while a library is kept"));
+  EXPECT_EQ(
+      test::reportOf(run({"devices", "library", "force_dimension", "--report", "json"}))["library"],
+      kTheirLibrary);
+  EXPECT_THAT(run({"devices"}, ours()).out, HasSubstr("plugin:force_dimension/device.0"));
+  const CommandResult missing = run({"devices", "library", "force_dimension", path("none.so")});
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("There is no file"));
+  EXPECT_THAT(run({"devices"}, ours()).out, HasSubstr("plugin:force_dimension/device.0"))
+      << "what was kept stays";
+  EXPECT_EQ(run({"devices", "library", "nothing", kTheirLibrary}).exit_code, 6);
+  EXPECT_EQ(run({"devices", "library", "force_dimension", "--forget"}).exit_code, 0);
+  EXPECT_THAT(run({"devices"}, ours()).out, HasSubstr("(E321)"));
 }
 
 TEST_F(DevicePlugins, WhatWasNeverTriedOnHardwareIsSaid) {

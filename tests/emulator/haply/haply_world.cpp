@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Triple = HaplyWorld::Triple;
 
-constexpr std::array<std::string_view, 32> kNames{"none",
+constexpr std::array<std::string_view, 35> kNames{"none",
                                                   "silent",
                                                   "late_3_ms",
                                                   "late_10_ms",
@@ -43,8 +43,11 @@ constexpr std::array<std::string_view, 32> kNames{"none",
                                                   "foreign_force",
                                                   "disobedient",
                                                   "tells_late",
-                                                  "tells_smooth"};
-static_assert(kNames.size() == static_cast<std::size_t>(HaplyFault::tells_smooth) + 1);
+                                                  "tells_smooth",
+                                                  "events_close",
+                                                  "events_garbage",
+                                                  "events_refused"};
+static_assert(kNames.size() == static_cast<std::size_t>(HaplyFault::events_refused) + 1);
 
 constexpr std::int64_t kIdleNs = 20'000'000;  // So long an order lasts; nobody has published it.
 constexpr std::int64_t kTellNs = 40'000'000;  // Of those that tell the force late or smoothed.
@@ -174,7 +177,30 @@ void HaplyWorld::pullToward(const Triple& place) {
   wanted_ = place;
 }
 
+void HaplyWorld::tellEvent(const std::string& name, const std::string& safety_type) {
+  Json data{{"device_id", id}};
+  if (!safety_type.empty()) data["safety_type"] = safety_type;
+  events.push_back(Json{{"name", name},
+                        {"category", "device"},
+                        {"level", "warning"},
+                        {"data", data},
+                        {"message", "as the service words it"}}
+                       .dump());
+}
+
+void HaplyWorld::watchDevice() {
+  const bool absent = hasFault(HaplyFault::device_absent);
+  if (std::exchange(was_absent_, absent) != absent) {
+    tellEvent(absent ? "device-disconnected" : "device-connected");
+  }
+  const bool braked = hasFault(HaplyFault::no_power);
+  if (std::exchange(was_braked_, braked) != braked) {
+    tellEvent("device-safety-triggered", braked ? "ebrake_triggered" : "ebrake_released");
+  }
+}
+
 void HaplyWorld::advance(std::int64_t now_ns) {
+  watchDevice();
   if (now_ns - ordered_ns_ > kIdleNs) show({}, now_ns, "idle");
   const double seconds = 1e-9 * static_cast<double>(now_ns - std::exchange(advanced_ns_, now_ns));
   const double kept = std::exp(-1e9 * seconds / static_cast<double>(kTellNs));

@@ -47,6 +47,10 @@ enum class HaplyFault : std::uint8_t {
   disobedient,
   tells_late,    ///< The force of 40 ms before.
   tells_smooth,  ///< The force as it fades in and out, over 40 ms.
+  // Of the channel of events.
+  events_close,    ///< Each session ends after the first event.
+  events_garbage,  ///< Half a message, no JSON, an unknown name, and a huge one before each.
+  events_refused,  ///< Whoever asks for a session gets none.
 };
 std::string_view nameOf(HaplyFault fault);
 /// All of them but `none`.
@@ -86,6 +90,11 @@ class HaplyWorld {
   std::uint64_t refused = 0;         ///< No JSON, or of no form that it knows.
   double largest_n = 0;              ///< That was ever shown.
 
+  /// What its channel of events has told, the oldest first, as it was sent; who listens gets what
+  /// comes from then on. By itself: plugs, and the emergency stop.
+  std::vector<std::string> events;
+  void tellEvent(const std::string& name, const std::string& safety_type = {});
+
   /// Every change of what the motors show.
   struct Shown {
     std::int64_t time_ns = 0;
@@ -95,6 +104,7 @@ class HaplyWorld {
   std::vector<Shown> log;
 
  private:
+  void watchDevice();
   void take(std::string_view message, std::int64_t now_ns, bool& everything);
   void show(const Triple& force, std::int64_t now_ns, const char* why);
   std::string state(bool everything, std::int64_t now_ns);
@@ -106,6 +116,7 @@ class HaplyWorld {
   bool held_ = true;
   std::string basis_ = "XYZ", preset_ = "defaults";
   bool foreign_done_ = false;
+  bool was_absent_ = false, was_braked_ = false;  // As the events have told it.
   std::int64_t ordered_ns_ = 0, advanced_ns_ = 0;
 };
 

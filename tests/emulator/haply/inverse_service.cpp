@@ -74,9 +74,9 @@ struct InverseService::Impl {
   std::mutex mutex;
   HaplyWorld world;
   asio::io_context io;
-  tcp::acceptor acceptor{io};
-  std::list<std::jthread> sessions;  // Of the accepting thread.
-  std::jthread clock, accepting;
+  tcp::acceptor acceptor{io}, events_acceptor{io};
+  std::list<std::jthread> sessions, listeners;  // Of the accepting threads.
+  std::jthread clock, accepting, accepting_listeners;
 
   bool hasFault(HaplyFault one) {
     const std::lock_guard lock(mutex);
@@ -86,6 +86,9 @@ struct InverseService::Impl {
   void serve(tcp::socket socket, const std::stop_token& stop);
   void session(websocket::stream<tcp::socket>& stream, const std::stop_token& stop);
   bool say(websocket::stream<tcp::socket>& stream, const std::string& text);
+  void listen(const tcp::endpoint& there, tcp::acceptor& at) const;
+  void tellEvents(tcp::socket socket, const std::stop_token& stop);
+  bool tellEvent(websocket::stream<tcp::socket>& stream, const std::string& text);
 };
 
 void InverseService::Impl::tellVersion(tcp::socket& socket) {
@@ -170,13 +173,75 @@ void InverseService::Impl::session(websocket::stream<tcp::socket>& stream,
   }
 }
 
-InverseService::InverseService(std::uint16_t port) : impl_(std::make_unique<Impl>()) {
+void InverseService::Impl::listen(const tcp::endpoint& there, tcp::acceptor& at) const {
+  at.open(there.protocol());
+  at.set_option(tcp::acceptor::reuse_address(true));
+  at.bind(there);
+  at.listen();
+}
+
+/// @return false: the session ends
+bool InverseService::Impl::tellEvent(websocket::stream<tcp::socket>& stream,
+                                     const std::string& text) {
+  error_code error;
+  stream.text(true);
+  if (hasFault(HaplyFault::events_garbage)) {
+    const std::string huge = "{\"name\":\"" + std::string(30'000, 'x') + "\"}";
+    for (const std::string& garbage :
+         {text.substr(0, text.size() / 2), std::string("[1,"), std::string("\"\\ud800\""), huge,
+          std::string(R"({"name":"device-sings","data":7})")}) {
+      stream.write(asio::buffer(garbage), error);
+    }
+  }
+  stream.write(asio::buffer(text), error);
+  return !error && !hasFault(HaplyFault::events_close);
+}
+
+/// What comes from now on; whatever the other side says is not heard.
+void InverseService::Impl::tellEvents(tcp::socket socket, const std::stop_token& stop) {
+  if (hasFault(HaplyFault::events_refused)) return;
+  error_code error;
+  websocket::stream<tcp::socket> stream(std::move(socket));
+  if (!waitFor(stream.next_layer().native_handle(), stop)) return;
+  std::size_t told = 0;
+  {
+    const std::lock_guard lock(mutex);
+    told = world.events.size();
+  }
+  stream.accept(error);
+  while (!error && !stop.stop_requested()) {
+    std::vector<std::string> news;
+    {
+      const std::lock_guard lock(mutex);
+      news.assign(world.events.begin() + static_cast<std::ptrdiff_t>(told), world.events.end());
+    }
+    told += news.size();
+    for (const std::string& text : news) {
+      if (!tellEvent(stream, text)) return;
+    }
+    sleepMs(5);
+  }
+}
+
+InverseService::InverseService(std::uint16_t port, std::uint16_t events_port)
+    : impl_(std::make_unique<Impl>()) {
   Impl& impl = *impl_;
-  const tcp::endpoint there(asio::ip::make_address("127.0.0.1"), port);
-  impl.acceptor.open(there.protocol());
-  impl.acceptor.set_option(tcp::acceptor::reuse_address(true));
-  impl.acceptor.bind(there);
-  impl.acceptor.listen();
+  const asio::ip::address here = asio::ip::make_address("127.0.0.1");
+  impl.listen({here, port}, impl.acceptor);
+  impl.listen({here, events_port}, impl.events_acceptor);
+  impl.accepting_listeners = std::jthread([&impl](const std::stop_token& stop) {
+    while (waitFor(impl.events_acceptor.native_handle(), stop)) {
+      error_code error;
+      tcp::socket socket(impl.io);
+      impl.events_acceptor.accept(socket, error);
+      if (error) continue;
+      impl.listeners.emplace_back(
+          [&impl, s = std::move(socket)](const std::stop_token& end) mutable {
+            impl.tellEvents(std::move(s), end);
+          });
+    }
+    impl.listeners.clear();
+  });
   impl.clock = std::jthread([&impl](const std::stop_token& stop) {
     beOnTime();  // It holds the lock that sessions wait for.
     while (!stop.stop_requested()) {
@@ -202,11 +267,16 @@ InverseService::InverseService(std::uint16_t port) : impl_(std::make_unique<Impl
 
 InverseService::~InverseService() {
   impl_->accepting = {};
+  impl_->accepting_listeners = {};
   impl_->clock = {};
 }
 
 std::uint16_t InverseService::port() const {
   return impl_->acceptor.local_endpoint().port();
+}
+
+std::uint16_t InverseService::eventsPort() const {
+  return impl_->events_acceptor.local_endpoint().port();
 }
 
 HaplyWorld& InverseService::world() {

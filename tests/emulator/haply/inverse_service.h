@@ -13,13 +13,14 @@ namespace relievo::emulator {
 /// Time goes on by itself: an order that is not renewed ends, as does one whose session closes.
 class InverseService {
  public:
-  /// @param port  0: any that is free  @throw std::exception  it is taken
-  explicit InverseService(std::uint16_t port = 0);
+  /// @param port  0: any that is free; `events_port` likewise  @throw std::exception  it is taken
+  explicit InverseService(std::uint16_t port = 0, std::uint16_t events_port = 0);
   ~InverseService();  ///< All threads are joined on return.
   InverseService(const InverseService&) = delete;
   InverseService& operator=(const InverseService&) = delete;
 
   std::uint16_t port() const;
+  std::uint16_t eventsPort() const;  ///< Of its channel of events, which only tells.
   /// Alone with the world. [any thread]
   template <class Act>
   decltype(auto) with(Act act) {

@@ -82,6 +82,14 @@ TEST_F(Buttons, ABounceIsNoSecondPress) {
   EXPECT_THAT(pass(0.3), ElementsAre(finer));
 }
 
+TEST_F(Buttons, ThePressOfADeviceThatIsGoneDoesNothingAndTheNextOneDoes) {
+  buttons_.press(kCentre, true, now_);
+  EXPECT_THAT(pass(1), IsEmpty());
+  buttons_.forgetPresses();  // Nobody tells that it went up.
+  EXPECT_THAT(pass(5), IsEmpty());
+  EXPECT_THAT(hold(kCentre, 0.1), ElementsAre(where_am_i));
+}
+
 TEST_F(Buttons, AVeryShortPressIsNotLost) {
   buttons_.press(kPlus, true, now_);
   buttons_.press(kPlus, false, now_ + 0.03);

@@ -305,6 +305,51 @@ TEST_F(PreferencesTest, AChoiceThatOthersShareIsReadAndWrittenWhereTheyDo) {
   EXPECT_EQ(shared.toString(), "/by/preference.bin");
 }
 
+TEST_F(PreferencesTest, PlugInsForDevicesAreAllowedAndTakenBackHere) {
+  std::map<QString, bool> may{{"/own/mine.so", false}, {"/given/theirs.so", true}};
+  QString refusal;
+  window().settings().keepDeviceTrust(
+      {[&may] {
+         std::vector<DevicePluginRow> rows;
+         rows.push_back({"theirs", "/given/theirs.so", {}, true, false});
+         rows.push_back({"mine", "/own/mine.so", {}, may.at("/own/mine.so"), true});
+         rows.push_back({"open", "/own/open.so", "Others may change it.", false, false});
+         return rows;
+       },
+       [&may, &refusal](const QString& file, bool allowed) {
+         if (refusal.isEmpty()) may.at(file) = allowed;
+         return refusal;
+       },
+       "/own"});
+  PreferencesDialog& dialog = openDialog();
+  const auto box = [&dialog](const char* name) {
+    return dialog.findChild<QCheckBox*>(QLatin1String("device_plugin_") + QLatin1String(name));
+  };
+  ASSERT_TRUE(waitFor([&] { return box("open") != nullptr; }));
+  EXPECT_TRUE(box("theirs")->isChecked());
+  EXPECT_FALSE(box("theirs")->isEnabled()) << "its folder is trusted";
+  EXPECT_FALSE(box("open")->isEnabled());
+  EXPECT_EQ(box("open")->accessibleDescription(), "Others may change it.");
+  EXPECT_EQ(box("mine")->accessibleName(), "mine may run");
+  EXPECT_FALSE(box("mine")->isChecked());
+  QCheckBox* const mine = box("mine");
+  mine->setFocus();
+  mine->click();
+  ASSERT_TRUE(waitFor([&] { return may.at("/own/mine.so"); }));
+  ASSERT_TRUE(waitFor([&] {
+    return child<QLabel>("status_message")->text().contains("mine may run from now on");
+  })) << child<QLabel>("status_message")->text().toStdString();
+  EXPECT_EQ(box("mine"), mine) << "the one that was pressed is there still";
+  dialog.findChild<QListWidget*>("preferences_pages")->setCurrentRow(4);
+  dialog.findChild<QPushButton*>("preferences_reset")->click();
+  EXPECT_TRUE(waitFor([&] { return !may.at("/own/mine.so"); })) << "as at first";
+  refusal = "The disk is full.";
+  mine->click();
+  EXPECT_TRUE(waitFor([&] { return !mine->isChecked(); })) << "it shows what is so";
+  EXPECT_TRUE(waitFor(
+      [&] { return child<QLabel>("status_message")->text().contains("The disk is full."); }));
+}
+
 TEST_F(PreferencesTest, TheMeterSaysTheParallaxAndTheLimitKeepsIt) {
   StereoPanel panel;
   panel.setComfort(false);

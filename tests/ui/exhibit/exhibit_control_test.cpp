@@ -141,6 +141,48 @@ TEST_F(ExhibitControlTest, NothingOfTheMenusCanBeReached) {
   EXPECT_TRUE(window().findChildren<QDialog*>().isEmpty());
 }
 
+TEST_F(ExhibitControlTest, ADeviceThatWasLostIsTakenBackForTheNextVisitor) {
+  const auto add = [this](const char* name) {
+    auto* made = new QAction(QString::fromLatin1(name));
+    made->setObjectName(QString::fromLatin1(name));
+    window().addToMenu(QStringLiteral("Touch"), made);
+    return made;
+  };
+  QAction* const forces = add("forces");
+  forces->setCheckable(true);
+  QAction* const take_back = add("takeForcesBack");
+  begin();
+  EXPECT_TRUE(control_->allows(QStringLiteral("takeForcesBack")));
+  const auto visit = [this] {
+    control_->press(QStringLiteral("whole"));  // To the list, if somebody touches.
+    control_->tick();
+    for (int i = 0; i < 4 && control_->visit().state() != Visit::State::opening &&
+                    control_->visit().state() != Visit::State::touching;
+         ++i) {
+      press("whereAmI");
+    }
+    return touches();
+  };
+  int times = 0;
+  bool opens = true;
+  QObject::connect(take_back, &QAction::triggered, take_back, [&] {
+    ++times;
+    take_back->setEnabled(!opens);
+  });
+  ASSERT_TRUE(visit());
+  EXPECT_EQ(times, 1);
+  EXPECT_FALSE(forces->isChecked()) << "they come when it is open";
+  ASSERT_TRUE(visit());
+  EXPECT_EQ(times, 1) << "there was nothing to take back";
+  EXPECT_TRUE(forces->isChecked());
+  forces->setChecked(false);
+  take_back->setEnabled(true);
+  opens = false;  // It is not there: the mouse stays the hand.
+  ASSERT_TRUE(visit());
+  EXPECT_EQ(times, 2);
+  EXPECT_TRUE(forces->isChecked());
+}
+
 TEST_F(ExhibitControlTest, ItIsLeftByThePinAlone) {
   begin();
   EXPECT_FALSE(window().close()) << "as the window manager asks";

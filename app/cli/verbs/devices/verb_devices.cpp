@@ -36,6 +36,7 @@ struct DevicesArguments {
   double weight_g = 0;
   SelfTestArguments test;
   PluginArguments plugin;
+  LibraryArguments library;
   bool firmware = false, selftest = false, calibrate = false, rule = false;
 };
 
@@ -286,6 +287,7 @@ Verb devicesVerb() {
                 firmware->callback([a] { a->firmware = true; });
                 declareFalcon(verb, a);
                 declarePlugins(verb, a->plugin);
+                declareLibrary(verb, a->library);
                 verb.add_subcommand("rule", "Print the udev rule that gives access (E301)")
                     ->callback([a] { a->rule = true; });
                 verb.require_subcommand(0, 1);
@@ -301,7 +303,9 @@ Verb devicesVerb() {
                   return CommandResult{.json = Json{{"rule", falcon::udevRule()}}.dump(2),
                                        .lines = linesOf(falcon::udevRule())};
                 }
+                if (a->library.asked) return makersLibraryOf(a->library);
                 if (!a->plugin.trust.empty()) return trustPluginFile(a->plugin.trust);
+                if (!a->plugin.distrust.empty()) return distrustPluginFile(a->plugin.distrust);
                 if (!a->plugin.conformance.empty()) return checkPluginFile(a->plugin, task);
                 return a->hand.empty() ? list(task) : hand;
               }};

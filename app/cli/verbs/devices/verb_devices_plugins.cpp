@@ -4,18 +4,22 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
+#include "app/cli/options/device_settings.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/report_text.h"
 #include "app/cli/verbs/devices/live_device.h"
 #include "core/base/failure.h"
 #include "haptics/device/foreign/ask_host.h"
 #include "haptics/device/foreign/plugin_files.h"
+#include "haptics/device/foreign/plugin_settings.h"
 
 namespace relievo::batch {
 
@@ -108,12 +112,25 @@ const char* wordOf(Verdict verdict) {
 }
 }  // namespace
 
+void declareLibrary(CLI::App& verb, LibraryArguments& arguments) {
+  CLI::App* const library = verb.add_subcommand(
+      "library", "Where the library lies that a plug-in's maker has; without FILE: which is used");
+  library->add_option("PLUGIN", arguments.plugin, "Such as force_dimension")->required();
+  CLI::Option* const file =
+      library->add_option("FILE", arguments.file, "Such as libdhd.so.3; kept");
+  library->add_flag("--forget", arguments.forget, "Look in the usual places again")->excludes(file);
+  library->callback([&arguments] { arguments.asked = true; });
+}
+
 void declarePlugins(CLI::App& verb, PluginArguments& arguments) {
   CLI::Option* const trust = verb.add_option(
       "--trust", arguments.trust, "Allow this plug-in for devices, as it is, to run for you");
+  CLI::Option* const distrust = verb.add_option(
+      "--distrust", arguments.distrust, "Allow this plug-in for devices no longer to run for you");
+  distrust->excludes(trust);
   CLI::Option* const test =
       verb.add_option("--conformance", arguments.conformance, "Test this plug-in for devices");
-  test->excludes(trust);
+  test->excludes(trust)->excludes(distrust);
   verb.add_option("--device", arguments.device, "Its device, for the tests that open one")
       ->needs(test);
   takes(verb.add_option("--newton", arguments.newton,
@@ -128,7 +145,12 @@ void declarePlugins(CLI::App& verb, PluginArguments& arguments) {
 void listPlugins(Json& json, CommandResult& outcome, const Task& task) {
   json["plugins"] = Json::array();
   for (const PluginFile& file : foreign::pluginFiles()) {
-    Json one{{"name", file.name}, {"file", file.file.string()}, {"trusted", file.trusted}};
+    Json one{{"name", file.name},
+             {"file", file.file.string()},
+             {"trusted", file.trusted},
+             {"own", file.own}};
+    const std::string library = makersLibrary(file.name).string();
+    one["makers_library"] = library.empty() ? Json() : Json(library);
     one["devices"] = Json::array();
     one["trouble"] = nullptr;
     if (file.trusted) {
@@ -147,9 +169,46 @@ void listPlugins(Json& json, CommandResult& outcome, const Task& task) {
   }
 }
 
+CommandResult makersLibraryOf(const LibraryArguments& arguments) {
+  const std::vector<DevicePlugin> plugins = devicePlugins();
+  const bool known = std::any_of(plugins.begin(), plugins.end(), [&](const DevicePlugin& plugin) {
+    return plugin.name == arguments.plugin;
+  });
+  if (!known) throw failure<MessageId::device_plugin_missing>(arguments.plugin);
+  if (arguments.forget || !arguments.file.empty()) {
+    setMakersLibrary(arguments.plugin, arguments.file);
+  }
+  const std::string chosen = makersLibrary(arguments.plugin).string();
+  const std::string variable = foreign::libraryVariable(arguments.plugin);
+  const char* const value = std::getenv(variable.c_str());  // NOLINT(concurrency-mt-unsafe)
+  const std::string named = value == nullptr ? "" : value;
+  Json json{{"plugin", arguments.plugin},
+            {"library", chosen.empty() ? Json() : Json(chosen)},
+            {"variable", named.empty() ? Json() : Json(named)}};
+  CommandResult outcome{.json = reportText(json), .lines = {}};
+  if (!chosen.empty()) {
+    outcome.lines = {arguments.plugin + ": " + chosen,
+                     "kept in " + foreign::pluginSettingsFile().string()};
+    if (!named.empty() && named != chosen) {
+      tell(variable + " names \"" + named + "\", which is not used while a library is kept.");
+    }
+  } else {
+    outcome.lines = {
+        arguments.plugin + ": " +
+        (named.empty() ? "where such libraries usually are" : named + ", by " + variable)};
+  }
+  return outcome;
+}
+
+CommandResult distrustPluginFile(const std::string& file) {
+  allowDevicePlugin(file, false);
+  return {.json = reportText(Json{{"file", file}, {"trusted", false}}),
+          .lines = {"It may not run any more."}};
+}
+
 CommandResult trustPluginFile(const std::string& file) {
-  const std::string sum = foreign::trustPlugin(file);
-  const std::filesystem::path folder = foreign::pluginPlaces().own;
+  const std::string sum = allowDevicePlugin(file, true);
+  const std::filesystem::path folder = ownDevicePlugins();
   return {.json = reportText(Json{{"file", file}, {"sha256", sum}, {"folder", folder.string()}}),
           .lines = {"sha256 " + sum, "It may run from " + folder.string() + " until it changes."}};
 }

@@ -28,6 +28,11 @@ DeviceFault faultOf(relievo_status status) RELIEVO_REALTIME {
       return DeviceFault::protocol;
   }
 }
+
+/// It answers, though it shows no force.
+bool answers(relievo_status status) RELIEVO_REALTIME {
+  return status == RELIEVO_NOT_READY || status == RELIEVO_FORCE_OFF || status == RELIEVO_OVERHEATED;
+}
 }  // namespace
 
 void DeviceRound::go(std::int64_t now_ns, bool zero) RELIEVO_REALTIME {
@@ -56,18 +61,26 @@ void DeviceRound::go(std::int64_t now_ns, bool zero) RELIEVO_REALTIME {
 
 void DeviceRound::take(relievo_status status, const relievo_sample& sample,
                        std::int64_t now_ns) RELIEVO_REALTIME {
+  if (status == RELIEVO_NO_NEWS) return;
   if (status < 0) {
     gone_ = status == RELIEVO_DISCONNECTED;
+    // A button that is held is how a hand asks for its force back.
+    if (answers(status)) takeButtons(sample.buttons);
     return fail(faultOf(status), now_ns);
   }
-  if (status == RELIEVO_NO_NEWS) return;
   if (!believed(sample, now_ns)) return fail(DeviceFault::protocol, now_ns);
+  takeButtons(sample.buttons);
   heat_.measured(sample.hottest_motor);
   if (isTooHot(sample.hottest_motor)) return fail(DeviceFault::overheated, now_ns);
   reading_.position = {sample.position_mm[0], sample.position_mm[1], sample.position_mm[2]};
-  reading_.buttons = sample.buttons & kAllButtons;
   reading_.time_ns = sample.time_ns;
   reading_.fault = DeviceFault::none;
+}
+
+/// One that is down when the device is opened was pressed before: it counts once it was let go.
+void DeviceRound::takeButtons(std::uint32_t buttons) RELIEVO_REALTIME {
+  held_over_ &= buttons;
+  reading_.buttons = buttons & ~held_over_ & kAllButtons;
 }
 
 void DeviceRound::fail(DeviceFault fault, std::int64_t now_ns) RELIEVO_REALTIME {

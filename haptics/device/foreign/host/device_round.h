@@ -37,6 +37,7 @@ class DeviceRound {
  private:
   void take(relievo_status status, const relievo_sample& sample,
             std::int64_t now_ns) RELIEVO_REALTIME;
+  void takeButtons(std::uint32_t buttons) RELIEVO_REALTIME;
   void fail(DeviceFault fault, std::int64_t now_ns) RELIEVO_REALTIME;
   bool isTooHot(double hottest) const RELIEVO_REALTIME;
   bool believed(const relievo_sample& sample, std::int64_t now_ns) const RELIEVO_REALTIME;
@@ -48,6 +49,7 @@ class DeviceRound {
   HeatBudget heat_;
   ForceCommand order_;
   LinkReading reading_;
+  std::uint32_t held_over_ = ~0U;  // Buttons that were not seen let go yet.
   std::atomic<std::int64_t>& step_since_ns_;
   bool gone_ = false;
 };

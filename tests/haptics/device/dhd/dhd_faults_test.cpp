@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include "haptics/device/foreign/ask_host.h"
+#include "haptics/device/foreign/plugin_settings.h"
 #include "tests/haptics/device/dhd/dhd_fixture.h"
 
 namespace relievo::foreign {
@@ -85,6 +86,15 @@ TEST_F(DhdFaults, BrakesHoldTheForceAtZeroUntilTheyAreLetGo) {
   EXPECT_EQ(enabled.size(), 1U) << "brakes are for a person to let go";
 }
 
+TEST_F(DhdFaults, ItsButtonArrivesWhileTheBrakesHold) {
+  is("brake 1000 buttons 1");
+  const auto device = this->device();
+  device->open();
+  test::exchangeUntil(*device, {}, [](const DeviceReading& reading) {
+    return reading.fault == DeviceFault::not_ready && reading.buttons == 0b100;
+  });
+}
+
 TEST_F(DhdFaults, AForceThatAPersonSwitchedOffStaysOff) {
   for (const int why : {1, 2, 4, 5, 6}) {
     std::filesystem::remove(folder / "log");
@@ -156,6 +166,17 @@ TEST_F(DhdFaults, ALibraryThatIsNotThereIsSaid) {
   EXPECT_THAT(troubleOfScan(), HasSubstr("E321 Force Dimension's library was not found"));
   set("RELIEVO_FORCE_DIMENSION_LIBRARY", "libdhd.so.3");
   EXPECT_THAT(troubleOfScan(), HasSubstr("no absolute path: libdhd.so.3"));
+}
+
+TEST_F(DhdFaults, ALibraryThatSomebodyChoseGoesBeforeTheVariable) {
+  set("RELIEVO_FORCE_DIMENSION_LIBRARY", folder / "libdhd.so.3");
+  const fs::path library = folder / "their own.so";
+  fs::copy_file(this->library("whole"), library);
+  setMakersLibrary("force_dimension", library);
+  EXPECT_EQ(troubleOfScan(), "");
+  device()->open();  // The one that drives is told, too.
+  setMakersLibrary("force_dimension", {});
+  EXPECT_THAT(troubleOfScan(), HasSubstr("E321"));
 }
 
 TEST_F(DhdFaults, AFunctionThatIsMissingIsNamed) {

@@ -27,6 +27,7 @@ class DhdTest : public testing::Test {
     ASSERT_NE(::mkdtemp(name.data()), nullptr);
     folder = name;
     set("RELIEVO_DHD_LOG", folder / "log");
+    set("XDG_CONFIG_HOME", folder / "config");  // Nothing that the user has chosen.
     useLibrary("whole");
     is("");
   }

@@ -3,7 +3,7 @@
 // simulated hand behind them. RELIEVO_DHD says what is different, as "WORD NUMBER WORD NUMBER":
 //   type N        which type it is; 33 without
 //   x|y|z N       it stays at that place, in micrometres of the library's axes
-//   buttons N     the mask of its buttons
+//   buttons N     the mask of its buttons, after some places
 //   open N        opening fails with that error
 //   error N       after some places asking for one fails with that error
 //   force_error N likewise setting a force
@@ -174,7 +174,8 @@ EXPORTED int dhdSetForce(double x, double y, double z, char /*id*/) {
 }
 #endif
 EXPORTED unsigned int dhdGetButtonMask(char /*id*/) {
-  return static_cast<unsigned int>(device.buttons);
+  const std::lock_guard held(device.lock);
+  return device.isTime() ? static_cast<unsigned int>(device.buttons) : 0;
 }
 EXPORTED int dhdGetStatus(int* words, char /*id*/) {
   const std::lock_guard held(device.lock);

@@ -66,7 +66,7 @@ TEST_F(ForeignDeviceTest, TellsPlaceButtonsAndLimits) {
   DeviceReading last;
   exchangeUntil(*device, {}, [&](const DeviceReading& reading) {
     last = reading;
-    return reading.fault == DeviceFault::none;
+    return reading.fault == DeviceFault::none && reading.buttons != 0;
   });
   EXPECT_EQ(last.position.x, 1);
   EXPECT_EQ(last.position.y, 2);
@@ -77,6 +77,46 @@ TEST_F(ForeignDeviceTest, TellsPlaceButtonsAndLimits) {
   EXPECT_EQ(info.max_stiffness_n_per_mm, 1.25);
   EXPECT_EQ(info.workspace.half_extent.x, 40);
   EXPECT_FALSE(info.simulated) << "nobody knows";
+}
+
+/// By a button that is held a hand asks for the force back.
+TEST_F(ForeignDeviceTest, ButtonsArriveWhileItShowsNoForce) {
+  const auto device = deviceOf("takes_force");
+  device->open();
+  exchangeUntil(*device, {},
+                [](const DeviceReading& reading) { return reading.fault == DeviceFault::none; });
+  std::ofstream(logFile() + ".takes") << "now";
+  exchangeUntil(*device, {}, [](const DeviceReading& reading) {
+    return reading.fault == DeviceFault::not_ready && reading.buttons == 0;
+  });
+  std::ofstream(logFile() + ".holds") << "now";
+  exchangeUntil(*device, {}, [](const DeviceReading& reading) {
+    return reading.fault == DeviceFault::not_ready && reading.buttons == 0b100;
+  });
+  std::filesystem::remove(logFile() + ".holds");
+  exchangeUntil(*device, {}, [](const DeviceReading& reading) {
+    return reading.fault == DeviceFault::not_ready && reading.buttons == 0;
+  });
+}
+
+TEST_F(ForeignDeviceTest, AButtonThatIsHeldWhileItIsOpenedCountsOnceItWasLetGo) {
+  std::ofstream(logFile() + ".holds") << "before";
+  const auto device = deviceOf("takes_force");
+  device->open();
+  const auto buttonsFor = [&](int rounds) {
+    std::uint32_t seen = 0;
+    const std::size_t before = log().size();
+    exchangeUntil(*device, {}, [&](const DeviceReading& reading) {
+      seen |= reading.buttons;
+      return log().size() > before + static_cast<std::size_t>(rounds);
+    });
+    return seen;
+  };
+  EXPECT_EQ(buttonsFor(20), 0U);
+  std::filesystem::remove(logFile() + ".holds");
+  EXPECT_EQ(buttonsFor(20), 0U);
+  std::ofstream(logFile() + ".holds") << "again";
+  EXPECT_EQ(buttonsFor(20), 0b100U);
 }
 
 TEST_F(ForeignDeviceTest, AForceIsNeverAboveTheLimit) {

@@ -76,6 +76,31 @@ TEST_F(PluginFilesTest, TheUsersOwnIsAllowedOnceAndNotWhenItChanged) {
   EXPECT_TRUE(pluginFiles(places).at(0).trusted);
 }
 
+TEST_F(PluginFilesTest, WhatWasAllowedCanBeTakenBackAlsoOfAFileThatIsGone) {
+  put(places.own / "mine.so");
+  put(places.own / "other.so");
+  std::ofstream(places.own / "other.so", std::ios::app) << "differs";
+  EXPECT_TRUE(pluginFiles(places).at(0).own);
+  EXPECT_THROW(distrustPlugin(places.own / "mine.so", places), DeviceError) << "it was not allowed";
+  trustPlugin(places.own / "mine.so", places);
+  trustPlugin(places.own / "other.so", places);
+  distrustPlugin(places.own / "mine.so", places);
+  EXPECT_FALSE(pluginFiles(places).at(0).trusted);
+  EXPECT_TRUE(pluginFiles(places).at(1).trusted) << "that of others stays";
+  fs::remove(places.own / "other.so");
+  distrustPlugin(places.own / "other.so", places);
+  put(places.own / "other.so");
+  std::ofstream(places.own / "other.so", std::ios::app) << "differs";
+  EXPECT_FALSE(pluginFiles(places).at(1).trusted) << "and it comes back";
+  // An earlier form of it is meant as well.
+  trustPlugin(places.own / "mine.so", places);
+  std::ofstream(places.own / "mine.so", std::ios::app) << "newer";
+  distrustPlugin(places.own / "mine.so", places);
+  fs::remove(places.own / "mine.so");
+  put(places.own / "mine.so");
+  EXPECT_FALSE(pluginFiles(places).at(0).trusted);
+}
+
 TEST_F(PluginFilesTest, AListThatWasCutShortTrustsNothing) {
   put(places.own / "mine.so");
   fs::create_directories(places.list.parent_path());

@@ -68,7 +68,8 @@ enum class Fault {
   warms,  // Motors that can show 1 N for good.
   hot,    // At its limit.
   wants_guard,
-  takes_force,  // Away, once the file beside its log is there, until it is opened again.
+  takes_force,  // Away, once the file beside its log is there, until it is opened again; its
+                // button Centre is held while another file is there.
 };
 constexpr Fault kFault = Fault::FAULT;
 constexpr bool is(Fault fault) {
@@ -176,6 +177,12 @@ void misbehave() {
   }
 }
 
+/// Whether there is a file beside the log, of the log's name with that at its end.
+bool isSigned(const char* end) {
+  const std::string file = std::string(std::getenv("RELIEVO_STAND_IN_LOG")) + end;
+  return ::access(file.c_str(), F_OK) == 0;
+}
+
 /// Of those that work until they are pushed.
 relievo_status pushed() {
   if (is(Fault::hangs_pushed)) pause(600'000);
@@ -186,15 +193,17 @@ relievo_status stepIt(void* /*self*/, const double force_n[3], std::int64_t now_
                       relievo_sample* out) {
   ++steps;
   note(StandInEntry::What::step, std::hypot(force_n[0], force_n[1], force_n[2]));
-  out->buttons = 0b10001;  // One button, and one that there is not.
+  constexpr int kUntilPressed = 5;
+  out->buttons = steps > kUntilPressed ? 0b10001 : 0;  // One button, and one that there is not.
   out->position_mm[0] = 1;
   out->position_mm[1] = 2;
   out->position_mm[2] = 3;
   out->time_ns = now_ns;
   out->hottest_motor = is(Fault::hot) && isTime() ? 1 : -1;
   if (is(Fault::takes_force)) {
-    const std::string sign = std::string(std::getenv("RELIEVO_STAND_IN_LOG")) + ".takes";
-    force_taken = force_taken || ::access(sign.c_str(), F_OK) == 0;
+    constexpr std::uint32_t kCentre = 0b100;
+    out->buttons = isSigned(".holds") ? kCentre : 0;
+    force_taken = force_taken || isSigned(".takes");
     if (force_taken) return RELIEVO_FORCE_OFF;
   }
   constexpr double kPushedN = 0.2;

@@ -36,6 +36,15 @@ TEST(HaplyAddress, IsGivenByTheEnvironment) {
   setenv("RELIEVO_HAPLY_PATIENCE_S", "-1", 1);
   EXPECT_EQ(serviceAddress().patience_ns, kPatienceNs);
   unsetenv("RELIEVO_HAPLY_PATIENCE_S");
+  EXPECT_EQ(serviceAddress().events_port, 0) << "of a service of its own nobody knows it";
+  setenv("RELIEVO_HAPLY_EVENTS", "20002", 1);
+  EXPECT_EQ(serviceAddress().events_port, 20002);
+  unsetenv("RELIEVO_HAPLY_SERVICE");
+  EXPECT_EQ(serviceAddress().events_port, 20002);
+  setenv("RELIEVO_HAPLY_EVENTS", "none", 1);
+  EXPECT_EQ(serviceAddress().events_port, 0);
+  unsetenv("RELIEVO_HAPLY_EVENTS");
+  EXPECT_EQ(serviceAddress().events_port, 10020);
   setenv("RELIEVO_HAPLY_SERVICE", "nonsense", 1);
   EXPECT_THROW(serviceAddress(), ArgumentError);
   unsetenv("RELIEVO_HAPLY_SERVICE");
