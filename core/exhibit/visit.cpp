@@ -48,7 +48,7 @@ void Visit::enter(State state, double now_s) {
 void Visit::begin(double now_s) {
   language_ = object_ = 0;
   introduced_ = false;
-  if (device_ == VisitDevice::gone) return loseDevice(now_s);
+  if (isLost(now_s)) return loseDevice(now_s);
   if (std::all_of(broken_.begin(), broken_.end(), [](bool is) { return is; })) {
     enter(State::fault, now_s);
     return askForHelp(now_s);
@@ -377,7 +377,8 @@ void Visit::device(VisitDevice device, double now_s) {
   const VisitDevice before = std::exchange(device_, device);
   const bool is_back = device == VisitDevice::ready || before == VisitDevice::gone;
   if (device == VisitDevice::gone) {
-    if (state_ != State::fault) loseDevice(now_s);
+    if (before != VisitDevice::gone) gone_s_ = now_s;
+    if (state_ != State::fault && isLost(now_s)) loseDevice(now_s);
   } else if (state_ == State::fault && no_device_ && is_back) {
     no_device_ = false;
     end(now_s);

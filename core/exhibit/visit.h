@@ -118,6 +118,7 @@ class Visit {
 
   static constexpr double kLanguageAgainS = 12, kLanguageEndS = 30;
   static constexpr double kRetryS = 60, kHelpAgainS = 30;
+  static constexpr double kGoneS = 2;  ///< A device that answers late once is not lost.
   static constexpr double kHomingAgainS = 10, kHomingEndS = 30;
   static constexpr std::size_t kExplained = 5;  ///< Middle, Plus, Minus, Forward, middle held.
   static constexpr double kButtonS = 12, kOfferS = 10, kHelpS = 20;
@@ -144,7 +145,7 @@ class Visit {
   void letGo(double now_s);
   /// Something is being said now. Call it as often as take().
   void speaking(double now_s) { spoke_s_ = now_s; }
-  /// How the device is now.
+  /// How the device is now; what is gone for kGoneS is lost. Call it at least once a second.
   void device(VisitDevice device, double now_s);
   /// What has to be done by now, oldest first. Call it at least ten times a second.
   std::vector<Order> take(double now_s);
@@ -182,6 +183,9 @@ class Visit {
   void loseDevice(double now_s);
   void takeOfObject(double now_s);
   void retry(double now_s);
+  bool isLost(double now_s) const {
+    return device_ == VisitDevice::gone && now_s - gone_s_ >= kGoneS;
+  }
   static bool isOfObject(State state);  // From the introduction until the hand is free.
   bool isQuiet(double now_s) const { return now_s - spoke_s_ >= kPauseS; }
   void offerNext();
@@ -198,6 +202,7 @@ class Visit {
   bool introduced_ = false;    // This visitor.
   std::size_t explained_ = 0;  // Buttons so far.
   VisitDevice device_ = VisitDevice::ready;
+  double gone_s_ = 0;       // Since when it is.
   bool no_device_ = false;  // In `fault`: that is why.
 };
 

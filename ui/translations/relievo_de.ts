@@ -8436,10 +8436,6 @@
         <translation>Zu viele Versuche. In %1 s wird wieder eine PIN angenommen.</translation>
     </message>
     <message>
-        <source>The sound of the touch goes with a recording that is shown at its own speed, and not into images. Nothing was made.</source>
-        <translation>Der Klang des Fühlens gehört zu einer Aufzeichnung, die in ihrer eigenen Geschwindigkeit gezeigt wird, und nicht zu Bildern. Es wurde nichts erzeugt.</translation>
-    </message>
-    <message>
         <source>true or false</source>
         <translation>true oder false</translation>
     </message>

@@ -8436,10 +8436,6 @@
         <translation>बहुत अधिक प्रयास। %1 s बाद फिर PIN ली जाएगी।</translation>
     </message>
     <message>
-        <source>The sound of the touch goes with a recording that is shown at its own speed, and not into images. Nothing was made.</source>
-        <translation>स्पर्श की ध्वनि उसी रिकॉर्डिंग के साथ होती है जो अपनी ही गति से दिखाई जाए, और चित्रों के साथ नहीं। कुछ नहीं बनाया गया।</translation>
-    </message>
-    <message>
         <source>true or false</source>
         <translation>true या false</translation>
     </message>

@@ -343,6 +343,12 @@ TEST_F(WholeVisitTest, AGripThatNobodyPushesInIsAskedForTwiceAndThenHelpIs) {
 
 TEST_F(WholeVisitTest, ADeviceThatFailsEndsTheVisitAndIsTriedAgainEachMinuteInSilence) {
   explainAll();
+  after(0);
+  visit_.device(VisitDevice::gone, now_s_);
+  EXPECT_THAT(speech(1.9), IsEmpty()) << "it may only have answered late";
+  visit_.device(VisitDevice::ready, now_s_);
+  visit_.device(VisitDevice::gone, now_s_);
+  EXPECT_THAT(speech(2.1), IsEmpty());
   visit_.device(VisitDevice::gone, now_s_);
   EXPECT_THAT(after(0),
               ElementsAre(Order{Do::end_touch}, Order{Do::reset}, Order{Do::say_needs_help}));

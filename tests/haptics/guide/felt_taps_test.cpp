@@ -20,7 +20,7 @@ namespace {
 using Law = TapLaw;
 
 GuideInput handAt(double z_mm) {
-  return {.hand = {0, 0, z_mm}, .forces_on = true, .rise = 1};
+  return {.hand = {0, 0, z_mm}, .velocity = {}, .forces_on = true, .rise = 1};
 }
 
 TEST(FeltTaps, AreHalfSinesOutwardAsManyAsThePatternHas) {
@@ -66,7 +66,9 @@ TEST(FeltTaps, NoneWithoutForcesAndThoseThatWaitTooLongAreForgotten) {
       GuideInput input = handAt(0);
       if (tick < ticks) change(input);
       const TapStep step = tapped(options, input, state);
-      if (tick < ticks) EXPECT_EQ(step.force, DeviceN{});
+      if (tick < ticks) {
+        EXPECT_EQ(step.force, DeviceN{});
+      }
       felt += step.force.z > 0 && state.force_n == 0 ? 1 : 0;
       state = step.state;
     }
@@ -112,7 +114,7 @@ TEST(FeltTaps, ArriveAsTheyAreWhateverTheStrengthAndBreakNoLimit) {
       double before_n = 0, most_n = 0, way_mm = 0, from_mm = 0;
       for (int i = 0; i < 6000; ++i) {
         const std::int64_t now = 1'000'000LL * (i + 1);
-        if (i == 1000) hand.moveTo({0, 0, -1});
+        if (i == 1000) hand.moveTo({0, 0, -6});
         if (i == 5000) {
           options.taps = {.id = 7, .pattern = FeltPattern::edge};
           from_mm = hand.position().z;
@@ -126,7 +128,7 @@ TEST(FeltTaps, ArriveAsTheyAreWhateverTheStrengthAndBreakNoLimit) {
         ASSERT_EQ(sample.softened, 0) << kind.name;
       }
       EXPECT_GT(before_n, 0.05) << "it touches";
-      EXPECT_LE(most_n, 0.41) << kind.name;
+      EXPECT_LE(most_n, 0.5) << kind.name << ": 0.4 N, and what a hand that comes back presses";
       EXPECT_GT(most_n, 0.2) << kind.name << ": the surface is left by the way that the hand gives";
       EXPECT_LT(way_mm, 3) << kind.name;
       EXPECT_EQ(core.audit().violations(), 0U) << kind.name << " at " << strength;

@@ -252,7 +252,8 @@ TEST_F(ExhibitControlTest, WhereAHandRestsOnWhatNobodyMeasuredIsSaidOnceAndAGrip
   };
   const double side_mm = document().window()->region.side_mm;
   feel(side_mm / 2);
-  after(30);  // What was said is read.
+  after(30);  // Nobody holds the grip, which is said ...
+  after(5);   // ... and read.
   said_.clear();
   feel(side_mm / 3);
   after(0.7);
