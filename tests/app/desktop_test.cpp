@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <QGuiApplication>
 #include <QImage>
 #include <QMimeDatabase>
@@ -154,6 +155,28 @@ TEST_F(Desktop, TheEntryOpensAScanInAWindowWithTheIcon) {
                              path("usr/bin/relievo"));
   ASSERT_TRUE(test::eventually([&] { return window.title().starts_with("relief_f.ply"); }));
   EXPECT_TRUE(window.hasIcon());
+}
+
+/// With the program and its page where they were installed, since systemd looks for both.
+TEST_F(Desktop, TheExhibitsUnitIsOneThatSystemdTakes) {
+  if (run("command -v systemd-analyze").exit_code != 0) {
+    GTEST_SKIP() << "systemd-analyze is not installed";
+  }
+  std::string unit = test::bytesOf(path("usr/lib/systemd/user/relievo-exhibit.service"));
+  const std::string started = "ExecStart=relievo ";
+  const std::size_t at = unit.find(started);
+  ASSERT_NE(at, std::string::npos) << unit;
+  unit.replace(at, started.size(), "ExecStart=" + path("usr/bin/relievo") + " ");
+  const auto verify = [&](const std::string& text) {
+    std::ofstream(path("relievo-exhibit.service")) << text;
+    return run("XDG_RUNTIME_DIR=" + path("") + " MANPATH=" + share("man") +
+               " systemd-analyze --user verify " + path("relievo-exhibit.service"));
+  };
+  const Ran good = verify(unit);
+  EXPECT_EQ(good.exit_code, 0) << good.out;
+  EXPECT_EQ(good.out, "") << "no warning either";
+  unit.replace(unit.find("WatchdogSec="), 12, "WatchDogSec=");
+  EXPECT_NE(verify(unit).out, "") << "it looks at every key";
 }
 
 }  // namespace
