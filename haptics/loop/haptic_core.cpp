@@ -280,8 +280,8 @@ GuideInput HapticCore::guideInput(const HapticOptions& options, const ForceInput
 void HapticCore::pullBack(const HapticOptions& options, GuideInput guide, double strength,
                           ForceInput& input) RELIEVO_REALTIME {
   guide.in_detent = guide.in_detent || guided_;
-  const BeaconStep step = pulledBack(options.beacon, guide, beacon_);
-  beacon_ = step.state;
+  const BeaconStep step = pulledBack(options.beacon, guide, cues_.beacon);
+  cues_.beacon = step.state;
   if (!(strength > 0) || guide.in_detent) return;
   const double part = 1 / strength;
   input.fields = input.fields + part * step.force;
@@ -292,8 +292,8 @@ void HapticCore::pullBack(const HapticOptions& options, GuideInput guide, double
 void HapticCore::tapHand(const HapticOptions& options, GuideInput guide, double strength,
                          ForceInput& input) RELIEVO_REALTIME {
   guide.in_detent = guide.in_detent || guided_;
-  const TapStep step = tapped(options.taps, guide, taps_);
-  taps_ = step.state;
+  const TapStep step = tapped(options.taps, guide, cues_.taps);
+  cues_.taps = step.state;
   if (!(strength > 0) || guide.in_detent) return;
   const double part = 1 / strength;
   input.fields = input.fields + part * step.force;
@@ -441,11 +441,11 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   sample.guide = guide_.phase;
   sample.guide_end = guide_.end;
   sample.guide_path = guide_.path;
-  sample.beacon = beacon_.id;
-  sample.beacon_end = beacon_.end;
-  sample.pulled_back = beacon_.pulls;
-  sample.taps = taps_.id;
-  sample.tapped = taps_.left > 0;
+  sample.beacon = cues_.beacon.id;
+  sample.beacon_end = cues_.beacon.end;
+  sample.pulled_back = cues_.beacon.pulls;
+  sample.taps = cues_.taps.id;
+  sample.tapped = cues_.taps.left > 0;
   if (sample.engaged != EngagePhase::off) sample.slow = slow_;
   sample.change = change_.running() ? change_.weight() : 1;
   return sample;

@@ -223,8 +223,12 @@ class HapticCore {
   ForceState force_;
   ForceStop stop_;
   GuideState guide_;
-  BeaconState beacon_;
-  TapState taps_;
+  /// What is felt with the surface.
+  struct Cues {
+    BeaconState beacon;
+    TapState taps;
+  };
+  Cues cues_;
   ForceAudit audit_;
 
   HandSpeed speed_;

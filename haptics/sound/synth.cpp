@@ -122,7 +122,7 @@ void Synth::tuneFriction() RELIEVO_REALTIME {
   b0_ = alpha / (1 + alpha);
   a1_ = -2 * std::cos(w) / (1 + alpha);
   a2_ = (1 - alpha) / (1 + alpha);
-  friction_rms_ = heard_.contact ? frictionRms(heard_.force_n, slide) / bandPassRms(hz) : 0;
+  friction_.rms = heard_.contact ? frictionRms(heard_.force_n, slide) / bandPassRms(hz) : 0;
 }
 
 Frame Synth::mixed() RELIEVO_REALTIME {
@@ -143,21 +143,21 @@ Frame Synth::mixed() RELIEVO_REALTIME {
   x1_ = x;
   y2_ = y1_;
   y1_ = y;
-  friction_gain_ += friction_step_ * (friction_rms_ - friction_gain_);
-  const double rustle = std::clamp(friction_gain_ * y, -kMostFriction, kMostFriction);
+  friction_.gain += friction_step_ * (friction_.rms - friction_.gain);
+  const double rustle = std::clamp(friction_.gain * y, -kMostFriction, kMostFriction);
   const bool has_tone = heard_.led || (heard_.contact && frame_ < tone_until_);
   tone_gain_ += tone_step_ * ((has_tone ? kToneLevel : 0) - tone_gain_);
   tone_log_hz_ += glide_step_ * (std::log2(heightHz(heard_.height)) - tone_log_hz_);
   tone_phase_ += kTurn * std::exp2(tone_log_hz_) / kSampleRateHz;
   if (tone_phase_ > kTurn) tone_phase_ -= kTurn;
   place_ += place_step_ * (heard_.place - place_);
-  const double lasting = beside_speech_ * (rustle + tone_gain_ * std::sin(tone_phase_));
+  const double lasting = speech_.beside * (rustle + tone_gain_ * std::sin(tone_phase_));
   const Sides sides = sidesOf(place_);
   ++frame_;
   constexpr double kFade = 1 / (kFadeS * kSampleRateHz), kStruckLeft = 0.5;
-  beside_speech_ =
-      speech_ ? std::max(0.0, beside_speech_ - kFade) : std::min(1.0, beside_speech_ + kFade);
-  const double struck = kStruckLeft + (1 - kStruckLeft) * beside_speech_;
+  speech_.beside =
+      speech_.on ? std::max(0.0, speech_.beside - kFade) : std::min(1.0, speech_.beside + kFade);
+  const double struck = kStruckLeft + (1 - kStruckLeft) * speech_.beside;
   left *= struck;
   right *= struck;
   return limited(left + lasting * sides.left, right + lasting * sides.right);

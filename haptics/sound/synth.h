@@ -34,7 +34,7 @@ class Synth {
   void strike(Earcon earcon, double approach_mm_per_s, double place) RELIEVO_REALTIME;
   /// While somebody speaks what lasts is silent, after kFadeS, and what is struck half as loud (EN
   /// 301 549, 5.1.3.10). From the next frame on.
-  void setSpeech(bool speech) RELIEVO_REALTIME { speech_ = speech; }
+  void setSpeech(bool speech) RELIEVO_REALTIME { speech_.on = speech; }
   static constexpr double kFadeS = 0.03;
   /// The next frames.
   void render(std::span<Frame> frames) RELIEVO_REALTIME;
@@ -68,13 +68,19 @@ class Synth {
   // Friction: white noise through a band pass (direct form 1).
   std::uint64_t noise_state_ = 0x9E3779B97F4A7C15U;
   double b0_ = 0, a1_ = 0, a2_ = 0, x1_ = 0, x2_ = 0, y1_ = 0, y2_ = 0;
-  double friction_gain_ = 0, friction_rms_ = 0;
+  struct Friction {
+    double gain = 0, rms = 0;
+  };
+  Friction friction_;
   // The tone of heights.
   double tone_phase_ = 0, tone_log_hz_ = 0, tone_gain_ = 0;
   double place_ = 0.5;
   double limiter_gain_ = 1;
-  bool speech_ = false;
-  double beside_speech_ = 1;  // 1: nobody speaks, 0: somebody does; between them it fades.
+  struct Speech {
+    bool on = false;
+    double beside = 1;  // 1: nobody speaks, 0: somebody does; between them it fades.
+  };
+  Speech speech_;
   // How much of the way to a new value is gone with each frame.
   double friction_step_, tone_step_, glide_step_, place_step_, release_step_;
 };

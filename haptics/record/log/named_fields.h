@@ -80,8 +80,8 @@ struct NamedFields {
     } else if constexpr (kIs<T, HapticCore>) {
       visit("proxy", s.proxy_); visit("chain", s.chain_); visit("change", s.change_); visit("settings", s.settings_);
       visit("rate", s.rate_); visit("slow", s.slow_); visit("felt_now", s.felt_now_); visit("frame", s.frame_);
-      visit("hand", s.hand_); visit("soft", s.soft_); visit("force", s.force_); visit("stop", s.stop_); visit("guide", s.guide_); visit("beacon", s.beacon_);
-      visit("taps", s.taps_);
+      visit("hand", s.hand_); visit("soft", s.soft_); visit("force", s.force_); visit("stop", s.stop_); visit("guide", s.guide_); visit("beacon", s.cues_.beacon);
+      visit("taps", s.cues_.taps);
       visit("audit", s.audit_); visit("places", s.speed_.places_); visit("oldest", s.speed_.oldest_);
       visit("places_seen", s.speed_.seen_); visit("hip", s.hip_); visit("fault", s.fault_); visit("tick", s.tick_);
       visit("window_id", s.felt_.window_id); visit("scene_id", s.felt_.scene_id); visit("surface", s.felt_.surface);

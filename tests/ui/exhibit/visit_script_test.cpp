@@ -108,8 +108,7 @@ TEST_F(VisitScript, FromTheChimeToTheGuideInEnglish) {
   pass(40);
   visit_.introduced(now_s_);
   pass(1);
-  EXPECT_EQ(said_,
-            "Now the buttons. Press any of them to go on. Middle button: where am I.");
+  EXPECT_EQ(said_, "Now the buttons. Press any of them to go on. Middle button: where am I.");
   press(VisitPress::centre);
   EXPECT_EQ(said_, "Middle button: where am I. Plus: closer. Plus held: help.");
   pass(12.1);
@@ -120,8 +119,7 @@ TEST_F(VisitScript, FromTheChimeToTheGuideInEnglish) {
   press(VisitPress::plus);
   EXPECT_EQ(visit_.state(), State::object);
   pass(3);  // Its facts are those of the map.
-  EXPECT_EQ(said_,
-            "Shall I guide your hand along the outline once? Plus for yes, Minus for no.");
+  EXPECT_EQ(said_, "Shall I guide your hand along the outline once? Plus for yes, Minus for no.");
   press(VisitPress::plus);
   EXPECT_TRUE(did(Do::guide));
   visit_.guided(now_s_);
@@ -171,7 +169,8 @@ TEST_F(VisitScript, InGermanNoEnglishIsHeardAndTheNextVisitorBeginsAnew) {
   EXPECT_TRUE(did(Do::reset));
   ASSERT_GT(all_.size(), from + 8);
   for (std::size_t i = from; i < all_.size(); ++i) {
-    for (const char* english : {"the ", "button", "Middle", "Forward", "grip", "Plus held", "you "}) {
+    for (const char* english :
+         {"the ", "button", "Middle", "Forward", "grip", "Plus held", "you "}) {
       EXPECT_THAT(all_[i], testing::Not(HasSubstr(english)));
     }
   }
