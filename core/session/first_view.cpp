@@ -6,6 +6,7 @@
 #include "core/io/point_stream.h"
 #include "core/session/large/large_map.h"
 #include "core/session/large/tiled_surface.h"
+#include "core/tiles/published/published_tiles.h"
 
 namespace relievo {
 namespace {
@@ -43,7 +44,8 @@ void makeFirstViews(const std::filesystem::path& file, const SurfaceOptions& opt
   try {
     const InputFacts facts = inputFacts(file, task);
     if (facts.kind == InputKind::tiled_map) {
-      views.on_view(viewOfTiles(file));
+      // One from the web is fetched once: what comes of it first is the map itself.
+      if (addressOfKeptMap(file).empty()) views.on_view(viewOfTiles(file));
     } else if (facts.in_blocks) {
       viewsOfPoints(file, options, import, views, task);
     }

@@ -11,7 +11,7 @@ OpenedInput openInput(const std::filesystem::path& file, const InputOptions& opt
   const InputFacts facts = options.facts ? *options.facts : inputFacts(file, task);
   OpenedInput source;
   if (facts.kind == InputKind::tiled_map && options.by_tiles) {
-    source.tiled = std::make_shared<const Surface>(openTiledSurface(file));
+    source.tiled = std::make_shared<const Surface>(openTiledSurface(file, kTileCacheBytes, task));
   } else if (facts.kind == InputKind::scan) {
     ImportOptions import = options.import;
     if (!import.free_bytes) import.free_bytes = availableBytes();

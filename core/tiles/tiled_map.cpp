@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -46,9 +47,9 @@ void checkOrigins(std::span<const std::byte> bytes, const std::filesystem::path&
 }  // namespace
 
 struct TiledMap::Impl {
-  Impl(const std::filesystem::path& finest, std::size_t cache_bytes);
+  Impl(const std::filesystem::path& finest, std::size_t cache_bytes, const Task& task);
   void takePublished();
-  void pinCoarsest();
+  void pinCoarsest(const Task& task);
   TileCache::Tile tile(Level level, TilePart part, int number, const Task& task = {}) const;
   std::vector<std::byte> load(Level level, TilePart part, int number, const Task& task) const;
   bool has(TilePart part) const noexcept;
@@ -65,12 +66,12 @@ struct TiledMap::Impl {
   mutable TileCache cache;
 };
 
-TiledMap::Impl::Impl(const std::filesystem::path& finest, std::size_t cache_bytes)
+TiledMap::Impl::Impl(const std::filesystem::path& finest, std::size_t cache_bytes, const Task& task)
     : file(finest), cache(cache_bytes) {
   if (finest.extension() == ".json") {
     published = std::make_unique<PublishedTiles>(finest);
     takePublished();
-    if (published->isRemote()) pinCoarsest();
+    if (published->isRemote()) pinCoarsest(task);
   } else {
     files = std::make_unique<MapFiles>(finest);
     facts = files->facts();
@@ -96,9 +97,10 @@ void TiledMap::Impl::takePublished() {
 }
 
 /// So there is always a level that can be shown and touched without waiting.
-void TiledMap::Impl::pinCoarsest() {
+void TiledMap::Impl::pinCoarsest(const Task& task) {
   constexpr int kMostTiles = 64;
-  std::vector<TileName> names;
+  constexpr int kMostColoured = 16;  // 1024 cells across: what views of the whole show.
+  std::vector<TileName> names, coloured;
   for (int level = static_cast<int>(facts.frames.size()) - 1; level >= 0; --level) {
     const TileLayout layout{frame({level}).size};
     if (2 * layout.count() + static_cast<int>(names.size()) > 2 * kMostTiles && !names.empty()) {
@@ -108,13 +110,25 @@ void TiledMap::Impl::pinCoarsest() {
       names.push_back({level, TilePart::heights, number});
       names.push_back({level, TilePart::origins, number});
     }
+    if (layout.count() > kMostColoured) continue;
+    for (const TilePart part : {TilePart::colours, TilePart::intensities}) {
+      for (int number = 0; has(part) && number < layout.count(); ++number) {
+        coloured.push_back({level, part, number});
+      }
+    }
   }
+  names.insert(names.end(), coloured.begin(), coloured.end());
   std::vector<TileCache::Tile> tiles(names.size());
+  std::atomic<std::size_t> done = 0;
   // Waiting for a server takes no core.
   inParts(0, names.size(), std::min(kWebConnections, static_cast<int>(names.size())),
-          [&](int /*part*/, std::uint64_t first, std::uint64_t end) {
+          [&](int part, std::uint64_t first, std::uint64_t end) {
             for (auto i = static_cast<std::size_t>(first); i < end; ++i) {
-              tiles[i] = tile({names[i].level}, names[i].part, names[i].number);
+              tiles[i] = tile({names[i].level}, names[i].part, names[i].number, task);
+              ++done;
+              if (part != 0) continue;  // One thread tells.
+              task.report("Fetching the map",
+                          static_cast<double>(done) / static_cast<double>(names.size()));
             }
           });
   for (std::size_t i = 0; i < names.size(); ++i) pinned[names[i]] = tiles[i];
@@ -166,8 +180,8 @@ bool TiledMap::isOne(const std::filesystem::path& file) {
   }
 }
 
-TiledMap::TiledMap(const std::filesystem::path& finest, std::size_t cache_bytes)
-    : impl_(std::make_unique<Impl>(finest, cache_bytes)) {}
+TiledMap::TiledMap(const std::filesystem::path& finest, std::size_t cache_bytes, const Task& task)
+    : impl_(std::make_unique<Impl>(finest, cache_bytes, task)) {}
 TiledMap::~TiledMap() = default;
 
 const std::filesystem::path& TiledMap::file() const noexcept {
@@ -347,6 +361,13 @@ std::optional<Level> TiledMap::levelAtHand(const Region& region) const {
     if (all && !names.empty()) return at.level;
   }
   return std::nullopt;
+}
+
+bool TiledMap::coloursAtHand(const Region& region) const {
+  const std::vector<TileName> names = tilesUnder(region);
+  return std::all_of(names.begin(), names.end(), [this](const TileName& name) {
+    return name.part <= TilePart::origins || isAtHand(name);
+  });
 }
 
 }  // namespace relievo

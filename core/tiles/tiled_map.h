@@ -19,6 +19,9 @@
 
 namespace relievo {
 
+/// For the tiles of a map that are in memory, unless somebody says otherwise.
+inline constexpr std::size_t kTileCacheBytes = std::size_t{64} << 20U;
+
 /// A tile of a map, counted from the top left.
 struct TileName {
   int level = 0;
@@ -36,12 +39,13 @@ class TiledMap {
   static bool isOne(const std::filesystem::path& file);
 
   /// Opens all levels; reads no tile, but of maps from the web the coarsest levels, which stay in
-  /// memory: up to 64 tiles of 320 kB.
+  /// memory: up to 64 tiles of 320 kB, and the colours of those up to 1024 cells across.
   /// @param finest  or map.json of a published map
   /// @param cache_bytes  for tiles; a window touches up to nine of 256 KiB and nine of 64 KiB
-  /// @throw FileError  a level is missing, belongs to another map, or was rewritten; WebLost
-  explicit TiledMap(const std::filesystem::path& finest,
-                    std::size_t cache_bytes = std::size_t{64} << 20U);
+  /// @throw FileError  a level is missing, belongs to another map, or was rewritten; WebLost;
+  ///                   Cancelled
+  explicit TiledMap(const std::filesystem::path& finest, std::size_t cache_bytes = kTileCacheBytes,
+                    const Task& task = {});
   ~TiledMap();
   TiledMap(const TiledMap&) = delete;
   TiledMap& operator=(const TiledMap&) = delete;
@@ -105,6 +109,9 @@ class TiledMap {
   /// The finest level, from the region's on, of which all tiles under it are in memory: heights and
   /// origins. Nothing: no level's are. Reads nothing. [any thread but the haptic loop]
   std::optional<Level> levelAtHand(const Region& region) const;
+  /// Are the colours of a window of this region in memory? True of a map without colours.
+  /// [any thread but the haptic loop]
+  bool coloursAtHand(const Region& region) const;
 
  private:
   struct Impl;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -13,14 +14,11 @@
 #include <new>
 #include <thread>
 
-#include "core/tiles/level_files.h"
 #include "core/tiles/published/publish.h"
 #include "core/tiles/published/published_tiles.h"
-#include "core/tiles/published/windows_ahead.h"
-#include "haptics/loop/haptic_core.h"
-#include "haptics/loop/scene_buffer.h"
 #include "tests/core/tiles/slow_web_server.h"
 #include "tests/core/tiles/tile_fixtures.h"
+#include "tests/haptics/web_walk.h"
 
 namespace {
 thread_local bool in_tick = false;
@@ -55,39 +53,13 @@ void operator delete[](void* memory, std::size_t) noexcept {
 namespace relievo {
 namespace {
 
-constexpr double kSpacingMm = 0.1;
-constexpr GridSize kSize{.cols = 3000, .rows = 3000};
-constexpr double kSideMm = 200 * kSpacingMm;
-/// As tests/haptics/loop/scene_change_test: what the blend of two surfaces may change in a tick.
-constexpr double kMostStepN = 0.005;
-
-void writeRelief(const std::filesystem::path& file) {
-  LevelFiles files(file,
-                   {.size = kSize,
-                    .spacing_mm = kSpacingMm,
-                    .first_x_mm = 0.5 * kSpacingMm,
-                    .first_y_mm = 0.5 * kSpacingMm},
-                   {.factor = 2});
-  std::vector<float> heights(static_cast<std::size_t>(kSize.cols));
-  const std::vector<CellStatus> origins(heights.size(), CellStatus::measured);
-  for (int row = 0; row < kSize.rows; ++row) {
-    for (int col = 0; col < kSize.cols; ++col) {
-      const double x = kSpacingMm * col, y = kSpacingMm * row;
-      heights[static_cast<std::size_t>(col)] = static_cast<float>(
-          1.5 * std::sin(0.35 * x) * std::cos(0.3 * y) + 0.2 * std::sin(7 * x) * std::sin(6 * y));
-    }
-    files.add(heights.data(), origins.data());
-  }
-  files.finish({});
-}
-
 /// Where the window is at a time: to and fro by steps, and every 3 s somewhere else.
 Region placeAt(double t_s) {
   const int leg = static_cast<int>(t_s / 3);
   const double along = 0.1 * std::floor((t_s - 3 * leg) / 0.2);
-  const double x = std::fmod(37.0 * leg, 250) + along * kSideMm;
+  const double x = std::fmod(37.0 * leg, 250) + along * test::kWalkSideMm;
   const double y = std::fmod(91.0 * leg, 270);
-  return {.x_mm = std::min(x, 280.0), .y_mm = y, .side_mm = kSideMm, .level = {0}};
+  return {.x_mm = std::min(x, 280.0), .y_mm = y, .side_mm = test::kWalkSideMm, .level = {0}};
 }
 
 struct Walk {
@@ -96,26 +68,14 @@ struct Walk {
   int windows = 0;
 };
 
-HapticOptions bare() {
-  HapticOptions options;
-  options.stiffness_by_detail = false;
-  options.force.stiffness_n_per_mm = 0.5;
-  return options;
-}
-
 Walk walk(const std::shared_ptr<const TiledMap>& map, double seconds) {
   using Clock = std::chrono::steady_clock;
   auto scenes = std::make_unique<SceneBuffer<HapticSpace>>();
   std::atomic<int> windows = 0;
   WindowsAhead ahead(map, {.give =
                                [&](const WindowsAhead::Given& given) {
-                                 const RegionWindow& window = *given.window;
-                                 HapticSpace& space = scenes->back();
-                                 fill(space, window,
-                                      {window.levels - window.region.level.value, window.levels},
-                                      SurfaceKind::crease_aware);
-                                 space.scene_id = static_cast<std::uint64_t>(++windows);
-                                 scenes->publish();
+                                 test::layWindow(*scenes, *given.window,
+                                                 static_cast<std::uint64_t>(++windows));
                                },
                            .say = {}});
   ahead.want(placeAt(0));
@@ -129,31 +89,21 @@ Walk walk(const std::shared_ptr<const TiledMap>& map, double seconds) {
     }
   });
   Walk done;
-  HapticCore core(ForceChain::bare);
-  const HapticOptions options = bare();
-  DeviceN last{};
+  test::WalkingHand hand(*scenes);
   const auto start = Clock::now();
   const int detail = map->ladder().levels();
   for (long tick = 0; tick < static_cast<long>(1000 * seconds); ++tick) {
     if (tick % 5 == 0) std::this_thread::sleep_until(start + tick * std::chrono::milliseconds(1));
-    DeviceReading reading;
-    const double down = std::min(1.0, static_cast<double>(tick) / 300);
-    reading.position = {0, 0, 35 - 38 * down};
-    reading.time_ns = tick * 1'000'000;
     in_tick = true;
-    if (!core.changing()) scenes->update();
-    const HapticSample sample =
-        core.tick(scenes->front(), scenes->previous(), options, reading, reading.time_ns);
+    const HapticSample sample = hand.tick();
     in_tick = false;
-    if (tick > 600) {  // The hand has come to rest.
-      done.largest_step_n = std::max(done.largest_step_n, norm(sample.force - last));
-      ++done.ticks;
-      done.coarser += sample.detail < detail ? 1 : 0;
-      done.contact += sample.contact ? 1 : 0;
-      done.largest_n = std::max(done.largest_n, norm(sample.force));
-    }
-    last = sample.force;
+    if (tick <= test::kRestsAfterTicks) continue;
+    ++done.ticks;
+    done.coarser += sample.detail < detail ? 1 : 0;
+    done.contact += sample.contact ? 1 : 0;
+    done.largest_n = std::max(done.largest_n, norm(sample.force));
   }
+  done.largest_step_n = hand.largestStepN();
   done.allocated = allocated_in_ticks;
   done.windows = windows;
   return done;
@@ -164,7 +114,7 @@ class WebWalk : public testing::TestWithParam<int> {};
 TEST_P(WebWalk, NoForceStepIsAboveTheBlendsAndNoTickWaits) {
   const test::TileFolder folder;
   ::setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
-  writeRelief(folder / "map.tif");
+  test::writeWalkRelief(folder / "map.tif");
   publish(TiledMap(folder / "map.tif"), folder / "web", {});
   test::SlowWebServer server(
       folder / "web", {.delay = std::chrono::milliseconds(GetParam()), .bytes_per_s = 20e6 / 8});
@@ -179,7 +129,7 @@ TEST_P(WebWalk, NoForceStepIsAboveTheBlendsAndNoTickWaits) {
       100.0 * static_cast<double>(far.coarser) / static_cast<double>(far.ticks), far.largest_step_n,
       far.largest_n, 100.0 * static_cast<double>(far.contact) / static_cast<double>(far.ticks),
       far.windows, server.requests());
-  EXPECT_LE(far.largest_step_n, kMostStepN);
+  EXPECT_LE(far.largest_step_n, test::kMostWalkStepN);
   EXPECT_EQ(far.allocated, 0);
   EXPECT_GT(far.coarser, 0) << "the line was never too slow: nothing was tried";
   EXPECT_GT(far.contact, 0);

@@ -326,6 +326,10 @@
         <source>reading pictures</source>
         <translation>Bilder werden gelesen</translation>
     </message>
+    <message>
+        <source>Fetching the map</source>
+        <translation>Karte wird geholt</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -8412,16 +8416,8 @@
         <translation>Der Server antwortet nicht. Die Karte wird gezeigt, wie sie aufgehoben wurde.</translation>
     </message>
     <message>
-        <source>Level %2 is on its way. Until it is here, level %1 is shown and felt.</source>
-        <translation>Ebene %2 ist unterwegs. Bis sie da ist, wird Ebene %1 gezeigt und gefühlt.</translation>
-    </message>
-    <message>
         <source>Coarser until the tiles are here.</source>
         <translation>Gröber, bis die Kacheln da sind.</translation>
-    </message>
-    <message>
-        <source>Level %1 is here.</source>
-        <translation>Ebene %1 ist da.</translation>
     </message>
     <message>
         <source>Full detail.</source>
@@ -8866,6 +8862,14 @@
     <message>
         <source>Forces are held down, because the arm trembles.</source>
         <translation>Die Kräfte werden klein gehalten, weil der Arm zittert.</translation>
+    </message>
+    <message>
+        <source>Detail %2 is on its way. Until it is here, detail %1 is shown and felt.</source>
+        <translation>Detail %2 ist unterwegs. Bis es da ist, wird Detail %1 gezeigt und gefühlt.</translation>
+    </message>
+    <message>
+        <source>Detail %1 is here.</source>
+        <translation>Detail %1 ist da.</translation>
     </message>
 </context>
 <context>

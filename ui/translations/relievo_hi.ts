@@ -326,6 +326,10 @@
         <source>reading pictures</source>
         <translation>चित्र पढ़ना</translation>
     </message>
+    <message>
+        <source>Fetching the map</source>
+        <translation>मानचित्र लाया जा रहा है</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -8412,16 +8416,8 @@
         <translation>सर्वर उत्तर नहीं देता। मानचित्र वैसा दिखाया जाता है जैसा रखा गया था।</translation>
     </message>
     <message>
-        <source>Level %2 is on its way. Until it is here, level %1 is shown and felt.</source>
-        <translation>स्तर %2 आ रहा है। उसके आने तक स्तर %1 दिखाया और महसूस किया जाता है।</translation>
-    </message>
-    <message>
         <source>Coarser until the tiles are here.</source>
         <translation>टाइलें आने तक कम बारीक।</translation>
-    </message>
-    <message>
-        <source>Level %1 is here.</source>
-        <translation>स्तर %1 आ गया है।</translation>
     </message>
     <message>
         <source>Full detail.</source>
@@ -8866,6 +8862,14 @@
     <message>
         <source>Forces are held down, because the arm trembles.</source>
         <translation>बल कम रखे जाते हैं, क्योंकि बाँह काँपती है।</translation>
+    </message>
+    <message>
+        <source>Detail %2 is on its way. Until it is here, detail %1 is shown and felt.</source>
+        <translation>विवरण %2 आ रहा है। उसके आने तक विवरण %1 दिखाया और महसूस किया जाता है।</translation>
+    </message>
+    <message>
+        <source>Detail %1 is here.</source>
+        <translation>विवरण %1 आ गया है।</translation>
     </message>
 </context>
 <context>

@@ -28,7 +28,12 @@ bool isRemote(const std::string& name) {
 /// What nobody can fetch now may be there next time: GDAL remembers that it was not.
 FetchedBytes failed(const std::string& name, const std::string& words) {
   const auto says = [&words](const char* code) { return words.find(code) != std::string::npos; };
-  const bool refused = says("404") || says("403") || says("410") || says("401");
+  // Of an object store, a key that is not there or fits not is no matter of the network either.
+  const int store = VSIGetLastErrorNo();
+  const bool of_store = store == VSIE_AWSBucketNotFound || store == VSIE_AWSObjectNotFound ||
+                        store == VSIE_AWSAccessDenied || store == VSIE_AWSInvalidCredentials ||
+                        store == VSIE_AWSSignatureDoesNotMatch;
+  const bool refused = of_store || says("404") || says("403") || says("410") || says("401");
   if (isRemote(name)) VSICurlPartialClearCache(name.c_str());
   FetchedBytes none;
   none.end = refused || !isRemote(name) ? WebEnd::missing : WebEnd::unreachable;

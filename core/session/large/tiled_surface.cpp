@@ -7,9 +7,10 @@
 
 namespace relievo {
 
-Surface openTiledSurface(const std::filesystem::path& finest, std::size_t cache_bytes) {
+Surface openTiledSurface(const std::filesystem::path& finest, std::size_t cache_bytes,
+                         const Task& task) {
   constexpr int kMostAcross = 1024;
-  auto tiles = std::make_shared<const TiledMap>(finest, cache_bytes);
+  auto tiles = std::make_shared<const TiledMap>(finest, cache_bytes, task);
   Surface surface;
   surface.is_raster = true;
   surface.unit = LengthUnit::mm;
@@ -24,7 +25,8 @@ Surface openTiledSurface(const std::filesystem::path& finest, std::size_t cache_
   surface.map = tiles->levelMap({static_cast<int>(shown - frames.begin())});
   const GridSize size = frames.front().size;
   surface.info.file = finest;
-  surface.info.format = "GeoTIFF tiles, " + std::to_string(frames.size()) + " levels";
+  surface.info.format = (tiles->published() ? "published map, " : "GeoTIFF tiles, ") +
+                        std::to_string(frames.size()) + " levels";
   surface.info.points = surface.info.finite_points = size.count();
   surface.info.unit = LengthUnit::mm;
   if (const std::string& left = tiles->coloursLeftAside(); !left.empty()) {

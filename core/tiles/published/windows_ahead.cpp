@@ -23,6 +23,12 @@ namespace {
 constexpr std::chrono::seconds kUntilAskedAgain{1};
 constexpr int kNothing = std::numeric_limits<int>::max();  ///< No level was given.
 
+/// What was given last of a wish.
+struct Shown {
+  int level = kNothing;
+  bool coloured = false;
+};
+
 Region aboutCentre(const Region& region, double scale, int level) {
   const double side = scale * region.side_mm;
   return {.x_mm = region.centreX() - 0.5 * side,
@@ -43,7 +49,8 @@ struct WindowsAhead::Impl {
 
   void lineUp(const Region& region);
   void give(const std::stop_token& stop);
-  int giveBetter(const Wish& now, int given);
+  void giveBetter(const Wish& now, Shown& shown);
+  void sayDetail(int level, int wanted);
   void fetch(const std::stop_token& stop);
   void takeEnd(const TileName& tile, const std::exception_ptr& error);
   void say(const Message& message);
@@ -62,6 +69,8 @@ struct WindowsAhead::Impl {
   bool lost = false;
   std::chrono::steady_clock::time_point ask_again;
   std::deque<Message> to_say;
+
+  bool said_coarser = false;  ///< Last. [the thread that gives]
 
   std::vector<std::jthread> threads;  ///< Last: they join before what they use goes.
 };
@@ -154,32 +163,40 @@ void WindowsAhead::Impl::fetch(const std::stop_token& stop) {
   }
 }
 
-/// Outside the mutex. @return  the level that is given now: `given`, or a finer one
-int WindowsAhead::Impl::giveBetter(const Wish& now, int given) {
+/// Outside the mutex. Gives a finer window than is shown, or the same with its colours.
+void WindowsAhead::Impl::giveBetter(const Wish& now, Shown& shown) {
   const auto level = map->levelAtHand(now.region);
-  if (!level || level->value >= given) return given;
-  const int wanted = now.region.level.value;
+  if (!level || level->value > shown.level) return;
+  Region region = now.region;
+  region.level = *level;
+  const bool coloured = map->coloursAtHand(region);
+  if (level->value == shown.level && (shown.coloured || !coloured)) return;
   try {
-    Region region = now.region;
-    region.level = *level;
     calls.give({.window = std::make_shared<const RegionWindow>(map->window(region, now.gain)),
-                .wanted = now.region.level});
+                .wanted = now.region.level,
+                .coloured = coloured});
   } catch (const Error& error) {
     // Its tiles went from the cache meanwhile, and could not be fetched again.
     if (calls.say) calls.say(messageOf(error));
-    return given;
+    return;
   }
-  if (calls.say && given == kNothing && wanted < level->value) {
-    calls.say(said<MessageId::web_level_coarser>(level->value, wanted));
-  } else if (calls.say && given != kNothing && wanted == level->value) {
-    calls.say(said<MessageId::web_level_complete>(level->value));
-  }
-  return level->value;
+  shown = {.level = level->value, .coloured = coloured};
+  sayDetail(level->value, now.region.level.value);
+}
+
+/// While somebody goes over a map that comes slowly every window is coarser: that is said once.
+void WindowsAhead::Impl::sayDetail(int level, int wanted) {
+  const bool is_coarser = wanted < level;
+  if (std::exchange(said_coarser, is_coarser) == is_coarser || !calls.say) return;
+  const DetailLadder& ladder = map->ladder();
+  const int detail = ladder.detailOf({level});
+  calls.say(is_coarser ? said<MessageId::web_level_coarser>(detail, ladder.detailOf({wanted}))
+                       : said<MessageId::web_level_complete>(detail));
 }
 
 void WindowsAhead::Impl::give(const std::stop_token& stop) {
   std::uint64_t wishes_seen = 0, arrivals_seen = 0;
-  int given = kNothing;
+  Shown shown;
   std::unique_lock lock(mutex);
   while (changed.wait(lock, stop, [&] {
     return wishes != wishes_seen || arrivals != arrivals_seen || !to_say.empty();
@@ -195,13 +212,13 @@ void WindowsAhead::Impl::give(const std::stop_token& stop) {
     arrivals_seen = arrivals;
     if (!wish) continue;
     if (std::exchange(wishes_seen, wishes) != wishes) {
-      given = kNothing;
+      shown = {};
       lineUp(wish->region);
       changed.notify_all();
     }
     const Wish now = *wish;
     lock.unlock();
-    given = giveBetter(now, given);
+    giveBetter(now, shown);
     lock.lock();
   }
 }

@@ -15,12 +15,14 @@ struct Message;
 /// had at once, of a coarser level if need be, and then the one that was wanted. Fetches by threads
 /// of its own: what is wanted first, then a level coarser around it, then what lies ahead of the
 /// movement. What nobody wants any more is not asked for. A server that gives no answer is asked
-/// again every second. docs/adr/0201.
+/// again every second. That a window is coarser than wanted, that none is any more, that the server
+/// gives no answer and that it answers again is said once each. docs/adr/0201.
 class WindowsAhead {
  public:
   struct Given {
     std::shared_ptr<const RegionWindow> window;  ///< Its level is the one that it was cut from.
     Level wanted;                                ///< Finer than that: it follows.
+    bool coloured = false;  ///< Its colours are in memory, too, if it has any; else they follow.
   };
   /// Called by a thread of this object, in order; they must not wait for it.
   struct Calls {

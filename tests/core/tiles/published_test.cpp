@@ -128,6 +128,54 @@ TEST_F(Publishing, GivesTheWindowsOfTheMapFromTheFolderAndTheWeb) {
   expectSameWindows(original, TiledMap(kept.manifest));
 }
 
+/// Sets what the process that fetches finds in its environment, and takes it back.
+class StoreEnvironment {
+ public:
+  explicit StoreEnvironment(const std::string& server_address) {
+    set("AWS_S3_ENDPOINT", server_address.substr(std::string("http://").size()));
+    set("AWS_HTTPS", "NO");
+    set("AWS_VIRTUAL_HOSTING", "FALSE");
+    set("AWS_EC2_METADATA_DISABLED", "true");
+    set("AWS_REGION", "eu-central-1");
+  }
+  ~StoreEnvironment() {
+    for (const std::string& name : names_) ::unsetenv(name.c_str());
+  }
+  StoreEnvironment(const StoreEnvironment&) = delete;
+  StoreEnvironment& operator=(const StoreEnvironment&) = delete;
+  void set(const std::string& name, const std::string& value) {
+    ::setenv(name.c_str(), value.c_str(), 1);
+    names_.insert(name);
+  }
+
+ private:
+  std::set<std::string> names_;
+};
+
+TEST_F(Publishing, GivesTheWindowsOfTheMapFromAnObjectStore) {
+  fs::create_directory(folder_ / "bucket");
+  writeMapTo(map(), {.cols = 1300, .rows = 1100});
+  publish(TiledMap(map()), folder_ / "bucket" / "relief", {});
+  test::SlowWebServer store(folder_.path(), {.key = "A-KEY"});
+  StoreEnvironment environment(store.address());
+  const auto refused = [&] { return refusalOf<FileError>([] { webMap("s3://bucket/relief"); }); };
+  // A key that is missing or wrong is no matter of the network: nothing is asked for again.
+  EXPECT_NE(refused().find("has no file map.json"), std::string::npos) << refused();
+  environment.set("AWS_ACCESS_KEY_ID", "ANOTHER");
+  environment.set("AWS_SECRET_ACCESS_KEY", "secret");
+  EXPECT_NE(refused().find("has no file map.json"), std::string::npos) << refused();
+  environment.set("AWS_ACCESS_KEY_ID", "A-KEY");
+  const TiledMap from_store(webMap("s3://bucket/relief/").manifest);
+  EXPECT_TRUE(from_store.isRemote());
+  EXPECT_EQ(from_store.place(), "s3://bucket/relief");
+  expectSameWindows(TiledMap(map()), from_store);
+  EXPECT_NE(
+      refusalOf<FileError>([] { webMap("s3://bucket/elsewhere"); }).find("has no file map.json"),
+      std::string::npos);
+  store.stop();
+  EXPECT_TRUE(webMap("s3://bucket/relief").from_before);
+}
+
 TEST_F(Publishing, ReplacesNothingAndLeavesNothingHalfDone) {
   publishMap({.cols = 300, .rows = 300});
   const TiledMap original(map());

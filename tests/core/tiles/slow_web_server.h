@@ -13,11 +13,11 @@
 #include <condition_variable>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <mutex>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -30,6 +30,8 @@ class SlowWebServer {
   struct Options {
     std::chrono::milliseconds delay{0};
     double bytes_per_s = 1e12;
+    /// An object store's: without a signature by this key nothing is given.
+    std::string key = {};
   };
   SlowWebServer(std::filesystem::path folder, Options options)
       : folder_(std::move(folder)), options_(options) {
@@ -45,6 +47,18 @@ class SlowWebServer {
   void damage(const std::string& part_of_name) {
     const std::scoped_lock lock(mutex_);
     damaged_ = part_of_name;
+  }
+  /// From now on answers wait, until they are let go.
+  void hold() {
+    const std::scoped_lock lock(mutex_);
+    held_ = true;
+  }
+  void letGo() {
+    {
+      const std::scoped_lock lock(mutex_);
+      held_ = false;
+    }
+    changed_.notify_all();
   }
   /// Every connection breaks, and nobody listens any more.
   void stop() {
@@ -116,24 +130,36 @@ class SlowWebServer {
     ++requests_;
     const std::size_t name_at = head.find(' ') + 2;
     const std::string name = head.substr(name_at, head.find(' ', name_at) - name_at);
-    std::ifstream in(folder_ / name, std::ios::binary);
-    std::string content{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    std::string status = in || !content.empty() ? "200 OK" : "404 Not Found";
+    const bool is_signed = options_.key.empty() ||
+                           head.find("Authorization: AWS4-HMAC-SHA256 Credential=" + options_.key +
+                                     "/") != std::string::npos;
+    if (!is_signed) return refuse(fd, head, "403 Forbidden", "AccessDenied");
+    std::error_code unknown;
+    const std::filesystem::path file = folder_ / name;
+    if (!std::filesystem::is_regular_file(file, unknown)) {
+      return refuse(fd, head, "404 Not Found", "NoSuchKey");
+    }
+    const std::size_t size = std::filesystem::file_size(file);
+    std::string status = "200 OK";
     std::string more;
-    const std::size_t size = content.size();
+    std::size_t first = 0, count = size;
     if (const std::size_t range = head.find("ange: bytes=");
         range != std::string::npos && size > 0) {
       const std::size_t dash = head.find('-', range);
-      const std::size_t first = std::stoul(head.substr(range + 12));
       std::size_t last = size - 1;
+      first = std::stoul(head.substr(range + 12));
       if (std::isdigit(static_cast<unsigned char>(head[dash + 1])) != 0) {
         last = std::min<std::size_t>(last, std::stoul(head.substr(dash + 1)));
       }
-      content = first <= last ? content.substr(first, last - first + 1) : "";
+      count = first <= last ? last - first + 1 : 0;
       status = "206 Partial Content";
       more = "Content-Range: bytes " + std::to_string(first) + "-" + std::to_string(last) + "/" +
              std::to_string(size) + "\r\n";
     }
+    std::string content(count, '\0');
+    std::ifstream in(file, std::ios::binary);
+    in.seekg(static_cast<std::streamoff>(first));
+    in.read(content.data(), static_cast<std::streamsize>(count));
     {
       const std::scoped_lock lock(mutex_);
       const bool hit = !damaged_.empty() && name.find(damaged_) != std::string::npos;
@@ -145,10 +171,21 @@ class SlowWebServer {
     return waitFor(text.size()) && send(fd, text);
   }
 
+  /// As object stores say why; web servers have other words in the same place.
+  bool refuse(int fd, const std::string& head, const std::string& status, const std::string& code) {
+    const std::string body =
+        "<?xml version=\"1.0\"?><Error><Code>" + code + "</Code><Message>No.</Message></Error>";
+    std::string text = "HTTP/1.1 " + status + "\r\nContent-Type: application/xml\r\n" +
+                       "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n";
+    if (!head.starts_with("HEAD")) text += body;
+    return waitFor(text.size()) && send(fd, text);
+  }
+
   /// @return  false if the server stops
   bool waitFor(std::size_t bytes) {
     using Clock = std::chrono::steady_clock;
     std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return !held_ || !running_; });
     const auto begins = std::max(Clock::now() + options_.delay, free_at_);
     const auto takes = std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(static_cast<double>(bytes) / options_.bytes_per_s));
@@ -171,7 +208,7 @@ class SlowWebServer {
   std::atomic<int> requests_ = 0;
   std::mutex mutex_;
   std::condition_variable changed_;
-  bool running_ = false;
+  bool running_ = false, held_ = false;
   std::set<int> open_;
   std::string damaged_;
   std::chrono::steady_clock::time_point free_at_;
