@@ -109,6 +109,26 @@ void countEnds(const std::array<float, 3>* points, std::size_t count,
   }
 }
 
+EndCounts endsOf(std::span<const std::array<float, 3>> points, const std::array<float, 3>& low_ends,
+                 const std::array<float, 3>& high_ends) {
+  const int threads = threadsFor(points.size(), 0);
+  std::vector<EndCounts> parts(static_cast<std::size_t>(threads));
+  parallelFor(threads, threads, [&](int band, int) {
+    const auto part = static_cast<std::size_t>(band);
+    const std::size_t begin = points.size() * part / parts.size();
+    const std::size_t end = points.size() * (part + 1) / parts.size();
+    countEnds(points.data() + begin, end - begin, low_ends, high_ends, parts[part]);
+  });
+  EndCounts ends;
+  for (const EndCounts& part : parts) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      ends.low[axis] += part.low[axis];
+      ends.high[axis] += part.high[axis];
+    }
+  }
+  return ends;
+}
+
 /// Can strays stretch this box at all? Where they do, by `kOverhang`, at least 3/16 at one end of
 /// an axis that is at least a quarter of the longest hold strays only.
 bool isThinAtAnEnd(const PointsView& view, const AxisBox& box) {
@@ -121,7 +141,7 @@ bool isThinAtAnEnd(const PointsView& view, const AxisBox& box) {
   EndCounts ends;
   std::uint64_t all = view.points.size();
   if (view.axes == nullptr && view.counted == nullptr) {
-    countEnds(view.points.data(), view.points.size(), low_ends, high_ends, ends);
+    ends = endsOf(view.points, low_ends, high_ends);
   } else {
     all = 0;
     for (std::size_t i = 0; i < view.points.size(); ++i) {

@@ -10,6 +10,7 @@
 
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
+#include "core/io/import_input.h"
 #include "core/io/input_facts.h"
 #include "core/io/raster/colour_raster.h"
 #include "core/io/raster/embedded_state.h"
@@ -48,11 +49,10 @@ void convertHeights(Scan& scan, double factor) {
 
 }  // namespace
 
-Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
-  task.check();
-  checkedFileSize(file);
-  WorkerAnswer answer =
-      importAnswer({.file = file, .kind = ImportKind::scan, .options = options}, task);
+namespace {
+
+/// @throw FileError  the answer is no scan
+Scan scanOf(WorkerAnswer answer, const std::filesystem::path& file, const ImportOptions& options) {
   Scan scan;
   if (auto* read = std::get_if<Scan>(&answer)) {
     scan = std::move(*read);
@@ -65,6 +65,30 @@ Scan importScan(const std::filesystem::path& file, const ImportOptions& options,
   scan.info.file = file;
   if (scan.info.reader.empty()) scan.info.reader = "relievo";
   return scan;
+}
+
+}  // namespace
+
+Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
+  task.check();
+  checkedFileSize(file);
+  return scanOf(importAnswer({.file = file, .kind = ImportKind::scan, .options = options}, task),
+                file, options);
+}
+
+std::variant<Scan, InputFacts> importInput(const std::filesystem::path& file,
+                                           const ImportOptions& options, const Task& task) {
+  task.check();
+  checkedFileSize(file);
+  WorkerAnswer answer =
+      importAnswer({.file = file, .kind = ImportKind::input, .options = options}, task);
+  const auto* const text = std::get_if<WorkerText>(&answer);
+  if (text == nullptr) return scanOf(std::move(answer), file, options);
+  const auto found = inputFactsOf(*text);
+  if (!found || found->size() != 1) refuseEnd(file, options, {});
+  if (found->front()) return *found->front();
+  checkedFileSize(file);  // It has gone since.
+  refuseEnd(file, options, {});
 }
 
 namespace {

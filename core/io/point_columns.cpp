@@ -74,6 +74,14 @@ void addAll(const PointColumns& columns, std::uint64_t count, ScanBuilder& build
   }
 }
 
+/// Three floats after three floats, and no values.
+bool isPointsAlone(const PointColumns& c) {
+  constexpr std::size_t kFloat = sizeof(float);
+  return c.xyz[0].stride == 3 * kFloat && c.xyz[1].first == c.xyz[0].first + kFloat &&
+         c.xyz[2].first == c.xyz[0].first + 2 * kFloat && c.colour[0].first == nullptr &&
+         c.packed_colour.first == nullptr && c.intensity.first == nullptr;
+}
+
 std::string lower(std::string_view text) {
   std::string out(text);
   std::transform(out.begin(), out.end(), out.begin(),
@@ -118,11 +126,14 @@ void addColumns(const PointColumns& columns, std::uint64_t count, ScanBuilder& b
   const bool floats = columns.order == ByteOrder::little &&
                       std::all_of(columns.xyz.begin(), columns.xyz.end(),
                                   [](const Column& c) { return c.type == ScalarType::f32; });
-  if (floats) {
+  if (floats && isPointsAlone(columns)) {
+    builder.addPoints(columns.xyz[0].first, count);
+  } else if (floats) {
     addAll(columns, count, builder, FloatPoint{});
   } else {
     addAll(columns, count, builder, AnyPoint{});
   }
+  builder.passOn();
 }
 
 void addRecords(const RecordLayout& layout, std::string_view records, std::uint64_t count,

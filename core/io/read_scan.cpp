@@ -68,10 +68,11 @@ void handleTruncation(const Truncation& shortfall, const ReadJob& job, ScanInfo&
 }
 
 Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,
-                  const ReadLibraries& libraries) {
+                  const ReadLibraries& libraries, PointSink* sink) {
   requireReadersAllowed("readScanHere");
   const MappedFile mapped(file);
-  const ReadJob job{file, mapped.bytes(), options, task, libraries.pcl, libraries.load_texture};
+  const ReadJob job{file,          mapped.bytes(),         options, task,
+                    libraries.pcl, libraries.load_texture, sink};
   const FoundFormat found = findFormat(job.bytes.substr(0, kSniffedBytes), file, job.bytes.size());
   checkReadableAsScan(found, file);
   const bool may_hold_several = found.format == FileFormat::e57 || found.format == FileFormat::ptx;

@@ -11,6 +11,7 @@
 #include "core/cloud/scan.h"
 #include "core/io/formats/pcl_records.h"
 #include "core/io/import.h"
+#include "core/io/point_sink.h"
 
 namespace relievo {
 
@@ -32,6 +33,7 @@ struct ReadJob {
   const Task& task;
   const PclLibrary* pcl = nullptr;     ///< Null in programs without it.
   LoadTexture load_texture = nullptr;  ///< The same.
+  PointSink* sink = nullptr;           ///< Null: the scan keeps its points.
 };
 
 // One function per format, each in its own file; all throw FileError. They run in the worker.
@@ -46,9 +48,10 @@ Scan readE57(const ReadJob& job);
 Scan readPtx(const ReadJob& job);
 
 /// Chooses the reader by content and name, and reads in this process. importScan does the same in
-/// a child with limits. @throw FileError
+/// a child with limits. @param sink  takes the points of scans that hold nothing but points; these
+/// then have none, though `info` tells of them; null: nobody does @throw FileError
 Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,
-                  const ReadLibraries& libraries = {});
+                  const ReadLibraries& libraries = {}, PointSink* sink = nullptr);
 
 /// "Cannot read NAME: <reason>". The reason may quote the file as it is.
 [[noreturn]] void throwReadError(const std::filesystem::path& file, std::string_view reason);

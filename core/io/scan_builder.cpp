@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "core/base/failure.h"
@@ -42,6 +43,16 @@ double originOf(std::vector<double>& coordinates) {
   return std::abs(middle) <= 3 * medianOf(coordinates) ? 0 : middle;
 }
 
+FilePoint pointOf(const std::array<float, 3>& p) {
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
+/// Does a box that ended below zero come to end at one? Then the sign of the first of them counts.
+bool risesToZero(const FilePoint& box_end, const FilePoint& end) {
+  return (box_end.x < 0 && end.x == 0) || (box_end.y < 0 && end.y == 0) ||
+         (box_end.z < 0 && end.z == 0);
+}
+
 }  // namespace
 
 ScanBuilder::ScanBuilder(const std::filesystem::path& file, const ImportOptions& options)
@@ -54,7 +65,49 @@ ScanBuilder::ScanBuilder(const std::filesystem::path& file, const ImportOptions&
 }
 
 void ScanBuilder::expectPoints(std::uint64_t count) {
-  reserveLarge(scan_.points, static_cast<std::size_t>(keptOf(std::min(count, max_points_))));
+  const std::uint64_t room = keptOf(std::min(count, max_points_));
+  if (sink_ == nullptr) return reserveLarge(scan_.points, static_cast<std::size_t>(room));
+  sink_->expect(room);
+  scan_.points.reserve(2 * kSample);  // What may come between two calls of passOn.
+}
+
+void ScanBuilder::leave() {
+  sink_->take(scan_.points);
+  left_ += scan_.points.size();
+  scan_.points.clear();
+}
+
+/// @return  false, and nothing is changed, where points must be looked at one by one
+bool ScanBuilder::addBlock(PointBlock& block, std::size_t count) {
+  ScanInfo& info = scan_.info;
+  if (every_ != 1 || !origin_chosen_ || info.points + count > max_points_) return false;
+  const BlockBox found = boxOf(block, count);
+  if (!found.is_usable) return false;
+  const FilePoint low = pointOf(found.low), high = pointOf(found.high);
+  if (risesToZero(box_.max, high) || risesToZero(-1 * box_.min, -1 * low)) return false;
+  extendBox(low.x, low.y, low.z);
+  extendBox(high.x, high.y, high.z);
+  const FilePoint& o = scan_.origin;
+  if (o.x != 0 || o.y != 0 || o.z != 0) moveTo(o, block, count);
+  scan_.points.insert(scan_.points.end(), block.begin(),
+                      block.begin() + static_cast<std::ptrdiff_t>(count));
+  info.points += count;
+  return true;
+}
+
+void ScanBuilder::addPoints(const char* xyz, std::uint64_t count) {
+  PointBlock block;  // Without initial values: made only to be overwritten.
+  for (std::uint64_t done = 0; done < count;) {
+    const auto now = static_cast<std::size_t>(std::min<std::uint64_t>(kPointBlock, count - done));
+    const char* const from = xyz + done * sizeof(block[0]);
+    std::memcpy(block.data(), from, now * sizeof(block[0]));
+    done += now;
+    if (addBlock(block, now)) continue;
+    for (std::size_t i = 0; i < now; ++i) {
+      const FilePoint p = pointOf(block[i]);
+      addPoint(p.x, p.y, p.z);
+    }
+  }
 }
 
 void ScanBuilder::requireFewer(std::uint64_t count) const {
@@ -284,7 +337,8 @@ Scan ScanBuilder::finish() {
   settleValues();
   makeTriangles();
   ScanInfo& info = scan_.info;
-  info.finite_points = scan_.points.size();
+  info.finite_points = keptCount();
+  if (sink_ != nullptr) leave();
   if (info.finite_points > 0) info.bounds = box_;
   if (info.dropped_faces > 0) {
     info.warnings.push_back(grouped(info.dropped_faces) + " of " + grouped(info.faces) +

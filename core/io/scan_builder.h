@@ -12,6 +12,8 @@
 
 #include "core/cloud/scan.h"
 #include "core/io/import.h"
+#include "core/io/point_block.h"
+#include "core/io/point_sink.h"
 
 namespace relievo {
 
@@ -32,9 +34,16 @@ class ScanBuilder {
 
   ScanInfo& info() noexcept { return scan_.info; }
   std::uint64_t pointCount() const noexcept { return scan_.info.points; }
-  std::uint64_t keptCount() const noexcept { return scan_.points.size() + sample_.size(); }
+  std::uint64_t keptCount() const noexcept { return left_ + scan_.points.size() + sample_.size(); }
   std::uint64_t faceCount() const noexcept { return scan_.info.faces; }
   void expectPoints(std::uint64_t count);  ///< A hint; never trusted beyond max_points.
+  /// Points leave from here on as passOn says; with faces or parts they may not. Before the first
+  /// of them and expectPoints. @param sink  null: they stay
+  void leaveTo(PointSink* sink) { sink_ = sink; }
+  /// To be called now and then between points: those that are many enough leave.
+  void passOn() {
+    if (sink_ != nullptr && scan_.points.size() >= kPassedOn) leave();
+  }
   /// Where a file is known to hold so many points, before the first of them is read.
   /// @throw FileError  more than max_points, or (E102) than the memory holds
   void requireRoom(std::uint64_t count, bool is_mesh = false) const;
@@ -59,6 +68,10 @@ class ScanBuilder {
     store({x, y, z});
     return true;
   }
+
+  /// The next stored points, in this machine's order: as addPoint of each of them.
+  /// @param xyz  three floats a point, one after the other, at any address
+  void addPoints(const char* xyz, std::uint64_t count);
 
   /// The next stored point, which the file says is not to be used.
   void addLeftOutPoint() { addSpecialPoint({kNaN, kNaN, kNaN}, false); }
@@ -132,12 +145,15 @@ class ScanBuilder {
                             static_cast<float>(p[1] - scan_.origin.y),
                             static_cast<float>(p[2] - scan_.origin.z)});
   }
+  bool addBlock(PointBlock& block, std::size_t count);
+  void leave();
   void settleValues();
   void makeTriangles();
   bool triangulate(std::size_t start, std::span<const std::uint32_t> corners,
                    std::uint16_t texture);
 
   static constexpr std::size_t kSample = 65536;
+  static constexpr std::size_t kPassedOn = 32768;  ///< Points: 400 kB, in the nearer memory.
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
   static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   static constexpr std::array<float, 3> kNoColour{-1, -1, -1};
@@ -149,6 +165,8 @@ class ScanBuilder {
   bool origin_chosen_ = false;
   FileBounds box_{{kInfinite, kInfinite, kInfinite}, {-kInfinite, -kInfinite, -kInfinite}};
   std::vector<std::array<double, 3>> sample_;  ///< Points that came before the origin was chosen.
+  PointSink* sink_ = nullptr;                  ///< Who takes the points; null: nobody.
+  std::uint64_t left_ = 0;                     ///< Points that it has.
   std::vector<std::uint32_t> skipped_;         ///< Stored indices of points left out, ascending.
   std::uint64_t too_far_ = 0;                  ///< Finite in the file, but not in float.
   std::vector<std::uint32_t> corners_;         ///< Of all faces, one after the other.

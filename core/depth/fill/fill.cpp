@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <mutex>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,16 @@ namespace relievo {
 namespace {
 
 constexpr std::size_t kWorkOfCell = 8;  // A cell here is as much work as so many of others.
+
+/// Calls work(first, end) for parts of so many cells, side by side.
+template <class Work>
+void forCells(std::size_t count, const Work& work) {
+  const auto parts = static_cast<std::size_t>(threadsFor(2 * count, 0));
+  parallelFor(static_cast<int>(parts), static_cast<int>(parts), [&](int number, int) {
+    const auto part = static_cast<std::size_t>(number);
+    work(count * part / parts, count * (part + 1) / parts);
+  });
+}
 
 /// Keeps the lowest of many values.
 class Lowest {
@@ -55,9 +66,15 @@ double quantile(const std::vector<float>& values, std::size_t count, double q) {
   const double position = q * (static_cast<double>(count) - 1);
   const auto below = static_cast<std::ptrdiff_t>(position);
   const double part = position - static_cast<double>(below);
-  Lowest lowest(static_cast<std::size_t>(below) + 2);
-  lowest.add(values.data(), values.size());
-  std::vector<float> candidates = lowest.take();
+  std::vector<float> candidates;
+  std::mutex joining;
+  forCells(values.size(), [&](std::size_t first, std::size_t end) {
+    Lowest lowest(static_cast<std::size_t>(below) + 2);
+    lowest.add(values.data() + first, end - first);
+    const std::vector<float> found = lowest.take();
+    const std::lock_guard lock(joining);
+    candidates.insert(candidates.end(), found.begin(), found.end());
+  });
   std::nth_element(candidates.begin(), candidates.begin() + below, candidates.end());
   const auto low = static_cast<double>(candidates[static_cast<std::size_t>(below)]);
   if (part == 0) return low;
@@ -100,7 +117,9 @@ std::vector<LabelledHole> enclosedHoles(const EmptyAreas& areas, const GridFrame
 
 Mask maskOf(const FrontDepths& depths) {
   Mask measured(depths.size());
-  for (std::size_t i = 0; i < depths.size(); ++i) measured[i] = depths[i] == depths[i] ? 1 : 0;
+  forCells(depths.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) measured[i] = depths[i] == depths[i] ? 1 : 0;
+  });
   return measured;
 }
 
@@ -249,17 +268,23 @@ FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const Fill
   // What the rule found between the points stands; the rest comes from the cells around. In a cell
   // that showed the back the rule found the back.
   Mask known = measured;
-  for (std::size_t i = 0; i < depths.between.size(); ++i) {
-    if (known[i] != 0 || covered[i] == 0 || std::isnan(depths.between[i])) continue;
-    if (had_points[i] != 0) continue;
-    filled[i] = depths.between[i];
-    known[i] = 1;
-  }
+  forCells(depths.between.size(), [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      if (known[i] != 0 || covered[i] == 0 || std::isnan(depths.between[i])) continue;
+      if (had_points[i] != 0) continue;
+      filled[i] = depths.between[i];
+      known[i] = 1;
+    }
+  });
   depths.between = {};
   pushPull(filled, known, frame.size, task);
   task.check();
   Mask gaps = covered;
-  for (std::size_t i = 0; i < count; ++i) gaps[i] &= static_cast<std::uint8_t>(known[i] ^ 1U);
+  forCells(count, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      gaps[i] &= static_cast<std::uint8_t>(known[i] ^ 1U);
+    }
+  });
   keepWithinNeighbours(filled, known, gaps, frame.size);
   if (choice.rule == HoleRule::membrane) {
     layMembranes(holes, areas, covered, filled, frame.size, task);

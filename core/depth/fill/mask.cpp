@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 #include "core/base/bands.h"
 
@@ -154,9 +155,15 @@ EmptyAreas emptyAreas(const Mask& mask, GridSize size) {
   areas.label.assign(mask.size(), -1);
   std::vector<Cell> stack;
   for (int row = 0; row < size.rows; ++row) {
+    const std::uint8_t* const cells = mask.data() + size.index({.col = 0, .row = row});
     for (int col = 0; col < size.cols; ++col) {
+      // Nearly all are covered.
+      const void* const empty =
+          std::memchr(cells + col, 0, static_cast<std::size_t>(size.cols - col));
+      if (empty == nullptr) break;
+      col = static_cast<int>(static_cast<const std::uint8_t*>(empty) - cells);
       const std::size_t start = size.index({.col = col, .row = row});
-      if (mask[start] != 0 || areas.label[start] >= 0) continue;
+      if (areas.label[start] >= 0) continue;
       const int label = static_cast<int>(areas.cells.size());
       areas.cells.push_back(0);
       areas.at_border.push_back(false);

@@ -6,8 +6,12 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/bands.h"
+
 namespace relievo {
 namespace {
+
+constexpr std::size_t kWorkOfCell = 2;  // A cell here is as much work as so many of others.
 
 /// Push: bilinear value of the coarse grid under a fine cell; fine cell f lies at (f - 0.5) / 2.
 float coarseValue(const PushPullLayer& coarse, Cell fine) {
@@ -87,16 +91,19 @@ void pushPull(std::vector<float>& values, const Mask& known, GridSize size, cons
   layers[0].size = {.cols = (size.cols + 1) / 2, .rows = (size.rows + 1) / 2};
   layers[0].values.assign(layers[0].size.count(), 0.0F);
   layers[0].weights.assign(layers[0].size.count(), 0.0F);
-  for (int row = 0; row < size.rows; ++row) {
-    if (row % 64 == 0) task.check();
-    for (int col = 0; col < size.cols; ++col) {
-      const std::size_t from = size.index({.col = col, .row = row});
-      if (known[from] == 0) continue;
-      const std::size_t to = layers[0].size.index({.col = col / 2, .row = row / 2});
-      layers[0].values[to] += values[from];
-      layers[0].weights[to] += 1;
+  const int threads = threadsFor(kWorkOfCell * size.count(), 0);
+  parallelFor(layers[0].size.rows, threads, [&](int first, int end) {
+    for (int row = 2 * first; row < std::min(2 * end, size.rows); ++row) {
+      if (row % 64 == 0) task.check();
+      for (int col = 0; col < size.cols; ++col) {
+        const std::size_t from = size.index({.col = col, .row = row});
+        if (known[from] == 0) continue;
+        const std::size_t to = layers[0].size.index({.col = col / 2, .row = row / 2});
+        layers[0].values[to] += values[from];
+        layers[0].weights[to] += 1;
+      }
     }
-  }
+  });
   finishPull(layers[0]);
   while (layers.back().size.cols > 1 || layers.back().size.rows > 1) {
     task.check();
@@ -106,13 +113,15 @@ void pushPull(std::vector<float>& values, const Mask& known, GridSize size, cons
     task.check();
     pushInto(layers[level], layers[level + 1]);
   }
-  for (int row = 0; row < size.rows; ++row) {
-    if (row % 64 == 0) task.check();
-    for (int col = 0; col < size.cols; ++col) {
-      const std::size_t i = size.index({.col = col, .row = row});
-      if (known[i] == 0) values[i] = coarseValue(layers[0], {.col = col, .row = row});
+  parallelFor(size.rows, threads, [&](int first, int end) {
+    for (int row = first; row < end; ++row) {
+      if (row % 64 == 0) task.check();
+      for (int col = 0; col < size.cols; ++col) {
+        const std::size_t i = size.index({.col = col, .row = row});
+        if (known[i] == 0) values[i] = coarseValue(layers[0], {.col = col, .row = row});
+      }
     }
-  }
+  });
 }
 
 void keepWithinNeighbours(std::vector<float>& values, Mask known, const Mask& gaps, GridSize size) {

@@ -58,18 +58,26 @@ class CellPoints {
   /// [any thread]
   void rows(int first_row, int end_row, RowPoints& out) const;
 
-  std::size_t count() const noexcept { return starts_.back(); }
+  std::size_t count() const noexcept { return count_; }
 
  private:
   struct Record {
     std::uint32_t cell;  ///< Within its bucket of rows.
     PlacedPoint point;
   };
+  struct Block;
+  class Part;
+  /// Memory for records, used from its beginning.
+  struct Room {
+    std::unique_ptr<Record[]> records;
+    std::size_t capacity = 0;
+  };
+  using Run = std::span<const Record>;
 
   GridSize size_;
-  std::vector<std::size_t> starts_;    ///< Per bucket of rows its first record, and the end.
-  std::unique_ptr<Record[]> records_;  ///< Bucket by bucket, in the file's order.
-  std::size_t capacity_ = 0;           ///< Of it.
+  std::vector<std::vector<Run>> buckets_;  ///< Of rows: their records, in the file's order.
+  std::vector<std::vector<Room>> rooms_;   ///< Of each thread that filled them.
+  std::size_t count_ = 0;
 };
 
 }  // namespace relievo

@@ -340,7 +340,7 @@ class Scatter {
     if (!request_.rule || needs_noise) {
       samples = samplesOf(points, request_.frame, threads, task_);
     }
-    if (!request_.rule) rule = proposeRule(samples, request_.frame, task_);
+    if (!request_.rule) rule = proposeRule(samples, request_.frame, threads, task_);
     rule_ = rule.rule;
     out_.rule = rule.reason + ": " + std::string(describe(rule_));
     out_.one_layer = !request_.rule && isForOneLayer(rule_);

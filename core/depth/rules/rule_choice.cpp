@@ -108,12 +108,22 @@ RowSample sampleOf(const CellPoints& points, RowRange range, const GridFrame& fr
   return sample;
 }
 
-RuleProposal proposeRule(const std::vector<RowSample>& samples, const GridFrame& frame,
+RuleProposal proposeRule(const std::vector<RowSample>& samples, const GridFrame& frame, int threads,
                          const Task& task) {
+  std::vector<SampleCounts> counts(samples.size());
+  parallelFor(static_cast<int>(samples.size()), threads, [&](int first, int end) {
+    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i) {
+      task.check();
+      counts[i].add(samples[i], frame.spacing_mm);
+    }
+  });
   SampleCounts found;
-  for (const RowSample& sample : samples) {
-    task.check();
-    found.add(sample, frame.spacing_mm);
+  for (const SampleCounts& part : counts) {
+    found.points += part.points;
+    found.inside += part.inside;
+    found.occupied += part.occupied;
+    found.layered += part.layered;
+    found.off_samples += part.off_samples;
   }
   return proposeRule(found);
 }
@@ -160,7 +170,7 @@ double middleNoise(std::vector<double> noises) {
 RuleProposal proposeRule(const DepthRequest& request, const Task& task) {
   const CellPoints points(request, rowsOfSamples(request.frame.size), task);
   const int threads = threadsFor(points.count(), request.threads);
-  return proposeRule(samplesOf(points, request.frame, threads, task), request.frame, task);
+  return proposeRule(samplesOf(points, request.frame, threads, task), request.frame, threads, task);
 }
 
 double pointNoise(const DepthRequest& request, const Task& task) {

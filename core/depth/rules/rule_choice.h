@@ -53,7 +53,7 @@ double noiseOf(const RowSample& sample, double spacing_mm);
 double middleNoise(std::vector<double> noises);
 
 /// As `proposeRule` and `pointNoise` (point_rule.h), from such samples. [worker] @throw Cancelled
-RuleProposal proposeRule(const std::vector<RowSample>& samples, const GridFrame& frame,
+RuleProposal proposeRule(const std::vector<RowSample>& samples, const GridFrame& frame, int threads,
                          const Task& task);
 double pointNoise(const std::vector<RowSample>& samples, const GridFrame& frame, int threads,
                   const Task& task);

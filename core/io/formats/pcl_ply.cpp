@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <memory>
@@ -197,6 +198,38 @@ class PlyBlocks {
   std::uint64_t count_ = 0;
 };
 
+/// One after the other, whoever they are. [any thread]
+class Turns {
+ public:
+  /// work() when all before `number` had theirs. @return  false: one of them failed, nothing is
+  /// done; whatever `work` throws fails all after it
+  template <class Work>
+  bool take(int number, const Work& work) {
+    for (int now = next_.load(); now != number; now = next_.load()) {
+      if (now == kFailed) return false;
+      next_.wait(now);
+    }
+    try {
+      work();
+    } catch (...) {
+      fail();
+      throw;
+    }
+    int own = number;
+    next_.compare_exchange_strong(own, number + 1);  // Unless a later one failed meanwhile.
+    next_.notify_all();
+    return true;
+  }
+  void fail() {
+    next_.store(kFailed);
+    next_.notify_all();
+  }
+
+ private:
+  static constexpr int kFailed = -1;
+  std::atomic<int> next_{0};
+};
+
 /// PCL asks a stream for every number, which takes longer than all else: blocks are read side by
 /// side, and given in their order.
 void readPlyRecords(const PlyHeader& header, std::string_view records, std::uint64_t count,
@@ -208,15 +241,20 @@ void readPlyRecords(const PlyHeader& header, std::string_view records, std::uint
   std::vector<std::unique_ptr<PlyBlocks>> own;
   own.reserve(static_cast<std::size_t>(readers));
   for (int i = 0; i < readers; ++i) own.push_back(std::make_unique<PlyBlocks>(form, layout));
-  for (int first = 0; first < blocks; first += readers) {
-    const int now = std::min(readers, blocks - first);
-    parallelFor(now, now, [&](int reader, int) {
-      const std::uint64_t done = kBlock * static_cast<std::uint64_t>(first + reader);
-      own[static_cast<std::size_t>(reader)]->read(records.substr(done * layout.bytes),
-                                                  std::min(kBlock, count - done));
-    });
-    for (int i = 0; i < now; ++i) own[static_cast<std::size_t>(i)]->give(take);
-  }
+  Turns turns;
+  parallelFor(readers, readers, [&](int reader, int) {
+    PlyBlocks& mine = *own[static_cast<std::size_t>(reader)];
+    for (int block = reader; block < blocks; block += readers) {
+      const std::uint64_t done = kBlock * static_cast<std::uint64_t>(block);
+      try {
+        mine.read(records.substr(done * layout.bytes), std::min(kBlock, count - done));
+      } catch (...) {
+        turns.fail();
+        throw;
+      }
+      if (!turns.take(block, [&] { mine.give(take); })) return;
+    }
+  });
 }
 
 }  // namespace

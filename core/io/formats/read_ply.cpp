@@ -46,6 +46,7 @@ class PlyReader {
     const bool ascii = header_.encoding == PlyEncoding::ascii;
     // Text may say anything, also 256 of a uchar; numbers without a type are settled at the end.
     has_byte_colours_ = !ascii && layout_.colour && hasByteColours(layout_);
+    if (isPointsAlone()) builder_.leaveTo(job_.sink);
     for (element_ = 0; element_ < header_.elements.size(); ++element_) {
       const PlyElement& element = header_.elements[element_];
       if (isVertex()) expectVertices(element);
@@ -59,6 +60,13 @@ class PlyReader {
  private:
   bool isVertex() const noexcept { return element_ == header_.vertex_element; }
   bool isFace() const noexcept { return element_ == header_.face_element; }
+
+  /// Binary, without faces, whose corners are asked for their points, and without values.
+  bool isPointsAlone() const {
+    const bool faces = header_.face_element && header_.elements[*header_.face_element].count > 0;
+    return header_.encoding != PlyEncoding::ascii && !faces && !layout_.hasColour() &&
+           !layout_.intensity;
+  }
 
   /// Records that the rest of the file could hold at most.
   std::uint64_t possibleRecords(const PlyElement& element) const {

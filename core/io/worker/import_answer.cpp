@@ -2,7 +2,9 @@
 #include "core/io/worker/import_answer.h"
 
 #include <csignal>
+#include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "core/base/failure.h"
@@ -40,10 +42,13 @@ WorkerAnswer importAnswer(ImportAsk ask, const Task& task) {
   task.report("opening", 0);
   for (bool is_first = true;; is_first = false) {
     WorkerProcess worker(ask);
-    const WorkerEnd end = worker.wait(task);
+    PointsAhead ahead(worker.answerFd());
+    const WorkerEnd end = worker.wait(task, [&](std::uint64_t ready) { ahead.take(ready, task); });
     task.check();
     WorkerAnswer answer;
-    if (end.exited && end.number == 0) answer = receiveAnswer(worker.answerFd(), task);
+    if (end.exited && end.number == 0) {
+      answer = receiveAnswer(worker.answerFd(), task, std::move(ahead));
+    }
     if (const auto* refusal = std::get_if<WorkerRefusal>(&answer)) throwRefusal(*refusal);
     const auto* other = std::get_if<OtherProgram>(&answer);
     if (std::holds_alternative<std::monostate>(answer) || (other != nullptr && !is_first)) {

@@ -174,26 +174,39 @@ WorkerRefusal refusalInFlight(const WorkerArguments& arguments) {
 }
 
 void answerWithScan(const WorkerArguments& arguments, const WorkerLibraries& libraries,
-                    const Task& task) {
+                    const ProgressPipe& pipe, const Task& task) {
   // The program that starts soonest looks first, and says which one reads.
   if (libraries.looks_first) {
     const ImportProgram reads = precheck(arguments.file, arguments.options.scan.reader);
     if (reads != ImportProgram::own) return sendAnswer(kAnswerFd, OtherProgram{reads});
   }
-  Scan scan = readScanHere(arguments.file, arguments.options, task, libraries.read);
+  PointsAnswer points(kAnswerFd, [&pipe](std::uint64_t ready) { pipe.ready(ready); });
+  Scan scan = readScanHere(arguments.file, arguments.options, task, libraries.read, &points);
   const auto system = systemWithoutUnit(arguments.file, scan.info);
-  if (!system) return sendAnswer(kAnswerFd, scan);
+  if (!system) return points.finish(scan);
   sendAnswer(kAnswerFd, ScanOfSystem{.scan = std::move(scan), .system = *system});
 }
 
-void answerWithFacts(const WorkerArguments& arguments) {
-  const auto factsOf = [](const std::filesystem::path& file) -> std::optional<InputFacts> {
-    try {
-      return inputFactsHere(file);
-    } catch (const FileError&) {  // Whoever opens it says why not.
-      return std::nullopt;
+std::optional<InputFacts> factsOf(const std::filesystem::path& file) {
+  try {
+    return inputFactsHere(file);
+  } catch (const FileError&) {  // Whoever opens it says why not.
+    return std::nullopt;
+  }
+}
+
+void answerWithInput(const WorkerArguments& arguments, const WorkerLibraries& libraries,
+                     const ProgressPipe& pipe, const Task& task) {
+  if (libraries.looks_first) {
+    const std::optional<InputFacts> facts = factsOf(arguments.file);
+    if (!facts || facts->kind != InputKind::scan) {
+      return sendAnswer(kAnswerFd, textOf(std::vector{facts}));
     }
-  };
+  }
+  answerWithScan(arguments, libraries, pipe, task);
+}
+
+void answerWithFacts(const WorkerArguments& arguments) {
   std::vector<std::optional<InputFacts>> facts{factsOf(arguments.file)};
   for (const std::string& file : arguments.more) facts.push_back(factsOf(file));
   sendAnswer(kAnswerFd, textOf(facts));
@@ -212,7 +225,9 @@ void answer(const WorkerArguments& arguments, const WorkerLibraries& libraries) 
   task.progress = [&pipe](std::string_view step, double fraction) { pipe(step, fraction); };
   switch (arguments.kind) {
     case ImportKind::scan:
-      return answerWithScan(arguments, libraries, task);
+      return answerWithScan(arguments, libraries, pipe, task);
+    case ImportKind::input:
+      return answerWithInput(arguments, libraries, pipe, task);
     case ImportKind::facts:
       return answerWithFacts(arguments);
     case ImportKind::state:

@@ -23,6 +23,7 @@
 #include "core/base/failure.h"
 #include "core/base/large_pages.h"
 #include "core/io/file_check.h"
+#include "core/io/point_block.h"
 #include "core/io/worker/answer_text.h"
 
 namespace relievo {
@@ -30,9 +31,11 @@ namespace {
 
 constexpr std::uint64_t kMagic = 0x32'6F'76'65'69'6C'65'72;  // "relievo2"
 constexpr std::size_t kArrays = 10;
+constexpr std::size_t kPointBytes = sizeof(std::array<float, 3>);
 constexpr std::uint32_t kMostTexels = 16384;  ///< Of a side.
 constexpr std::uint64_t kMaxTextBytes = 1 << 24;
 constexpr std::size_t kCheckEvery = 1 << 22;
+constexpr std::size_t kPieceBytes = 192 << 10;
 constexpr std::size_t kChunk = 16 << 20;  ///< Between two looks at the stop token.
 constexpr std::uint64_t kMaxCols = 1 << 24;
 
@@ -140,14 +143,15 @@ bool valuesConsistent(const Scan& scan, const Task& task) {
          std::all_of(scan.texture_corners.begin(), scan.texture_corners.end(), is_finite);
 }
 
-bool consistent(const Scan& scan, const Task& task) {
+/// @param finite  so many of the points are known to be
+bool consistent(const Scan& scan, std::size_t finite, const Task& task) {
   if (scan.points.empty() || scan.points.size() != scan.info.finite_points || !scan.info.bounds) {
     return false;
   }
-  for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    if (i % kCheckEvery == 0) task.check();
-    const auto& p = scan.points[i];
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) return false;
+  for (std::size_t i = finite; i < scan.points.size(); i += kCheckEvery) {
+    task.check();
+    const std::size_t count = std::min(kCheckEvery, scan.points.size() - i);
+    if (!areFinite(std::span(scan.points).subspan(i, count))) return false;
   }
   for (std::size_t i = 0; i < scan.triangles.size(); ++i) {
     if (i % kCheckEvery == 0) task.check();
@@ -221,9 +225,17 @@ template <class Array>
 bool take(int fd, std::uint64_t at, std::uint64_t bytes, Array& array, const Task& task) {
   constexpr std::size_t kItem = sizeof(typename Array::value_type);
   if (bytes % kItem != 0) return false;
-  reserveLarge(array, static_cast<std::size_t>(bytes / kItem));
-  array.resize(static_cast<std::size_t>(bytes / kItem));
-  return readAll(fd, array.data(), static_cast<std::size_t>(bytes), at, task);
+  const auto all = static_cast<std::size_t>(bytes / kItem);
+  reserveLarge(array, all);
+  // Piece by piece: what resize sets is still in the nearer memory when it is written over.
+  constexpr std::size_t kPiece = std::max<std::size_t>(1, kPieceBytes / kItem);
+  while (array.size() < all) {
+    const std::size_t done = array.size();
+    array.resize(std::min(done + kPiece, all));
+    const std::size_t piece = (array.size() - done) * kItem;
+    if (!readAll(fd, array.data() + done, piece, at + done * kItem, task)) return false;
+  }
+  return true;
 }
 
 /// The texels of all textures, one after the other. @return  false if sizes do not agree
@@ -249,8 +261,12 @@ bool takeTextures(int fd, const AnswerHeader& header, Unpacker& unpacker, Scan& 
   return unpacker.good() && rest == 0;
 }
 
-WorkerAnswer takeScan(int fd, const AnswerHeader& header, Unpacker& unpacker, const Task& task) {
+WorkerAnswer takeScan(int fd, const AnswerHeader& header, Unpacker& unpacker, const Task& task,
+                      PointsAhead& ahead) {
   Scan scan;
+  scan.points = ahead.give();
+  if (scan.points.size() * kPointBytes > header.array_bytes[0]) scan.points.clear();
+  const std::size_t finite = scan.points.size();
   scan.origin = unpacker.get<FilePoint>();
   const auto taken = [&](std::size_t array, auto& list) {
     return take(fd, header.arrayAt(array), header.array_bytes[array], list, task);
@@ -259,7 +275,7 @@ WorkerAnswer takeScan(int fd, const AnswerHeader& header, Unpacker& unpacker, co
       !taken(1, scan.triangles) || !taken(2, scan.colours) || !taken(3, scan.intensities) ||
       !taken(4, scan.classes) || !taken(5, scan.parts) || !taken(6, scan.texture_corners) ||
       !taken(7, scan.texture_of) || !taken(8, scan.returns) ||
-      !takeTextures(fd, header, unpacker, scan, task) || !consistent(scan, task)) {
+      !takeTextures(fd, header, unpacker, scan, task) || !consistent(scan, finite, task)) {
     return {};
   }
   const bool has_system = unpacker.get<std::uint64_t>() != 0;
@@ -358,6 +374,52 @@ void sendAnswer(int fd, const WorkerRefusal& refusal) {
   send(fd, AnswerKind::refusal, packer.bytes(), {});
 }
 
+void PointsAnswer::expect(std::uint64_t count) {
+  // So that the parent can make room once.
+  if (::ftruncate(fd_, static_cast<off_t>(sizeof(AnswerHeader) + count * kPointBytes)) == 0) return;
+  if (errno == EFBIG) refuseLength();
+}
+
+void PointsAnswer::take(std::span<const std::array<float, 3>> points) {
+  writeAll(fd_, points.data(), points.size_bytes(), sizeof(AnswerHeader) + count_ * kPointBytes);
+  count_ += points.size();
+  tell_(count_);
+}
+
+void PointsAnswer::finish(const Scan& scan) const {
+  if (count_ == 0) return sendAnswer(fd_, scan);
+  AnswerHeader header;
+  header.kind = AnswerKind::scan;
+  header.array_bytes[0] = count_ * kPointBytes;
+  const std::string text = textOf(scan, std::nullopt);
+  header.text_bytes = text.size();
+  writeHeader(fd_, header, text);
+}
+
+void PointsAhead::take(std::uint64_t ready, const Task& task) {
+  if (!is_good_ || ready <= points_.size()) return;
+  struct stat facts {};
+  const bool is_long_enough =
+      ::fstat(fd_, &facts) == 0 && facts.st_size > static_cast<off_t>(sizeof(AnswerHeader));
+  const std::uint64_t most =
+      is_long_enough
+          ? (static_cast<std::uint64_t>(facts.st_size) - sizeof(AnswerHeader)) / kPointBytes
+          : 0;
+  is_good_ = ready <= most;
+  if (!is_good_) return;
+  if (points_.empty()) reserveLarge(points_, static_cast<std::size_t>(most));
+  constexpr std::size_t kPiece = kPieceBytes / kPointBytes;
+  while (is_good_ && points_.size() < ready) {
+    const std::size_t done = points_.size();
+    points_.resize(std::min<std::size_t>(done + kPiece, static_cast<std::size_t>(ready)));
+    const auto piece = std::span(points_).subspan(done);
+    is_good_ = readAll(fd_, piece.data(), piece.size_bytes(),
+                       sizeof(AnswerHeader) + done * kPointBytes, task) &&
+               areFinite(piece);
+    if (!is_good_) points_.resize(done);
+  }
+}
+
 void RasterAnswer::begin(const RasterHead& head, bool has_origins) {
   size_ = head.size;
   const std::uint64_t bytes =
@@ -397,6 +459,10 @@ void RasterAnswer::finish(const RasterEnd& end) {
 }
 
 WorkerAnswer receiveAnswer(int fd, const Task& task) {
+  return receiveAnswer(fd, task, PointsAhead(fd));
+}
+
+WorkerAnswer receiveAnswer(int fd, const Task& task, PointsAhead ahead) {
   const auto header = checkedHeader(fd, task);
   if (!header) return {};
   std::string text;
@@ -404,7 +470,7 @@ WorkerAnswer receiveAnswer(int fd, const Task& task) {
   Unpacker unpacker(std::move(text));
   switch (header->kind) {
     case AnswerKind::scan:
-      return takeScan(fd, *header, unpacker, task);
+      return takeScan(fd, *header, unpacker, task, ahead);
     case AnswerKind::raster:
       return takeRaster(fd, *header, unpacker);
     case AnswerKind::text:

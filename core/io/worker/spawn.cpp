@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -152,6 +153,8 @@ void ChildProcess::start(ProgramStart how) {
                     argument_pointers.data(), environment_pointers.data());
   if (error != 0) refuseSpawn(error);
   pid_ = pid;
+  // The header of the C library for it is none of C++. Such descriptors are closed by exec.
+  end_.reset(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0)));
 }
 
 bool ChildProcess::reap(bool wait) {

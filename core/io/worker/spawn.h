@@ -54,6 +54,8 @@ class ChildProcess {
   void start(ProgramStart how);
   /// @return  true once it has ended
   bool reap(bool wait);
+  /// Can be read once it has ended, for poll; -1: the system has no such thing.
+  int endFd() const noexcept { return end_.get(); }
   void kill();
 
   /// How the child came to its end, once it has.
@@ -62,6 +64,7 @@ class ChildProcess {
 
  private:
   int pid_ = -1;  ///< -1: none, or reaped.
+  OwnedFd end_;
   int status_ = 0;
 };
 

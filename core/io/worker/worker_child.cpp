@@ -59,6 +59,11 @@ void ProgressPipe::operator()(std::string_view step, double fraction) {
   [[maybe_unused]] const ssize_t written = ::write(kProgressFd, line.data(), line.size());
 }
 
+void ProgressPipe::ready(std::uint64_t points) const {
+  const std::string line = std::string(kReadyWord) + " " + std::to_string(points) + "\n";
+  [[maybe_unused]] const ssize_t written = ::write(kProgressFd, line.data(), line.size());
+}
+
 bool hasWorkersPlace(std::initializer_list<int> files) {
   return isKind(kProgressFd, S_IFIFO) &&
          std::all_of(files.begin(), files.end(), [](int fd) { return isKind(fd, S_IFREG); });

@@ -31,6 +31,8 @@ class ProgressPipe {
   /// The pipe at kProgressFd.
   ProgressPipe();
   void operator()(std::string_view step, double fraction);
+  /// At once: so many points of the answer are ready.
+  void ready(std::uint64_t points) const;
 
  private:
   std::chrono::steady_clock::time_point last_;

@@ -112,8 +112,12 @@ void WorkerProcess::passProgress(const Task& task) {
   for (std::size_t end = progress_text_.find('\n'); end != std::string::npos;
        end = progress_text_.find('\n')) {
     std::string_view step = std::string_view(progress_text_).substr(0, end);
-    const auto fraction = parseNumber(takeWord(step));
-    if (fraction) task.report(trimmed(step), std::clamp(*fraction, 0.0, 1.0));
+    const std::string_view word = takeWord(step);
+    if (word == kReadyWord) {
+      ready_points_ = std::max(parseWhole<std::uint64_t>(trimmed(step)).value_or(0), ready_points_);
+    } else if (const auto fraction = parseNumber(word)) {
+      task.report(trimmed(step), std::clamp(*fraction, 0.0, 1.0));
+    }
     progress_text_.erase(0, end + 1);
   }
   if (progress_text_.size() > kWordsKept) progress_text_.clear();
@@ -140,18 +144,21 @@ void WorkerProcess::waitFor(int fd, const Task& task) {
   }
 }
 
-WorkerEnd WorkerProcess::wait(const Task& task) {
+WorkerEnd WorkerProcess::wait(const Task& task, const TakeReady& take_ready) {
   while (!child_.reap(false)) {
     if (task.stop.stop_requested()) {
       child_.kill();
       task.check();
     }
-    std::array<pollfd, 2> sources{pollfd{progress_.get(), POLLIN, 0},
+    std::array<pollfd, 3> sources{pollfd{child_.endFd(), POLLIN, 0},
+                                  pollfd{progress_.get(), POLLIN, 0},
                                   pollfd{words_.get(), POLLIN, 0}};
-    // Once both are closed the child is about to end: a short nap between looks.
-    const bool closing = progress_.get() < 0 && words_.get() < 0;
+    // Once both are closed the child is about to end: where nothing tells that it has, a short nap
+    // between looks.
+    const bool closing = progress_.get() < 0 && words_.get() < 0 && child_.endFd() < 0;
     ::poll(sources.data(), sources.size(), closing ? 2 : kPollMs);
     drain(task);
+    if (take_ready && ready_points_ > 0) take_ready(ready_points_);
   }
   drain(task);
   WorkerEnd end;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,15 +17,18 @@ namespace relievo {
 
 // What parent and child agree on.
 inline constexpr const char* kWorkerArgument = "import-" RELIEVO_VERSION_STRING;
-inline constexpr int kProgressFd = 3;            ///< Lines "fraction step".
+inline constexpr int kProgressFd = 3;            ///< Lines "fraction step", or "ready N".
 inline constexpr int kAnswerFd = 4;              ///< scan_transport.h
 inline constexpr int kInputFd = 5;               ///< What a worker without a file works on.
 inline constexpr int kFirstChannelFd = 5;        ///< Of a stream (stream_protocol.h).
 inline constexpr int kWorkerArgumentCount = 13;  ///< And those of ImportAsk::more.
+/// So many points of the answer are where they belong, and stay as they are if it is a scan.
+inline constexpr std::string_view kReadyWord = "ready";
 
 /// What the worker is to answer with: its third argument.
 enum class ImportKind : char {
   scan = 's',
+  input = 'i',  ///< The scan, or of a file that is none its InputFacts.
   raster = 'r',
   raster_rows = 'R',
   facts = 'f',       ///< InputFacts.
@@ -80,9 +85,12 @@ class WorkerProcess {
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
+  /// Told how many points are ready, while the child goes on; never fewer than before.
+  using TakeReady = std::function<void(std::uint64_t points)>;
+
   /// Passes progress on until the child has ended. Looks at the stop token every 50 ms.
   /// @throw Cancelled  after the child was killed and reaped
-  WorkerEnd wait(const Task& task);
+  WorkerEnd wait(const Task& task, const TakeReady& take_ready = {});
 
   /// The same until there is something to read from `fd`, or its other end is closed.
   /// @throw Cancelled  after the child was killed and reaped
@@ -100,6 +108,7 @@ class WorkerProcess {
   OwnedFd answer_, progress_, words_;  ///< Our ends.
   ChildProcess child_;
   std::string progress_text_, words_text_;
+  std::uint64_t ready_points_ = 0;  ///< As the child says.
 };
 
 }  // namespace relievo

@@ -18,8 +18,10 @@
 #include <fstream>
 #include <regex>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "core/io/import_input.h"
 #include "core/io/input_facts.h"
 #include "core/io/worker/worker_process.h"
 #include "tests/core/io/refusal.h"
@@ -57,6 +59,27 @@ TEST(Import, LinksAreFollowedAndOddNamesWork) {
   EXPECT_EQ(importScan(file).points.size(), 3U);
   std::filesystem::create_symlink(file, folder.path() / "-link");
   EXPECT_EQ(importScan(folder.path() / "-link").points.size(), 3U);
+}
+
+TEST(Import, OneProcessSaysWhatAFileIsAndReadsItIfItIsAScan) {
+  const TemporaryFolder folder;
+  const auto text = folder.write("points.xyz", textRows(3));
+  const auto obj =
+      folder.write("mesh.obj", "mtllib mesh.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  for (const auto& file : {text, obj}) {
+    const auto found = importInput(file);
+    ASSERT_TRUE(std::holds_alternative<Scan>(found)) << file;
+    EXPECT_EQ(std::get<Scan>(found).points, importScan(file).points);
+    EXPECT_EQ(std::get<Scan>(found).info.file, file);
+  }
+  const auto grid = folder.write(
+      "grid.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n3 4\n");
+  const auto found = importInput(grid);
+  ASSERT_TRUE(std::holds_alternative<InputFacts>(found));
+  EXPECT_EQ(std::get<InputFacts>(found), inputFacts(grid));
+  EXPECT_THROW(importInput(folder.path() / "absent.ply"), FileError);
+  EXPECT_EQ(refusalOf([&] { importInput(folder.write("broken.ply", "ply\nformat odd\n")); }).words,
+            refusal(folder.path() / "broken.ply").words);
 }
 
 TEST(Import, AFileWithoutPermissionIsRefused) {

@@ -134,6 +134,8 @@ TEST(Raster, MapFileIsNorthUpWithSamplesAtCellCentresAndNaNOutside) {
   GDALRasterBand* band = dataset->GetRasterBand(1);
   EXPECT_EQ(band->GetRasterDataType(), GDT_Float32);
   EXPECT_TRUE(std::isnan(band->GetNoDataValue()));
+  EXPECT_STREQ(dataset->GetMetadataItem("COMPRESSION", "IMAGE_STRUCTURE"), "DEFLATE");
+  EXPECT_STREQ(dataset->GetMetadataItem("PREDICTOR", "IMAGE_STRUCTURE"), "3");
   EXPECT_STREQ(dataset->GetMetadataItem("RELIEVO_UNIT"), "mm");
   EXPECT_STREQ(dataset->GetMetadataItem("RELIEVO_VERSION"), RELIEVO_VERSION_STRING);
   EXPECT_THAT(dataset->GetMetadataItem("RELIEVO_VIEW_FROM_FILE"),

@@ -122,6 +122,92 @@ TEST(ScanTransport, AnswersThatDoNotHoldTogetherAreNotBelieved) {
   }
 }
 
+/// Points alone, more than are read at once.
+Scan plainScan() {
+  Scan scan;
+  scan.info.format = "test";
+  for (int i = 0; i < 50'000; ++i) scan.points.push_back({static_cast<float>(i), 1, 2});
+  scan.info.points = scan.info.finite_points = scan.points.size();
+  scan.info.bounds = FileBounds{{0, 1, 2}, {49'999, 1, 2}};
+  return scan;
+}
+
+Scan withoutPoints(Scan scan) {
+  scan.points.clear();
+  return scan;
+}
+
+TEST(ScanTransport, PointsCanBeTakenWhileOthersAreStillMissing) {
+  const Scan sent = plainScan();
+  const OwnedFd memory(::memfd_create("relievo-test", MFD_CLOEXEC));
+  PointsAhead ahead(memory.get());
+  std::vector<std::uint64_t> told;
+  PointsAnswer answer(memory.get(), [&](std::uint64_t ready) {
+    told.push_back(ready);
+    if (told.size() < 3) ahead.take(ready, {});
+  });
+  answer.expect(60'000);  // A file may promise more than it holds.
+  const std::span<const std::array<float, 3>> points(sent.points);
+  answer.take(points.subspan(0, 20'000));
+  answer.take(points.subspan(20'000, 20'001));
+  answer.take(points.subspan(40'001));
+  answer.finish(withoutPoints(sent));
+  EXPECT_EQ(told, (std::vector<std::uint64_t>{20'000, 40'001, 50'000}));
+  const WorkerAnswer got = receiveAnswer(memory.get(), {}, std::move(ahead));
+  ASSERT_TRUE(std::holds_alternative<Scan>(got));
+  EXPECT_EQ(std::get<Scan>(got).points, sent.points);
+  EXPECT_EQ(std::get<Scan>(got).info.finite_points, 50'000U);
+}
+
+TEST(ScanTransport, WhatIsSaidToBeReadyIsNotBelieved) {
+  const Scan sent = plainScan();
+  const OwnedFd memory(::memfd_create("relievo-test", MFD_CLOEXEC));
+  sendAnswer(memory.get(), sent);
+  for (const std::uint64_t ready : {std::uint64_t{70'000}, ~std::uint64_t{0}}) {
+    PointsAhead ahead(memory.get());
+    ahead.take(30'000, {});
+    ahead.take(ready, {});
+    const WorkerAnswer got = receiveAnswer(memory.get(), {}, std::move(ahead));
+    ASSERT_TRUE(std::holds_alternative<Scan>(got));
+    EXPECT_EQ(std::get<Scan>(got).points, sent.points);
+  }
+}
+
+TEST(ScanTransport, PointsTakenAheadMustBeFiniteAndOfThatScan) {
+  Scan bad = plainScan();
+  bad.points[20'000][1] = std::numeric_limits<float>::infinity();
+  const OwnedFd memory(::memfd_create("relievo-test", MFD_CLOEXEC));
+  sendAnswer(memory.get(), bad);
+  PointsAhead ahead(memory.get());
+  ahead.take(50'000, {});
+  EXPECT_TRUE(
+      std::holds_alternative<std::monostate>(receiveAnswer(memory.get(), {}, std::move(ahead))));
+
+  // More than the answer then holds: they were another one's.
+  sendAnswer(memory.get(), plainScan());
+  PointsAhead more(memory.get());
+  more.take(50'000, {});
+  Scan fewer = plainScan();
+  fewer.points.assign(10, {7, 7, 7});
+  fewer.info.points = fewer.info.finite_points = 10;
+  sendAnswer(memory.get(), fewer);
+  const WorkerAnswer got = receiveAnswer(memory.get(), {}, std::move(more));
+  ASSERT_TRUE(std::holds_alternative<Scan>(got));
+  EXPECT_EQ(std::get<Scan>(got).points, fewer.points);
+}
+
+TEST(ScanTransport, ARefusalAfterPointsIsARefusal) {
+  const OwnedFd memory(::memfd_create("relievo-test", MFD_CLOEXEC));
+  PointsAhead ahead(memory.get());
+  PointsAnswer answer(memory.get(), [&](std::uint64_t ready) { ahead.take(ready, {}); });
+  answer.expect(50'000);
+  answer.take(plainScan().points);
+  sendAnswer(memory.get(), WorkerRefusal{"Cannot read it.", ""});
+  const WorkerAnswer got = receiveAnswer(memory.get(), {}, std::move(ahead));
+  ASSERT_TRUE(std::holds_alternative<WorkerRefusal>(got));
+  EXPECT_EQ(std::get<WorkerRefusal>(got).message, "Cannot read it.");
+}
+
 TEST(ScanTransport, DamagedBytesNeverHarmTheParent) {
   const OwnedFd memory(::memfd_create("relievo-test", MFD_CLOEXEC));
   sendAnswer(memory.get(), wholeScan());
