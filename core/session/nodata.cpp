@@ -128,6 +128,21 @@ std::string missingWords(std::uint64_t missing, double value) {
          (missing == 1 ? " was" : " were") + " taken as missing.";
 }
 
+std::optional<FileBounds> boundsWithout(const RasterMap& raster, double value) {
+  std::optional<FileBounds> box;
+  for (std::size_t i = 0; i < raster.values.size(); ++i) {
+    const auto height = static_cast<double>(raster.values[i]);
+    if (!raster.valid[i] || isHeight(height, value, 0)) continue;
+    if (!box) {
+      box = raster.info.bounds.value_or(FileBounds{});
+      box->min.z = box->max.z = height;
+    }
+    box->min.z = std::min(box->min.z, height);
+    box->max.z = std::max(box->max.z, height);
+  }
+  return box;
+}
+
 std::uint64_t takeAsMissing(RasterMap& raster, double value) {
   std::uint64_t missing = 0;
   std::uint64_t left = 0;

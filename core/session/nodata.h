@@ -8,8 +8,9 @@
 
 namespace relievo {
 
-struct Scan;       // core/cloud/scan.h
-struct RasterMap;  // core/io/raster/raster.h
+struct FileBounds;  // core/cloud/scan.h
+struct Scan;        // core/cloud/scan.h
+struct RasterMap;   // core/io/raster/raster.h
 
 /// What somebody said of heights that stand for none and are not declared as such in the file;
 /// while nothing is said, a suspect one is left out (docs/adr/0216).
@@ -41,6 +42,9 @@ bool isUsualNodata(double value);
 /// "1 204 of 40 000 heights are -9999, which often stands for a missing one; ..."
 std::string suspectWords(const SuspectHeight& suspect);
 std::string missingWords(std::uint64_t missing, double value);
+
+/// The box of the heights that are not this one, file unit; nothing: there is none.
+std::optional<FileBounds> boundsWithout(const RasterMap& raster, double value);
 
 /// Marks the cells with this height as none. @return  how many  @throw FileError  none is left
 std::uint64_t takeAsMissing(RasterMap& raster, double value);

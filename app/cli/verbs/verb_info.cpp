@@ -60,6 +60,11 @@ Json jsonOf(const FilePoint& p) {
   return Json{p.x, p.y, p.z};
 }
 
+Json jsonOf(const std::optional<FileBounds>& box) {
+  if (!box) return nullptr;
+  return {{"min", jsonOf(box->min)}, {"max", jsonOf(box->max)}};
+}
+
 struct InfoArguments {
   std::string file, unit;
   std::vector<std::string> with;
@@ -73,17 +78,25 @@ struct FileFacts {
   std::optional<IntensityRange> intensity;  ///< Smallest and largest of the points.
   Strays strays;
   std::optional<SuspectHeight> suspect_height;
-  std::optional<FileBounds> box;  ///< What the unit is guessed from: the box without strays.
+  /// What a map is made of and the unit guessed from: the box without strays and without heights
+  /// that stand for none.
+  std::optional<FileBounds> box_in_use;
 };
 
+/// What a map leaves out if nobody says otherwise.
+std::optional<double> leftOutOf(const std::optional<SuspectHeight>& suspect) {
+  return suspect ? std::optional<double>(suspect->value) : std::nullopt;
+}
+
 FileFacts factsOf(const Scan& scan, const Task& task) {
-  const ScanInUse in_use(scan, StrayRule::drop, std::nullopt, task);
+  const std::optional<SuspectHeight> suspect = suspectHeight(scan);
+  const ScanInUse in_use(scan, StrayRule::drop, leftOutOf(suspect), task);
   FileFacts facts{.info = scan.info,
                   .classes = {},
                   .intensity = std::nullopt,
                   .strays = in_use.strays(),
-                  .suspect_height = suspectHeight(scan),
-                  .box = in_use.scan().info.bounds};
+                  .suspect_height = suspect,
+                  .box_in_use = in_use.scan().info.bounds};
   for (const std::uint8_t number : scan.classes) ++facts.classes[number];
   if (scan.info.intensity && !scan.intensities.empty()) {
     const auto [least, most] =
@@ -102,12 +115,13 @@ FileFacts readFacts(const InfoArguments& a, const InputFacts& facts, const Task&
       openInput(a.file, {.import = importOptions(a.scan), .by_tiles = false, .facts = facts}, task);
   if (source.raster) {
     const RasterMap& raster = *source.raster;
+    const std::optional<SuspectHeight> suspect = suspectHeight(raster);
     return {.info = raster.info,
             .classes = {},
             .intensity = std::nullopt,
             .strays = {},
-            .suspect_height = suspectHeight(raster),
-            .box = raster.info.bounds};
+            .suspect_height = suspect,
+            .box_in_use = suspect ? boundsWithout(raster, suspect->value) : raster.info.bounds};
   }
   return factsOf(*source.scan, task);
 }
@@ -289,7 +303,7 @@ struct UnitFacts {
 
 UnitFacts unitFacts(const FileFacts& found, const std::optional<LengthUnit>& given) {
   UnitFacts facts{.without_strays = found.info};
-  facts.without_strays.bounds = found.box;
+  facts.without_strays.bounds = found.box_in_use;
   const UnitInUse used = unitInUse(facts.without_strays, given, UnitSource::given);
   facts.unit = used.unit;
   facts.source = used.source;
@@ -312,10 +326,8 @@ Json jsonOfFacts(const InfoArguments& a, const FileFacts& found, const UnitFacts
   json["points"] = info.points;
   json["finite_points"] = info.finite_points;
   json["faces"] = info.faces;
-  json["bounds"] = nullptr;
-  if (info.bounds) {
-    json["bounds"] = {{"min", jsonOf(info.bounds->min)}, {"max", jsonOf(info.bounds->max)}};
-  }
+  json["bounds"] = jsonOf(info.bounds);
+  json["bounds_in_use"] = jsonOf(found.box_in_use);
   json["size_mm"] = nullptr;
   json["likely_unit"] = nullptr;
   json["unit"] = name(unit.unit);
@@ -346,6 +358,10 @@ std::vector<std::string> linesOfFacts(const InfoArguments& a, const FileFacts& f
     const FilePoint size_mm = mmPer(unit.unit) * (info.bounds->max - info.bounds->min);
     lines.push_back("size " + sizeText(size_mm) +
                     (unit.isSaid() ? "" : ", if one unit is 1 " + unit_name));
+  }
+  if (found.box_in_use && found.box_in_use != info.bounds) {
+    lines.push_back("without what is left out from " + json["bounds_in_use"]["min"].dump() +
+                    " to " + json["bounds_in_use"]["max"].dump());
   }
   addValueLines(found, lines);
   return lines;

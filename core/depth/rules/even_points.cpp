@@ -18,6 +18,8 @@ constexpr double kPointsOfCube = 8;
 // Points in a cube and around it, itself among them: a surface meets some nine of these cubes.
 constexpr double kFewestCompany = 4;
 constexpr double kCompanyOfMean = 0.8;  // In cubes of the mean number of points.
+// A cube with fewer points than this share of what those around it hold lies beside the surface.
+constexpr double kShareOfAround = 0.5;
 
 /// Fibonacci hashing: the upper bits of the product are well mixed.
 std::uint64_t mixed(std::uint64_t number) {
@@ -87,22 +89,29 @@ class CubeGrid {
     return step(p.x, low_.x) | step(p.y, low_.y) << 21U | step(p.z, low_.z) << 42U;
   }
 
-  /// Do a cube and the 26 around it hold so many points? @param counts  knows points(number)
+  /// What the 26 cubes around one hold.
+  struct Around {
+    std::uint32_t points = 0;
+    std::uint32_t cubes = 0;  ///< With points.
+  };
+  /// @param counts  knows points(number)
   template <class Counts>
-  static bool holdAround(std::uint64_t number, const Counts& counts, std::uint32_t company) {
-    std::uint32_t sum = 0;
-    for (int k = 0; k < 27 && sum < company; ++k) {
+  static Around around(std::uint64_t number, const Counts& counts) {
+    Around found;
+    for (int k = 0; k < 27; ++k) {
       const std::array<int, 3> off{k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
       std::uint64_t near = 0;
-      bool is_there = true;
+      bool is_there = k != kOwnOf27;
       for (unsigned axis = 0; axis < 3; ++axis) {
         const auto at = static_cast<std::int64_t>(number >> (21U * axis) & kLast) + off[axis];
         is_there = is_there && at >= 0 && at <= static_cast<std::int64_t>(kLast);
         near |= (static_cast<std::uint64_t>(at) & kLast) << (21U * axis);
       }
-      if (is_there) sum += counts.points(near);
+      const std::uint32_t points = is_there ? counts.points(near) : 0;
+      found.points += points;
+      found.cubes += points > 0 ? 1 : 0;
     }
-    return sum >= company;
+    return found;
   }
 
   /// Along one axis.
@@ -111,6 +120,7 @@ class CubeGrid {
   }
 
  private:
+  static constexpr int kOwnOf27 = 13;
   static constexpr std::uint64_t kLast = (1U << 21U) - 1;
   static constexpr auto kMostSteps = static_cast<double>(kLast);
   ViewMm low_;
@@ -281,20 +291,40 @@ class SharedCubes {
   std::vector<std::uint64_t> numbers_;  // Of a batch's points, and some that are not looked at.
 };
 
-/// The middle of each cube that holds points enough, itself or with those around it, in the order
-/// in which the cubes were met. Thinning leaves of a surface one point in many, of strays every
-/// one: most of what is chosen would be strays. Their cubes have nobody around.
-std::vector<std::array<float, 3>> inCompany(const SharedCubes& cubes, std::uint64_t count) {
+/// Does a cube lie on a surface? Thinning leaves of a surface one point in many, of strays every
+/// one: most of what is chosen would be strays. Their cubes have nobody around, or hold one point
+/// where those beside them hold many.
+class OnSurface {
+ public:
+  OnSurface(const SharedCubes& cubes, std::uint64_t count)
+      : cubes_(cubes), mean_(static_cast<double>(count) / static_cast<double>(cubes.count())) {}
+
+  bool operator()(const SummedCubes::Cube& cube) const {
+    const double own = cube.count;
+    const double company = std::max(kFewestCompany, std::floor(kCompanyOfMean * mean_));
+    if (own >= company) return true;
+    const CubeGrid::Around near = CubeGrid::around(cube.number, cubes_);
+    if (own + near.points < company) return false;
+    const bool is_thin = own < kShareOfAround * mean_;
+    return !is_thin || own * near.cubes >= kShareOfAround * near.points;
+  }
+
+ private:
+  const SharedCubes& cubes_;
+  double mean_;  // Points of a cube.
+};
+
+/// The middle of each cube that lies on a surface, in the order in which the cubes were met.
+std::vector<std::array<float, 3>> middlesOnSurfaces(const SharedCubes& cubes, std::uint64_t count) {
   struct Chosen {
     std::uint64_t first;
     std::array<float, 3> middle;
   };
-  const double mean = static_cast<double>(count) / static_cast<double>(cubes.count());
-  const auto company = static_cast<std::uint32_t>(std::max(kFewestCompany, kCompanyOfMean * mean));
+  const OnSurface is_on_surface(cubes, count);
   std::vector<std::vector<Chosen>> of_shares(cubes.shares().size());
   cubes.onEach([&](std::size_t own) {
     for (const SummedCubes::Cube& cube : cubes.shares()[own].cubes()) {
-      if (cube.count < company && !CubeGrid::holdAround(cube.number, cubes, company)) continue;
+      if (!is_on_surface(cube)) continue;
       const double points = cube.count;
       of_shares[own].push_back(
           {cube.first, single({cube.sum.x / points, cube.sum.y / points, cube.sum.z / points})});
@@ -345,7 +375,7 @@ std::vector<std::array<float, 3>> evenPoints(const ViewBlocks& points, const Vie
   SharedCubes cubes(threads, CubeGrid(box, std::max(cube_side, side / (1U << 20U))), box.min,
                     wanted);
   fill(cubes);
-  return inCompany(cubes, count);
+  return middlesOnSurfaces(cubes, count);
 }
 
 }  // namespace relievo

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "core/io/raster/raster.h"
@@ -36,6 +37,30 @@ TEST_F(Batch, InfoTellsWhatAFileHolds) {
   EXPECT_EQ(info["size_mm"], json({100, 100, 10}));
   EXPECT_EQ(info["likely_unit"], "mm");
   EXPECT_THAT(result.err, HasSubstr("unit"));
+}
+
+TEST_F(Batch, InfoTellsTheBoxWithoutHeightsThatStandForNone) {
+  EXPECT_EQ(reportOf(runRelievo({"info", plane(), "--report", "json"}))["bounds_in_use"]["min"],
+            json({0, 0, 5}));
+  std::ofstream file(path("holed.xyz"));
+  std::ofstream grid(path("holed.asc"));
+  grid << "ncols 40\nnrows 30\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  for (int i = 0; i < 1200; ++i) {
+    const int z = i % 7 == 0 ? -9999 : 200 + i % 61;
+    file << i % 40 << ' ' << i / 40 << ' ' << z << '\n';
+    grid << z << (i % 40 == 39 ? '\n' : ' ');
+  }
+  file.close();
+  grid.close();
+  for (const char* name : {"holed.xyz", "holed.asc"}) {
+    const CommandResult result = runRelievo({"info", path(name), "--report", "json"});
+    const json info = reportOf(result);
+    EXPECT_EQ(info["bounds"]["min"][2], -9999) << name;
+    EXPECT_EQ(info["bounds_in_use"]["min"][2], 200) << name;
+    EXPECT_EQ(info["bounds_in_use"]["max"], info["bounds"]["max"]) << name;
+  }
+  EXPECT_THAT(runRelievo({"info", path("holed.xyz")}).out,
+              HasSubstr("without what is left out from [0.0,0.0,200.0] to"));
 }
 
 TEST_F(Batch, LimitsOfTheSystemAreNamedAsTheCause) {

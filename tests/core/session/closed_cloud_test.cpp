@@ -158,6 +158,16 @@ Scan noisyCapsule(std::size_t count, double noise_mm) {
   return scan;
 }
 
+// Of points far off by their noise thinning leaves more than of the surface: those before it must
+// not hide it.
+TEST(ClosedCloud, CellsOfADenseNoisyCloudAreMeasured) {
+  const Surface surface = makeSurface(noisyCapsule(1'000'000, 0.1), seenFrom("top"), rasterize);
+  const OriginCounts cells = originCounts(surface.map);
+  const auto of = [&cells](CellStatus status) { return cells[static_cast<std::size_t>(status)]; };
+  ASSERT_GT(of(CellStatus::measured), 50'000U);
+  EXPECT_LT(of(CellStatus::interpolated), of(CellStatus::measured) / 20);
+}
+
 TEST(ClosedCloud, NoiseMakesNoCellSteep) {
   const Surface surface = makeSurface(noisyCapsule(200'000, 0.2), seenFrom("top"), rasterize);
   const GridFrame& frame = surface.map.frame;

@@ -49,6 +49,12 @@ TEST(SuspectHeight, IsOneThatProgramsWriteForNoneFarFromTheOthers) {
   }
 }
 
+TEST(BoundsWithout, IsTheBoxOfTheOtherHeights) {
+  const auto box = boundsWithout(rasterWith(-9999, 7), -9999);
+  EXPECT_EQ(box, (FileBounds{{0, 0, 200}, {39, 29, 260}}));
+  EXPECT_FALSE(boundsWithout(rasterWith(-9999, 1), -9999).has_value());
+}
+
 TEST(SuspectHeight, AreNoneOfOrdinaryHeights) {
   EXPECT_FALSE(suspectHeight(rasterWith(0, 0)).has_value());
   EXPECT_FALSE(suspectHeight(rasterWith(-20, 7)).has_value()) << "a pit";

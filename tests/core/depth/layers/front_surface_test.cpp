@@ -82,6 +82,21 @@ TEST(EvenPoints, LeaveOutStraysThatThinningWouldMakeMany) {
   EXPECT_LT(strays, 50);
 }
 
+TEST(EvenPoints, LeaveOutStraysBesideTheSurface) {
+  std::vector<ViewMm> points = sheets(100'000, {10}, 21);
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> place(0, 1);
+  // Cubes are 1.4 mm wide: the next two to the sheet's, which have company enough.
+  for (int i = 0; i < 1000; ++i) {
+    points.push_back({100 * place(random), 100 * place(random), 11.5 + 2.5 * place(random)});
+  }
+  const auto even = evenPoints(blocksOf(points), kBox, points.size(), 5000, {});
+  const auto strays =
+      std::count_if(even.begin(), even.end(), [](const auto& p) { return p[2] > 11.5F; });
+  EXPECT_GT(even.size(), 3500U);
+  EXPECT_LT(strays, 100);
+}
+
 TEST(FrontSurface, TheNearerOfTwoSheetsHidesTheOther) {
   const auto points = sheets(20'000, {10, 50}, 3);
   const FrontSurface front(blocksOf(points), kBox, points.size(), {});
