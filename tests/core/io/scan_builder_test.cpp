@@ -38,8 +38,8 @@ std::vector<std::pair<std::string, Points>> clouds() {
   Points zeros = randomPoints(0, 5);
   for (auto& p : zeros) p[0] = std::abs(p[0]) + 1;
   for (auto& p : zeros) p[1] = -std::abs(p[1]) - 1;
-  zeros[90'000] = {-0.0F, -0.0F, 1};
-  zeros[90'001] = {0.0F, 0.0F, 1};
+  zeros[90'007] = {-0.0F, -0.0F, 1};  // Looked at together with the next, in another lane.
+  zeros[90'008] = {0.0F, 0.0F, 1};
   zeros[140'000] = {0.0F, -0.0F, 1};
   Points plane = randomPoints(0, 5);
   for (std::size_t i = 0; i < plane.size(); ++i) plane[i][2] = i % 2 == 0 ? 0.0F : -0.0F;
