@@ -26,6 +26,7 @@ struct TouchSettings {
   double window_silence_s = 2;   ///< ForceStopOptions; only in the settings' file.
   bool bound_by_rate = true;     ///< Likewise: false only where a device is emulated (E306).
   bool holds_grip = true;        ///< HapticOptions.
+  GripPosition grip = GripPosition::upright;  ///< Likewise.
   SoundSettings sound;
   friend bool operator==(const TouchSettings&, const TouchSettings&) = default;
 };

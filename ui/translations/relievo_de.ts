@@ -2571,6 +2571,34 @@
         <source>%1 (not here now)</source>
         <translation>%1 (gerade nicht da)</translation>
     </message>
+    <message>
+        <source>Before you, relief upright</source>
+        <translation>Vor Ihnen, Relief aufrecht</translation>
+    </message>
+    <message>
+        <source>Before you, relief flat</source>
+        <translation>Vor Ihnen, Relief liegend</translation>
+    </message>
+    <message>
+        <source>At your left, turned to you</source>
+        <translation>Links von Ihnen, Ihnen zugewandt</translation>
+    </message>
+    <message>
+        <source>At your right, turned to you</source>
+        <translation>Rechts von Ihnen, Ihnen zugewandt</translation>
+    </message>
+    <message>
+        <source>How the device stands</source>
+        <translation>Wie das Gerät steht</translation>
+    </message>
+    <message>
+        <source>Which way the grip is pushed to press: away from you, or down onto a relief that lies flat; or the device stands beside you. Forces go off when it changes. The mouse is the same in each.</source>
+        <translation>Wohin der Griff gedrückt wird: von Ihnen weg, oder nach unten auf ein liegendes Relief; oder das Gerät steht neben Ihnen. Beim Wechsel gehen die Kräfte aus. Die Maus ist in jeder gleich.</translation>
+    </message>
+    <message>
+        <source>Grip posi&amp;tion</source>
+        <translation>Grif&amp;fposition</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DeviceSetupDialog</name>
@@ -3916,10 +3944,6 @@
         <translation>An: berechnet und gezeigt; eine Maus kann nicht zurückdrücken.</translation>
     </message>
     <message>
-        <source>St&amp;rength</source>
-        <translation>&amp;Stärke</translation>
-    </message>
-    <message>
         <source>Forces &amp;on</source>
         <translation>&amp;Kräfte an</translation>
     </message>
@@ -3932,24 +3956,8 @@
         <translation>Kräfte ein- oder ausschalten (F5). Esc schaltet sie aus.</translation>
     </message>
     <message>
-        <source>Strength in percent</source>
-        <translation>Stärke in Prozent</translation>
-    </message>
-    <message>
-        <source>Multiplies every force. The limit stays.</source>
-        <translation>Vervielfacht jede Kraft. Die Grenze bleibt.</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>Stärke</translation>
-    </message>
-    <message>
         <source>State of the forces</source>
         <translation>Zustand der Kräfte</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
     </message>
     <message>
         <source>On. E306: Update rate fell to %1 per second (need %2). Stiffness reduced from %3 to %4 N/m.</source>
@@ -4009,6 +4017,14 @@
     <message>
         <source>Touch: advanced</source>
         <translation>Fühlen: erweitert</translation>
+    </message>
+    <message>
+        <source>Strength: %1.</source>
+        <translation>Stärke: %1.</translation>
+    </message>
+    <message>
+        <source>Grip position: %1.</source>
+        <translation>Griffposition: %1.</translation>
     </message>
 </context>
 <context>
@@ -10630,6 +10646,56 @@
     </message>
 </context>
 <context>
+    <name>relievo::SoundControl</name>
+    <message>
+        <source>the sound server does not answer</source>
+        <translation>der Klangserver antwortet nicht</translation>
+    </message>
+    <message>
+        <source>There is no sound: %1. Touch goes on without it. Switch the sounds off and on to try again.</source>
+        <translation>Es gibt keinen Klang: %1. Das Fühlen geht ohne ihn weiter. Schalten Sie die Klänge aus und wieder ein, um es neu zu versuchen.</translation>
+    </message>
+    <message>
+        <source>Sounds of touch at %1 percent.</source>
+        <translation>Klänge beim Fühlen bei %1 Prozent.</translation>
+    </message>
+    <message>
+        <source>Sounds of touch on.</source>
+        <translation>Klänge beim Fühlen an.</translation>
+    </message>
+    <message>
+        <source>Sounds of touch off.</source>
+        <translation>Klänge beim Fühlen aus.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SoundRows</name>
+    <message>
+        <source>Sounds of touch</source>
+        <translation>Klänge beim Fühlen</translation>
+    </message>
+    <message>
+        <source>Volume of the sounds in percent</source>
+        <translation>Lautstärke der Klänge in Prozent</translation>
+    </message>
+    <message>
+        <source>Hear what the hand meets, while it touches (Ctrl+Alt+A).</source>
+        <translation>Hören, worauf die Hand trifft, während sie fühlt (Ctrl+Alt+A).</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the sounds of touch; speech has a volume of its own.</source>
+        <translation>Der Klänge beim Fühlen; die Sprache hat eine eigene Lautstärke.</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Lautstärke</translation>
+    </message>
+</context>
+<context>
     <name>relievo::StartPage</name>
     <message>
         <source>Acceptance relief: dome, step, ridge, grating</source>
@@ -11214,6 +11280,57 @@
     <message>
         <source>Interlaced</source>
         <translation>Zeilenweise</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StrengthRow</name>
+    <message>
+        <source>Gentle</source>
+        <translation>Sanft</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Voll</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>Strength in percent</source>
+        <translation>Stärke in Prozent</translation>
+    </message>
+    <message>
+        <source>Multiplies every force. The limit stays.</source>
+        <translation>Vervielfacht jede Kraft. Die Grenze bleibt.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Strength of all forces</source>
+        <translation>Stärke aller Kräfte</translation>
+    </message>
+    <message>
+        <source>Own strength</source>
+        <translation>Eigene Stärke</translation>
+    </message>
+    <message>
+        <source>How strong all forces are, in one choice.</source>
+        <translation>Wie stark alle Kräfte sind, in einer Auswahl.</translation>
+    </message>
+    <message>
+        <source>St&amp;rength</source>
+        <translation>&amp;Stärke</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -11888,6 +12005,30 @@
         <source>Make the sounds of touch quieter (Ctrl+Alt+Page Down)</source>
         <translation>Die Klänge beim Fühlen leiser machen (Ctrl+Alt+Bild ab)</translation>
     </message>
+    <message>
+        <source>Next strength &amp;preset</source>
+        <translation>Nächste Stärkest&amp;ufe</translation>
+    </message>
+    <message>
+        <source>Gentle, medium and full strength, one after another (Ctrl+Alt+F)</source>
+        <translation>Sanfte, mittlere und volle Stärke, eine nach der anderen (Strg+Alt+F)</translation>
+    </message>
+    <message>
+        <source>The panel Touch has the same choice, and every strength between.</source>
+        <translation>Das Feld Fühlen hat dieselbe Auswahl und jede Stärke dazwischen.</translation>
+    </message>
+    <message>
+        <source>Next grip posi&amp;tion</source>
+        <translation>Nächst&amp;e Griffposition</translation>
+    </message>
+    <message>
+        <source>How the device stands: upright, flat, at the left or the right, one after another (Ctrl+Alt+H)</source>
+        <translation>Wie das Gerät steht: aufrecht, liegend, links oder rechts, eins nach dem anderen (Strg+Alt+H)</translation>
+    </message>
+    <message>
+        <source>Which way the grip is pushed to press into the relief. Forces go off first.</source>
+        <translation>Wohin der Griff gedrückt wird, um ins Relief zu drücken. Vorher gehen die Kräfte aus.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TouchController</name>
@@ -12515,56 +12656,6 @@
     <message>
         <source>hand scale 1 : %1</source>
         <translation>Maßstab der Hand 1 : %1</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::SoundControl</name>
-    <message>
-        <source>the sound server does not answer</source>
-        <translation>der Klangserver antwortet nicht</translation>
-    </message>
-    <message>
-        <source>There is no sound: %1. Touch goes on without it. Switch the sounds off and on to try again.</source>
-        <translation>Es gibt keinen Klang: %1. Das Fühlen geht ohne ihn weiter. Schalten Sie die Klänge aus und wieder ein, um es neu zu versuchen.</translation>
-    </message>
-    <message>
-        <source>Sounds of touch at %1 percent.</source>
-        <translation>Klänge beim Fühlen bei %1 Prozent.</translation>
-    </message>
-    <message>
-        <source>Sounds of touch on.</source>
-        <translation>Klänge beim Fühlen an.</translation>
-    </message>
-    <message>
-        <source>Sounds of touch off.</source>
-        <translation>Klänge beim Fühlen aus.</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::SoundRows</name>
-    <message>
-        <source>Sounds of touch</source>
-        <translation>Klänge beim Fühlen</translation>
-    </message>
-    <message>
-        <source>Volume of the sounds in percent</source>
-        <translation>Lautstärke der Klänge in Prozent</translation>
-    </message>
-    <message>
-        <source>Hear what the hand meets, while it touches (Ctrl+Alt+A).</source>
-        <translation>Hören, worauf die Hand trifft, während sie fühlt (Ctrl+Alt+A).</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
-    </message>
-    <message>
-        <source>Of the sounds of touch; speech has a volume of its own.</source>
-        <translation>Der Klänge beim Fühlen; die Sprache hat eine eigene Lautstärke.</translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Lautstärke</translation>
     </message>
 </context>
 </TS>

@@ -51,6 +51,9 @@ constexpr GuidePhase lastOf(GuidePhase) {
 constexpr GuideEnd lastOf(GuideEnd) {
   return GuideEnd::surface;
 }
+constexpr GripPosition lastOf(GripPosition) {
+  return GripPosition::right;
+}
 
 // JSON has no numbers for these.
 constexpr const char* kInfinity = "inf";
