@@ -153,6 +153,11 @@ ForceResult bareForce(const ForceOptions& options, const ForceInput& input,
   return {sum, norm(sum), false, options.limit_n, {}, state};
 }
 
+DeviceN liftOf(const ForceOptions& options, double rise) RELIEVO_REALTIME {
+  const double up_n = rise * options.lift_n;
+  return options.lift_out ? DeviceN{0, 0, up_n} : DeviceN{0, up_n, 0};
+}
+
 ForceResult force(const ForceOptions& options, const ForceInput& input,
                   ForceState state) RELIEVO_REALTIME {
   const DeviceN pressed = pressedForce(options, input);
@@ -164,7 +169,7 @@ ForceResult force(const ForceOptions& options, const ForceInput& input,
   result.limit_n = input.fault ? 0 : limitForAge(options, input.age_s);
   sum = passiveSum(options, input, sum, state, result);
   // What holds the grip is as heavy as the grip, whatever people set of the surface.
-  const DeviceN lift{0, state.rise * options.lift_n, 0};
+  const DeviceN lift = liftOf(options, state.rise);
   const DeviceN wanted = (options.strength * state.rise) * sum + lift;
   const DeviceN command = finiteOrZero(wanted);
 

@@ -16,8 +16,9 @@ struct ForceOptions {
   double stiffness_n_per_mm = 0.5;  ///< The paper's k, N per mm of hand; > 0.
   double damping_n_s_per_mm = 0;    ///< Against the speed of pressing in, of the hand; >= 0.
   double strength = 0.6;            ///< What people set: the spring's force times this, 0 .. 1.
-  double lift_n = 0;   ///< Upward, against the grip's weight; not scaled by strength; 0: none.
-  double limit_n = 6;  ///< Cap; never above the device's own limit.
+  double lift_n = 0;      ///< Upward, against the grip's weight; not scaled by strength; 0: none.
+  bool lift_out = false;  ///< Upward is out of the surface, which lies; false: along it, y.
+  double limit_n = 6;     ///< Cap; never above the device's own limit.
   double engage_slew_n_per_s = 20;    ///< Largest rise of force per second while forces come on.
   double contact_slew_n_per_s = 200;  ///< Largest change of force per second afterwards.
   double rise_s = 1;                  ///< Forces fade in over this time.
@@ -39,6 +40,9 @@ using DetailStiffness = std::array<double, 4>;
 inline constexpr DetailStiffness kDetailStiffness{0.8, 0.8, 0.6, 0.5};
 double stiffnessForDetail(int detail,
                           const DetailStiffness& of = kDetailStiffness) RELIEVO_REALTIME;
+
+/// What holds the grip once forces have risen so far, 0 .. 1.
+DeviceN liftOf(const ForceOptions& options, double rise) RELIEVO_REALTIME;
 
 enum class EngagePhase : std::uint8_t { off, waiting, rising, on };
 

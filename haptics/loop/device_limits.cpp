@@ -45,7 +45,10 @@ HapticOptions withinDevice(HapticOptions options, const DeviceInfo& device) RELI
   keepBelow(force.damping_n_s_per_mm, device.max_damping_n_s_per_mm);
   keepBelow(force.engage_slew_n_per_s, device.max_slew_n_per_s);
   keepBelow(force.contact_slew_n_per_s, device.max_slew_n_per_s);
-  options.workspace = device.workspace;
+  // Mouse and keys say where the hand is on the relief, and so does whoever simulates one.
+  if (device.simulated || !(device.max_force_n > 0)) options.grip = GripPosition::upright;
+  force.lift_out = options.grip == GripPosition::flat;
+  options.workspace = handFromDevice(options.grip, device.workspace);
   options.cushion = options.cushion || (!device.simulated && device.max_force_n > 0);
   force.passivity.position_step_mm = device.position_step_mm;
   force.passivity.force_delay_ticks = device.force_delay_ticks;

@@ -183,7 +183,7 @@ void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
     force_ = refade(force_);
     change_.stop();
   }
-  felt_ = {space.window_id, space.scene_id, space.surface};
+  felt_ = {space.window_id, space.scene_id, space.surface, felt_.grip};
   placed_ = true;
   if (hovers) {
     proxy_ = {hip, hip, false, false};
@@ -347,7 +347,7 @@ void HapticCore::check(const ForceOptions& options, const ForceInput& input, boo
 void HapticCore::checkGuide(const GuideStep& step, const ForceOptions& options,
                             DeviceN sent) RELIEVO_REALTIME {
   if (chain_ == ForceChain::bare) return;
-  const DeviceN lift{0, force_.rise * options.lift_n, 0};  // Holds the grip, and leads nowhere.
+  const DeviceN lift = liftOf(options, force_.rise);  // Holds the grip, and leads nowhere.
   const DeviceN led = sent == DeviceN{} ? sent : sent - lift;
   const DeviceMm u = step.direction;
   const double along_n = led.x * u.x + led.y * u.y + led.z * u.z;
@@ -369,6 +369,9 @@ HapticSample HapticCore::tick(const HapticSpace& space, const HapticSpace& previ
 HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* previous,
                                 const HapticOptions& asked, const DeviceReading& reading,
                                 std::int64_t now_ns, const GuidePath* path) RELIEVO_REALTIME {
+  // The hand is elsewhere at once, though nobody moved: nothing of before is true of it.
+  if (asked.grip != felt_.grip && tick_ > 0) reset();
+  felt_.grip = asked.grip;
   rate_.tick(now_ns, reading.time_ns);
   const HapticOptions options = settled(asked, space.detail);
   const DeviceFault fault = latch(options, reading);

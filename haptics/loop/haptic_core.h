@@ -22,6 +22,7 @@
 #include "haptics/loop/surface_fields.h"
 #include "haptics/proxy/proxy.h"
 #include "haptics/rt/realtime.h"
+#include "haptics/space/grip_position.h"
 #include "haptics/space/haptic_space.h"
 
 namespace relievo {
@@ -44,7 +45,7 @@ struct HapticOptions {
   /// A cushion at the workspace's edge; with a frame always. withinDevice() asks for it where a
   /// person holds a device that pushes.
   bool cushion = false;
-  Workspace workspace;   ///< The device's.
+  Workspace workspace;   ///< The device's, as the hand has it.
   std::uint64_t id = 0;  ///< Given by whoever sets them; names these very values in recordings.
   MoveDetent detent;     ///< While on, felt in place of the surface.
   GuideOptions guide;    ///< Likewise, while it leads.
@@ -57,6 +58,9 @@ struct HapticOptions {
   bool bound_by_rate = true;
   bool holds_grip = true;  ///< Against the grip's weight, where it is known and not held already.
   DeviceTiming timing{.rate_hz = 0};  ///< The device's; rate 0: not known.
+  /// How the device stands: readings and forces of the core are the hand's, whatever it is. Another
+  /// one begins as the first tick does, without force.
+  GripPosition grip = GripPosition::upright;
 };
 static_assert(std::is_trivially_copyable_v<HapticOptions>);
 
@@ -111,10 +115,11 @@ struct HapticSample {
 };
 static_assert(std::is_trivially_copyable_v<HapticSample>);
 
-/// What names the surface of a tick.
+/// What names the surface of a tick, and how the device stood to it.
 struct FeltSurface {
   std::uint64_t window_id = 0, scene_id = 0;
   SurfaceKind surface = SurfaceKind::crease_aware;
+  GripPosition grip = GripPosition::upright;
 };
 
 /// The loop without a thread, a clock or a device: the loop's thread, tests and `touch` drive it.

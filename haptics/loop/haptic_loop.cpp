@@ -98,7 +98,8 @@ void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
   const HapticOptions now_options = optionsNow(now_ns, forces_allowed);
   if (watchdog->beat(now_ns)) core.resume();
   if (core.pausedUntil(now_ns)) meter.paused();
-  const DeviceReading reading = device->read(now_ns);
+  DeviceReading reading = device->read(now_ns);
+  reading.position = handFromDevice(now_options.grip, reading.position);
   const std::int64_t before_ns = monotonicNs();
   // A device that cannot push back is shown the new surface at once.
   const bool gradual = device->info().max_force_n > 0;
@@ -113,7 +114,8 @@ void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
               : core.tick(spaces.front(), now_options, reading, now_ns, &paths.front());
   sample.tick_ns =
       static_cast<std::int32_t>(std::min<std::int64_t>(monotonicNs() - before_ns, 2'000'000'000));
-  device->send(sample.force, now_ns);  // Before anything else: what waits now is a hand.
+  // Before anything else: what waits now is a hand.
+  device->send(deviceFromHand(now_options.grip, sample.force), now_ns);
   meter.computed(sample.tick_ns);
   meter.note(core.audit(), watchdog->cuts());
   sample.late = late;

@@ -72,7 +72,7 @@ HapticOptions strokeHapticOptions(const StrokeOptions& options) {
   core.force.transient = options.transient;
   core.force.stiffness_n_per_mm = options.stiffness_n_per_mm;
   core.force.damping_n_s_per_mm = options.damping_n_s_per_mm;
-  core.force.strength = 1;
+  core.force.strength = options.strength;
   core.force.forces_on = true;
   return options.device != nullptr ? withinDevice(core, options.device->info()) : core;
 }

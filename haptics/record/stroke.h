@@ -41,8 +41,8 @@ struct StrokeOptions {
   DetailStiffness detail_stiffness = kDetailStiffness;
   FieldOptions fields;
   TransientOptions transient;
-  /// `whole`: ramp, slew, cap, as in the window, at full strength.
-  ForceChain chain = ForceChain::bare;
+  ForceChain chain = ForceChain::bare;  ///< `whole`: ramp, slew, cap, as in the window.
+  double strength = 1;                  ///< Of the whole chain, 0 .. 1.
   StrokeFrame frame = StrokeFrame::view;
   /// An open device that follows the stroke and feels the force; null: the hand is the stroke.
   SteeredDevice* device = nullptr;

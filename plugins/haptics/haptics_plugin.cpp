@@ -2,9 +2,14 @@
 #include "plugins/haptics/haptics_plugin.h"
 
 #include <algorithm>
+#include <array>
 #include <QAction>
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
+
+#include "haptics/loop/strength_preset.h"
+#include "plugins/haptics/panel/device_rows.h"
+#include "plugins/haptics/panel/strength_row.h"
 
 namespace relievo {
 
@@ -95,6 +100,8 @@ void HapticsPlugin::connectActions() {
   connect(actions.take_back, &QAction::triggered, this, &HapticsPlugin::takeForceBack);
   connect(actions.stronger, &QAction::triggered, this, [this] { changeStrength(kStrengthStep); });
   connect(actions.weaker, &QAction::triggered, this, [this] { changeStrength(-kStrengthStep); });
+  connect(actions.strength_preset, &QAction::triggered, this, &HapticsPlugin::nextStrengthPreset);
+  connect(actions.grip_position, &QAction::triggered, this, &HapticsPlugin::nextGripPosition);
   connect(actions.record, &QAction::toggled, guide_.get(), &GuideControl::setRecording);
   connect(actions.note, &QAction::triggered, recording_.get(), &RecordingControl::askNote);
   connect(actions.setup, &QAction::triggered, device_.get(), &HandDevice::setUp);
@@ -117,7 +124,10 @@ void HapticsPlugin::takePanelSettings() {
   settings.limit_n = settings_.limit_n;
   settings.introduction_shapes = settings_.introduction_shapes;
   settings.guide_rounds = settings_.guide_rounds;
+  const bool regripped = settings.grip != settings_.grip;
+  if (regripped) dropForces(SaidBecause::asked);
   settings_ = settings;
+  if (regripped) tellGripPosition();
   if (settings_.device != device_->opened()) requested_device_ = settings_.device;
   device_->useSettings();
   applySettings();
@@ -196,6 +206,33 @@ void HapticsPlugin::changeStrength(int percent) {
   parts_->showSettings();
   applySettings();
   parts_->host.messages.announce(tr("Strength %1 percent.").arg(settings_.strength_percent));
+}
+
+void HapticsPlugin::nextStrengthPreset() {
+  const auto* const next = std::find_if(
+      kStrengthPresets.begin(), kStrengthPresets.end(),
+      [this](const StrengthPreset& preset) { return preset.percent > settings_.strength_percent; });
+  settings_.strength_percent =
+      (next != kStrengthPresets.end() ? *next : kStrengthPresets.front()).percent;
+  parts_->showSettings();
+  applySettings();
+  parts_->host.messages.announce(
+      tr("Strength: %1.").arg(strengthPresetText(settings_.strength_percent)));
+}
+
+/// The hand is elsewhere on the relief at once: nobody may be pushed by that.
+void HapticsPlugin::nextGripPosition() {
+  dropForces(SaidBecause::asked);
+  const std::size_t next = static_cast<std::size_t>(settings_.grip) + 1;
+  settings_.grip = static_cast<GripPosition>(next % kGripPositionNames.size());
+  parts_->showSettings();
+  applySettings();
+  tellGripPosition();
+}
+
+void HapticsPlugin::tellGripPosition() {
+  const QString position = gripPositionTexts().at(static_cast<int>(settings_.grip));
+  parts_->host.messages.announce(tr("Grip position: %1.").arg(position));
 }
 
 void HapticsPlugin::applySettings() {

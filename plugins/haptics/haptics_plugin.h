@@ -52,6 +52,9 @@ class HapticsPlugin : public QObject, public Plugin {
   void watchReturn();
   void dropForces(SaidBecause why);  // Not by the person, whose wish may wait for an opening.
   void changeStrength(int percent);
+  void nextStrengthPreset();
+  void nextGripPosition();
+  void tellGripPosition();
   void takePanelSettings();
   void takeDevice();  // Another one, with a session of its own.
   void applySettings();

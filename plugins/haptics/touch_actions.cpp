@@ -199,6 +199,23 @@ void makeForceActions(TouchActions& actions) {
             QT_TRANSLATE_NOOP("relievo::TouchActions",
                               "Strength multiplies every force; the limit stays.")},
            {}, false);
+  actions.strength_preset =
+      made({"strengthPreset", QT_TRANSLATE_NOOP("relievo::TouchActions", "Next strength &preset"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Gentle, medium and full strength, one after another "
+                              "(Ctrl+Alt+F)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "The panel Touch has the same choice, and every strength between.")},
+           {QKeySequence(QStringLiteral("Ctrl+Alt+F"))}, false);
+  actions.grip_position =
+      made({"gripPosition", QT_TRANSLATE_NOOP("relievo::TouchActions", "Next grip posi&tion"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "How the device stands: upright, flat, at the left or the right, one "
+                              "after another (Ctrl+Alt+H)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Which way the grip is pushed to press into the relief. Forces go "
+                              "off first.")},
+           {QKeySequence(QStringLiteral("Ctrl+Alt+H"))}, false);
   actions.setup =
       made({"deviceSetup", QT_TRANSLATE_NOOP("relievo::TouchActions", "De&vice set-up…"),
             QT_TRANSLATE_NOOP("relievo::TouchActions",
@@ -240,13 +257,14 @@ TouchActions addTouchActions(Host& host) {
   makeGuideActions(actions);
   makeDeviceActions(actions);
   makeSoundActions(actions);
-  for (QAction* action :
-       {actions.forces,      actions.forces_off,  actions.take_back,       actions.stronger,
-        actions.weaker,      actions.setup,       actions.use_mouse,       actions.move_mode,
-        actions.move_back,   actions.where_am_i,  actions.where_am_i_long, actions.say_detail,
-        actions.guide,       actions.guide_along, actions.training,        actions.next_shape,
-        actions.button_help, actions.rumble,      actions.sound,           actions.louder,
-        actions.quieter,     actions.felt}) {
+  for (QAction* action : {actions.forces,          actions.forces_off, actions.take_back,
+                          actions.stronger,        actions.weaker,     actions.strength_preset,
+                          actions.grip_position,   actions.setup,      actions.use_mouse,
+                          actions.move_mode,       actions.move_back,  actions.where_am_i,
+                          actions.where_am_i_long, actions.say_detail, actions.guide,
+                          actions.guide_along,     actions.training,   actions.next_shape,
+                          actions.button_help,     actions.rumble,     actions.sound,
+                          actions.louder,          actions.quieter,    actions.felt}) {
     host.controls.addAction(touch, action);
   }
   host.controls.addAction(record, actions.record);

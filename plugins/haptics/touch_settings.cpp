@@ -15,6 +15,11 @@ constexpr int kProxyKinds = 3, kSurfaceKinds = 3;
 double within(const QJsonValue& value, double least, double most, double otherwise) {
   return std::clamp(value.toDouble(otherwise), least, most);
 }
+
+QString gripName(GripPosition position) {
+  const std::string_view word = name(position);
+  return QString::fromLatin1(word.data(), static_cast<int>(word.size()));
+}
 }  // namespace
 
 HapticOptions hapticOptions(const TouchSettings& settings, bool forces_on) {
@@ -26,6 +31,7 @@ HapticOptions hapticOptions(const TouchSettings& settings, bool forces_on) {
   options.frame = true;
   options.bound_by_rate = settings.bound_by_rate;
   options.holds_grip = settings.holds_grip;
+  options.grip = settings.grip;
   options.stop.window_silence_s = settings.window_silence_s;
   return options;
 }
@@ -56,6 +62,7 @@ QByteArray toJson(const TouchSettings& settings) {
                            {"introduction_shapes", settings.introduction_shapes},
                            {"guide_rounds", settings.guide_rounds},
                            {"felt_patterns", settings.felt_patterns},
+                           {"grip_position", gripName(settings.grip)},
                            {"sound", settings.sound.on},
                            {"sound_volume_percent", settings.sound.volume_percent},
                            {"device", QString::fromStdString(settings.device)}};
@@ -100,6 +107,8 @@ TouchSettings touchSettingsFromJson(const QByteArray& json) {
   settings.guide_rounds = std::clamp(object["guide_rounds"].toInt(settings.guide_rounds), 1,
                                      static_cast<int>(kMostRounds));
   settings.felt_patterns = object["felt_patterns"].toBool(false);
+  settings.grip = gripPosition(object["grip_position"].toString().toStdString())
+                      .value_or(GripPosition::upright);
   settings.sound.on = object["sound"].toBool(false);
   settings.sound.volume_percent =
       std::clamp(object["sound_volume_percent"].toInt(settings.sound.volume_percent), 0, 100);

@@ -27,7 +27,8 @@ struct TouchSettings {
   double window_silence_s = 2;   ///< ForceStopOptions; only in the settings' file.
   bool bound_by_rate = true;     ///< Likewise: false only where a device is emulated (E306).
   bool holds_grip = true;        ///< HapticOptions.
-  double limit_n = ForceOptions{}.limit_n;    ///< Of any force; only in an exhibit's file.
+  GripPosition grip = GripPosition::upright;  ///< Likewise.
+  double limit_n = ForceOptions{}.limit_n;    ///< Of any force; only in the file of an exhibit.
   int introduction_shapes = kTrainingShapes;  ///< The first so many; likewise.
   int guide_rounds = kMostRounds;             ///< Round an outline; likewise.
   SoundSettings sound;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <QComboBox>
 #include <QLabel>
+#include <QSlider>
 
 namespace relievo {
 namespace {
@@ -77,6 +78,39 @@ TEST_F(HapticsPanelTest, DevicesWithTheSameNameAreToldApartAndEachSaysWhetherItW
   EXPECT_EQ(tried("plugin:force_dimension/device.1"), "Tried on hardware: never.");
   EXPECT_EQ(tried("haply:049D"), "Tried on hardware: never.");
   EXPECT_EQ(tried("mouse"), "");
+}
+
+TEST_F(HapticsPanelTest, ThreeStrengthsAreOneChoiceAndAnyOtherIsOnesOwn) {
+  auto* preset = panel_.findChild<QComboBox*>("strengthPreset");
+  auto* slider = panel_.findChild<QSlider*>("strengthSlider");
+  ASSERT_TRUE(preset != nullptr && slider != nullptr);
+  EXPECT_EQ(preset->currentText(), "Medium, 60 %") << "as everybody begins";
+  int changes = 0;
+  QObject::connect(&panel_, &HapticsPanel::settingsChanged, &panel_, [&changes] { ++changes; });
+  preset->setCurrentIndex(0);
+  EXPECT_EQ(slider->value(), 30);
+  EXPECT_EQ(panel_.settings().strength_percent, 30);
+  EXPECT_EQ(text("strengthValue"), "30 %");
+  EXPECT_EQ(changes, 1);
+  slider->setValue(45);
+  EXPECT_EQ(preset->currentText(), "Own strength");
+  slider->setValue(100);
+  EXPECT_EQ(preset->currentText(), "Full, 100 %");
+  EXPECT_FALSE(preset->accessibleName().isEmpty());
+}
+
+TEST_F(HapticsPanelTest, HowTheDeviceStandsIsChosenAndKept) {
+  auto* grip = panel_.findChild<QComboBox*>("gripPosition");
+  ASSERT_NE(grip, nullptr);
+  EXPECT_EQ(panel_.settings().grip, GripPosition::upright);
+  grip->setCurrentIndex(1);
+  EXPECT_EQ(panel_.settings().grip, GripPosition::flat);
+  TouchSettings settings;
+  settings.grip = GripPosition::right;
+  EXPECT_EQ(touchSettingsFromJson(toJson(settings)), settings);
+  EXPECT_EQ(touchSettingsFromJson(R"({"grip_position": "sideways"})").grip, GripPosition::upright);
+  panel_.setSettings(settings);
+  EXPECT_EQ(grip->currentIndex(), 3);
 }
 
 TEST_F(HapticsPanelTest, WarmMotorsAreSaid) {

@@ -128,6 +128,38 @@ TEST_F(HapticsPluginTest, SaysThatARememberedDeviceIsMissingAndTakesTheMouse) {
   EXPECT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 14; }));
 }
 
+TEST_F(HapticsPluginTest, GoesRoundInStrengthsByOneCommandWhichSaysEach) {
+  host_.window = flatWindow(5, 16);
+  attach();
+  QAction* const next = host_.actions.at("strengthPreset");
+  next->trigger();
+  EXPECT_TRUE(host_.answers.contains("Strength: Full, 100 %."));
+  next->trigger();
+  EXPECT_TRUE(host_.answers.contains("Strength: Gentle, 30 %."));
+  plugin_->restoreState(R"({"strength_percent": 40})");
+  next->trigger();
+  EXPECT_TRUE(host_.answers.contains("Strength: Medium, 60 %."));
+  EXPECT_EQ(inPanel<QComboBox>("strengthPreset")->currentText(), "Medium, 60 %");
+}
+
+TEST_F(HapticsPluginTest, AnotherGripPositionSwitchesForcesOffIsSaidAndRemembered) {
+  host_.window = flatWindow(5, 17);
+  attach();
+  hover();
+  host_.actions.at("forces")->trigger();
+  host_.actions.at("gripPosition")->trigger();
+  EXPECT_FALSE(host_.actions.at("forces")->isChecked());
+  EXPECT_EQ(host_.answers.last(), "Grip position: Before you, relief flat.");
+  EXPECT_EQ(inPanel<QComboBox>("gripPosition", "Touch: advanced")->currentIndex(), 1);
+  EXPECT_TRUE(plugin_->saveState().contains(R"("grip_position":"flat")"));
+  host_.actions.at("forces")->trigger();
+  inPanel<QComboBox>("gripPosition", "Touch: advanced")->setCurrentIndex(3);
+  EXPECT_FALSE(host_.actions.at("forces")->isChecked());
+  EXPECT_EQ(host_.answers.last(), "Grip position: At your right, turned to you.");
+  host_.actions.at("gripPosition")->trigger();
+  EXPECT_EQ(host_.answers.last(), "Grip position: Before you, relief upright.") << "and round";
+}
+
 TEST_F(HapticsPluginTest, RefusesForcesWithoutASurface) {
   attach();
   host_.actions.at("forces")->trigger();

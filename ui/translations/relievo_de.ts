@@ -2575,6 +2575,34 @@
         <source>%1 (not here now)</source>
         <translation>%1 (gerade nicht da)</translation>
     </message>
+    <message>
+        <source>Before you, relief upright</source>
+        <translation>Vor Ihnen, Relief aufrecht</translation>
+    </message>
+    <message>
+        <source>Before you, relief flat</source>
+        <translation>Vor Ihnen, Relief liegend</translation>
+    </message>
+    <message>
+        <source>At your left, turned to you</source>
+        <translation>Links von Ihnen, Ihnen zugewandt</translation>
+    </message>
+    <message>
+        <source>At your right, turned to you</source>
+        <translation>Rechts von Ihnen, Ihnen zugewandt</translation>
+    </message>
+    <message>
+        <source>How the device stands</source>
+        <translation>Wie das Gerät steht</translation>
+    </message>
+    <message>
+        <source>Which way the grip is pushed to press: away from you, or down onto a relief that lies flat; or the device stands beside you. Forces go off when it changes. The mouse is the same in each.</source>
+        <translation>Wohin der Griff gedrückt wird: von Ihnen weg, oder nach unten auf ein liegendes Relief; oder das Gerät steht neben Ihnen. Beim Wechsel gehen die Kräfte aus. Die Maus ist in jeder gleich.</translation>
+    </message>
+    <message>
+        <source>Grip posi&amp;tion</source>
+        <translation>Grif&amp;fposition</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DeviceSetupDialog</name>
@@ -4120,10 +4148,6 @@
         <translation>An: berechnet und gezeigt; eine Maus kann nicht zurückdrücken.</translation>
     </message>
     <message>
-        <source>St&amp;rength</source>
-        <translation>&amp;Stärke</translation>
-    </message>
-    <message>
         <source>Forces &amp;on</source>
         <translation>&amp;Kräfte an</translation>
     </message>
@@ -4136,24 +4160,8 @@
         <translation>Kräfte ein- oder ausschalten (F5). Esc schaltet sie aus.</translation>
     </message>
     <message>
-        <source>Strength in percent</source>
-        <translation>Stärke in Prozent</translation>
-    </message>
-    <message>
-        <source>Multiplies every force. The limit stays.</source>
-        <translation>Vervielfacht jede Kraft. Die Grenze bleibt.</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>Stärke</translation>
-    </message>
-    <message>
         <source>State of the forces</source>
         <translation>Zustand der Kräfte</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
     </message>
     <message>
         <source>On. E306: Update rate fell to %1 per second (need %2). Stiffness reduced from %3 to %4 N/m.</source>
@@ -4213,6 +4221,14 @@
     <message>
         <source>Touch: advanced</source>
         <translation>Fühlen: erweitert</translation>
+    </message>
+    <message>
+        <source>Strength: %1.</source>
+        <translation>Stärke: %1.</translation>
+    </message>
+    <message>
+        <source>Grip position: %1.</source>
+        <translation>Griffposition: %1.</translation>
     </message>
 </context>
 <context>
@@ -11719,6 +11735,57 @@
     </message>
 </context>
 <context>
+    <name>relievo::StrengthRow</name>
+    <message>
+        <source>Gentle</source>
+        <translation>Sanft</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>Voll</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>Strength in percent</source>
+        <translation>Stärke in Prozent</translation>
+    </message>
+    <message>
+        <source>Multiplies every force. The limit stays.</source>
+        <translation>Vervielfacht jede Kraft. Die Grenze bleibt.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Strength of all forces</source>
+        <translation>Stärke aller Kräfte</translation>
+    </message>
+    <message>
+        <source>Own strength</source>
+        <translation>Eigene Stärke</translation>
+    </message>
+    <message>
+        <source>How strong all forces are, in one choice.</source>
+        <translation>Wie stark alle Kräfte sind, in einer Auswahl.</translation>
+    </message>
+    <message>
+        <source>St&amp;rength</source>
+        <translation>&amp;Stärke</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
     <name>relievo::StudyController</name>
     <message>
         <source>Stop the recording first (Ctrl+R): it belongs to this condition.</source>
@@ -12401,6 +12468,30 @@
     <message>
         <source>From plug to touch. A Falcon: access, firmware, homing, self test, force by a known weight, left or right hand. Haply: service, power, calibration, buttons.</source>
         <translation>Vom Stecker zum Fühlen. Ein Falcon: Zugang, Firmware, Referenzfahrt, Selbsttest, Kraft an einem bekannten Gewicht, linke oder rechte Hand. Haply: Dienst, Strom, Kalibrieren, Tasten.</translation>
+    </message>
+    <message>
+        <source>Next strength &amp;preset</source>
+        <translation>Nächste Stärkest&amp;ufe</translation>
+    </message>
+    <message>
+        <source>Gentle, medium and full strength, one after another (Ctrl+Alt+F)</source>
+        <translation>Sanfte, mittlere und volle Stärke, eine nach der anderen (Strg+Alt+F)</translation>
+    </message>
+    <message>
+        <source>The panel Touch has the same choice, and every strength between.</source>
+        <translation>Das Feld Fühlen hat dieselbe Auswahl und jede Stärke dazwischen.</translation>
+    </message>
+    <message>
+        <source>Next grip posi&amp;tion</source>
+        <translation>Nächst&amp;e Griffposition</translation>
+    </message>
+    <message>
+        <source>How the device stands: upright, flat, at the left or the right, one after another (Ctrl+Alt+H)</source>
+        <translation>Wie das Gerät steht: aufrecht, liegend, links oder rechts, eins nach dem anderen (Strg+Alt+H)</translation>
+    </message>
+    <message>
+        <source>Which way the grip is pushed to press into the relief. Forces go off first.</source>
+        <translation>Wohin der Griff gedrückt wird, um ins Relief zu drücken. Vorher gehen die Kräfte aus.</translation>
     </message>
 </context>
 <context>

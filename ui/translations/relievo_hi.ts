@@ -2575,6 +2575,34 @@
         <source>%1 (not here now)</source>
         <translation>%1 (अभी यहाँ नहीं)</translation>
     </message>
+    <message>
+        <source>Before you, relief upright</source>
+        <translation>आपके सामने, उभार खड़ा</translation>
+    </message>
+    <message>
+        <source>Before you, relief flat</source>
+        <translation>आपके सामने, उभार लेटा</translation>
+    </message>
+    <message>
+        <source>At your left, turned to you</source>
+        <translation>आपके बाईं ओर, आपकी तरफ़ मुड़ा</translation>
+    </message>
+    <message>
+        <source>At your right, turned to you</source>
+        <translation>आपके दाईं ओर, आपकी तरफ़ मुड़ा</translation>
+    </message>
+    <message>
+        <source>How the device stands</source>
+        <translation>उपकरण कैसे खड़ा है</translation>
+    </message>
+    <message>
+        <source>Which way the grip is pushed to press: away from you, or down onto a relief that lies flat; or the device stands beside you. Forces go off when it changes. The mouse is the same in each.</source>
+        <translation>दबाने के लिए ग्रिप किधर धकेली जाती है: आपसे दूर, या लेटे उभार पर नीचे; या उपकरण आपके बगल में है। बदलने पर बल बंद हो जाते हैं। माउस हर स्थिति में वही रहता है।</translation>
+    </message>
+    <message>
+        <source>Grip posi&amp;tion</source>
+        <translation>ग्रिप की स्थिति (&amp;T)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DeviceSetupDialog</name>
@@ -4120,10 +4148,6 @@
         <translation>चालू: गणना और प्रदर्शन; माउस वापस नहीं धकेल सकता।</translation>
     </message>
     <message>
-        <source>St&amp;rength</source>
-        <translation>प्रबलता (&amp;R)</translation>
-    </message>
-    <message>
         <source>Forces &amp;on</source>
         <translation>बल चालू (&amp;O)</translation>
     </message>
@@ -4136,24 +4160,8 @@
         <translation>बल चालू या बंद करें (F5)। Esc बंद करता है।</translation>
     </message>
     <message>
-        <source>Strength in percent</source>
-        <translation>प्रबलता प्रतिशत में</translation>
-    </message>
-    <message>
-        <source>Multiplies every force. The limit stays.</source>
-        <translation>हर बल को गुणा करता है। सीमा वही रहती है।</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>प्रबलता</translation>
-    </message>
-    <message>
         <source>State of the forces</source>
         <translation>बलों की अवस्था</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
     </message>
     <message>
         <source>On. E306: Update rate fell to %1 per second (need %2). Stiffness reduced from %3 to %4 N/m.</source>
@@ -4213,6 +4221,14 @@
     <message>
         <source>Touch: advanced</source>
         <translation>स्पर्श: उन्नत</translation>
+    </message>
+    <message>
+        <source>Strength: %1.</source>
+        <translation>प्रबलता: %1।</translation>
+    </message>
+    <message>
+        <source>Grip position: %1.</source>
+        <translation>ग्रिप की स्थिति: %1।</translation>
     </message>
 </context>
 <context>
@@ -11719,6 +11735,57 @@
     </message>
 </context>
 <context>
+    <name>relievo::StrengthRow</name>
+    <message>
+        <source>Gentle</source>
+        <translation>कोमल</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>मध्यम</translation>
+    </message>
+    <message>
+        <source>Full</source>
+        <translation>पूर्ण</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>Strength in percent</source>
+        <translation>प्रबलता प्रतिशत में</translation>
+    </message>
+    <message>
+        <source>Multiplies every force. The limit stays.</source>
+        <translation>हर बल को गुणा करता है। सीमा वही रहती है।</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>प्रबलता</translation>
+    </message>
+    <message>
+        <source>Strength of all forces</source>
+        <translation>सभी बलों की प्रबलता</translation>
+    </message>
+    <message>
+        <source>Own strength</source>
+        <translation>अपनी प्रबलता</translation>
+    </message>
+    <message>
+        <source>How strong all forces are, in one choice.</source>
+        <translation>सभी बल कितने प्रबल हैं, एक चुनाव में।</translation>
+    </message>
+    <message>
+        <source>St&amp;rength</source>
+        <translation>प्रबलता (&amp;R)</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
     <name>relievo::StudyController</name>
     <message>
         <source>Stop the recording first (Ctrl+R): it belongs to this condition.</source>
@@ -12401,6 +12468,30 @@
     <message>
         <source>From plug to touch. A Falcon: access, firmware, homing, self test, force by a known weight, left or right hand. Haply: service, power, calibration, buttons.</source>
         <translation>जोड़ने से स्पर्श तक। Falcon: पहुँच, फ़र्मवेयर, आरंभ स्थिति, स्व-परीक्षण, ज्ञात भार से बल, बायाँ या दायाँ हाथ। Haply: सेवा, बिजली, अंशांकन, बटन।</translation>
+    </message>
+    <message>
+        <source>Next strength &amp;preset</source>
+        <translation>अगली प्रबलता (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Gentle, medium and full strength, one after another (Ctrl+Alt+F)</source>
+        <translation>कोमल, मध्यम और पूर्ण प्रबलता, एक के बाद एक (Ctrl+Alt+F)</translation>
+    </message>
+    <message>
+        <source>The panel Touch has the same choice, and every strength between.</source>
+        <translation>पैनल स्पर्श में यही चुनाव है, और बीच की हर प्रबलता।</translation>
+    </message>
+    <message>
+        <source>Next grip posi&amp;tion</source>
+        <translation>ग्रिप की अगली स्थिति (&amp;T)</translation>
+    </message>
+    <message>
+        <source>How the device stands: upright, flat, at the left or the right, one after another (Ctrl+Alt+H)</source>
+        <translation>उपकरण कैसे खड़ा है: खड़ा, लेटा, बाएँ या दाएँ, एक के बाद एक (Ctrl+Alt+H)</translation>
+    </message>
+    <message>
+        <source>Which way the grip is pushed to press into the relief. Forces go off first.</source>
+        <translation>उभार में दबाने के लिए ग्रिप किधर धकेली जाती है। पहले बल बंद हो जाते हैं।</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 // How a surface feels, from the command line: the presets and records of the window.
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <CLI/CLI.hpp>
 #include <cmath>
 
@@ -9,6 +10,7 @@
 #include "app/cli/options/number_option.h"
 #include "app/cli/verbs/touch_setup.h"
 #include "core/base/failure.h"
+#include "haptics/loop/strength_preset.h"
 
 namespace relievo::batch {
 namespace {
@@ -157,6 +159,21 @@ void addFeelOptions(CLI::App& verb, TouchArguments& arguments) {
         {.low = kLeastReachMm, .high = kMostReachMm, .unit = "mm"});
 }
 
+double strengthOf(const TouchArguments& a) {
+  constexpr double kWhole = 100;
+  if (a.strength.empty()) return 1;
+  if (const StrengthPreset* preset = strengthPreset(a.strength)) return preset->percent / kWhole;
+  int percent = 0;
+  const char* const last = a.strength.data() + a.strength.size();
+  const auto [end, error] = std::from_chars(a.strength.data(), last, percent);
+  if (error == std::errc() && end == last && percent >= 1 && percent <= kWhole) {
+    return percent / kWhole;
+  }
+  std::string ids;
+  for (const StrengthPreset& preset : kStrengthPresets) ids.append(preset.id).append(", ");
+  throw failure<MessageId::option_none_of>("--strength", a.strength, ids + "1 to 100");
+}
+
 std::string feelJson(const TouchArguments& a) {
   const SurfaceFeel feel = feelOf(a);
   Json json{{"preset", a.preset},
@@ -178,6 +195,7 @@ std::string feelJson(const TouchArguments& a) {
   json["magnet_reach_mm"] = feel.fields.magnet_reach_mm;
   json["contact_n"] = feel.transient.contact_n;
   json["crossing_n"] = feel.transient.crossing_n;
+  if (!a.strength.empty()) json["strength"] = strengthOf(a);
   return json.dump();
 }
 

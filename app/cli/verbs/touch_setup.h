@@ -46,6 +46,8 @@ struct TouchArguments {
   /// What a plug-in's device told of itself; nothing: what this build knows of the device.
   std::optional<DeviceInfo> told;
   std::string safety;              ///< Empty: on with a device, off without.
+  std::string strength;            ///< A preset or percent; empty: all of it.
+  std::string grip;                ///< A grip position; `record` only; empty: upright.
   double seconds = 10;             ///< `record` only, as what follows.
   double ready_s = 60;             ///< Until a Falcon must be homed.
   std::vector<std::string> words;  ///< The command line, for the log.
@@ -64,6 +66,8 @@ SurfaceFeel feelOf(const TouchArguments& arguments);
 void addFeelOptions(CLI::App& verb, TouchArguments& arguments);
 /// The same in words for headers and reports: JSON, every value written out.
 std::string feelJson(const TouchArguments& arguments);
+/// How strong all forces are, 0 .. 1. @throw ArgumentError
+double strengthOf(const TouchArguments& arguments);
 /// Options that have no use together. @throw ArgumentError
 void checkTouch(const TouchArguments& arguments);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/cli/json.h"
+#include "app/cli/options/look_arguments.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/report_text.h"
 #include "app/cli/verb.h"
@@ -115,6 +116,9 @@ CommandResult runRecord(const TouchArguments& asked, const Task& task) {
   if (asked.safety == "off" && !device->info().simulated) {
     throw failure<MessageId::option_safety>(asked.device);
   }
+  const bool is_steered = dynamic_cast<const SteeredDevice*>(device.get()) != nullptr;
+  requireUse("--grip", !asked.grip.empty(), !is_steered, "--device of one that a person holds");
+  checkTouch(asked);
   TouchArguments a = asked;
   if (tellsOnceOpen(*device)) {
     device->open();
@@ -167,6 +171,10 @@ void declareRecord(CLI::App& verb, TouchArguments& arguments) {
   addTouchOptions(verb, arguments);
   verb.add_option("--device", arguments.device,
                   "virtual[:GRIP], falcon[:SERIAL], haply[:ID], plugin:FILE/ID or mouse");
+  verb.add_option("--grip", arguments.grip,
+                  "How the device stands: upright, before you; flat: the relief lies, and is "
+                  "pressed down; left, right: beside you, turned to you")
+      ->check(CLI::IsMember({"upright", "flat", "left", "right"}));
   takes(verb.add_option("--seconds", arguments.seconds, "How long; 10"),
         {.low = 1e-3, .high = 86400, .unit = "s"});
   takes(verb.add_option("--ready", arguments.ready_s,

@@ -71,6 +71,7 @@ StrokeOptions strokeOptions(const TouchArguments& a) {
   options.fields = feel.fields;
   options.transient = feel.transient;
   options.chain = safetyOf(a) ? ForceChain::whole : ForceChain::bare;
+  options.strength = strengthOf(a);
   options.frame = a.frame == "device" ? StrokeFrame::device : StrokeFrame::view;
   return options;
 }
@@ -338,6 +339,7 @@ void checkTouch(const TouchArguments& a) {
   }
   requireUse("--magnet-reach", a.magnet_reach_mm.has_value(), feelOf(a).fields.magnet_n > 0,
              "--magnet");
+  requireUse("--strength", !a.strength.empty(), safetyOf(a), "--safety on");
   if (a.stiffness_n_per_mm && !a.detail_stiffness_n_per_mm.empty()) {
     throw failure<MessageId::option_stiffness_of_levels>();
   }
@@ -372,6 +374,7 @@ TouchSetup setupWithoutSurface(const TouchArguments& a) {
   setup.device = a.device.empty() ? "none" : a.device;
   if (!a.device.empty()) {
     const DeviceInfo device = a.told ? *a.told : makeDevice(a.device)->info();
+    setup.core.grip = gripPosition(a.grip).value_or(GripPosition::upright);
     setup.limited = limitedText(setup.core, device);
     setup.core = withinDevice(setup.core, device);
     if (a.lift_n) setup.core.force.lift_n = *a.lift_n;
@@ -442,6 +445,9 @@ std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const 
          (setup.core.force.lift_n > 0
               ? "\n" + std::string(kLiftWords) + Json(setup.core.force.lift_n).dump() + " N upward"
               : "") +
+         (setup.core.grip != GripPosition::upright
+              ? "\ngrip position " + std::string(name(setup.core.grip))
+              : "") +
          (setup.limited.empty() ? "" : "\nlimits " + setup.limited) +
          (a.told ? "\n" + std::string(kToldLimits) + toldLimits(*a.told) : "") + "\nparameters " +
          parameters.dump() + "\n" + stateLine(stateOfTouch(a, setup, surface, task));
@@ -451,6 +457,9 @@ void addTouchOptions(CLI::App& verb, TouchArguments& arguments) {
   addMapOptions(verb, arguments.map);
   addRegionOptions(verb, arguments.region);
   addFeelOptions(verb, arguments);
+  verb.add_option("--strength", arguments.strength,
+                  "Of all forces: gentle (30 %), medium (60 %), full (100 %), or percent from 1 to "
+                  "100; full");
   verb.add_option("--safety", arguments.safety,
                   "on: ramp, slew, limit and passivity as at a device; default with --device. off "
                   "only without one, or with a simulated one")

@@ -23,13 +23,13 @@ struct NamedFields {
       visit("stiffness_by_detail", s.stiffness_by_detail); visit("detail_stiffness", s.detail_stiffness);
       visit("frame", s.frame); visit("cushion", s.cushion); visit("workspace", s.workspace); visit("id", s.id);
       visit("gate", s.detent); visit("guide", s.guide); visit("beacon", s.beacon); visit("taps", s.taps); visit("stop", s.stop); visit("bound_by_rate", s.bound_by_rate);
-      visit("holds_grip", s.holds_grip); visit("timing", s.timing);
+      visit("holds_grip", s.holds_grip); visit("timing", s.timing); visit("grip", s.grip);
     } else if constexpr (kIs<T, ProxyOptions>) {
       visit("kind", s.kind); visit("step_mm", s.step_mm); visit("updates_per_tick", s.updates_per_tick);
       visit("static_friction", s.static_friction); visit("dynamic_friction", s.dynamic_friction);
     } else if constexpr (kIs<T, ForceOptions>) {
       visit("stiffness_n_per_mm", s.stiffness_n_per_mm); visit("damping_n_s_per_mm", s.damping_n_s_per_mm);
-      visit("strength", s.strength); visit("lift_n", s.lift_n); visit("limit_n", s.limit_n);
+      visit("strength", s.strength); visit("lift_n", s.lift_n); visit("lift_out", s.lift_out); visit("limit_n", s.limit_n);
       visit("engage_slew_n_per_s", s.engage_slew_n_per_s); visit("contact_slew_n_per_s", s.contact_slew_n_per_s);
       visit("rise_s", s.rise_s); visit("stale_after_s", s.stale_after_s); visit("stale_zero_s", s.stale_zero_s);
       visit("quiet_n", s.quiet_n); visit("quiet_ticks", s.quiet_ticks); visit("transient", s.transient);
@@ -85,7 +85,7 @@ struct NamedFields {
       visit("audit", s.audit_); visit("places", s.speed_.places_); visit("oldest", s.speed_.oldest_);
       visit("places_seen", s.speed_.seen_); visit("hip", s.hip_); visit("fault", s.fault_); visit("tick", s.tick_);
       visit("window_id", s.felt_.window_id); visit("scene_id", s.felt_.scene_id); visit("surface", s.felt_.surface);
-      visit("last_ns", s.last_ns_); visit("gated", s.in_detent_); visit("guided", s.guided_); visit("placed", s.placed_); visit("resume", s.resume_);
+      visit("last_ns", s.last_ns_); visit("grip", s.felt_.grip); visit("gated", s.in_detent_); visit("guided", s.guided_); visit("placed", s.placed_); visit("resume", s.resume_);
     } else if constexpr (kIs<T, HandSpeed::Place>) {
       visit("position", s.position); visit("time_ns", s.time_ns);
     } else if constexpr (kIs<T, ProxyState>) {

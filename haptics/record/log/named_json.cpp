@@ -54,6 +54,9 @@ constexpr FeltPattern lastOf(FeltPattern) {
 constexpr GuideEnd lastOf(GuideEnd) {
   return GuideEnd::surface;
 }
+constexpr GripPosition lastOf(GripPosition) {
+  return GripPosition::right;
+}
 
 // JSON has no numbers for these.
 constexpr const char* kInfinity = "inf";

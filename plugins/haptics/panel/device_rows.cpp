@@ -32,8 +32,14 @@ bool isOfHaply(const QString& id) {
 }
 }  // namespace
 
+QStringList gripPositionTexts() {
+  return {DeviceRows::tr("Before you, relief upright"), DeviceRows::tr("Before you, relief flat"),
+          DeviceRows::tr("At your left, turned to you"),
+          DeviceRows::tr("At your right, turned to you")};
+}
+
 DeviceRows::DeviceRows(QObject* parent) : QObject(parent) {
-  device_ = choice("deviceList", tr("Device"), {});
+  device_ = relievo::choice("deviceList", tr("Device"), {});
   device_->setToolTip(
       tr("What the hand holds. A virtual hand is moved by the mouse and pushed by "
          "the force, as a real one is."));
@@ -46,7 +52,13 @@ DeviceRows::DeviceRows(QObject* parent) : QObject(parent) {
   holds_grip_->setToolTip(tr(
       "While forces are on, the device holds its own grip, as heavy as the calibration found it. "
       "Nothing happens where it was not calibrated, or where the device does so by itself."));
+  grip_ = relievo::choice("gripPosition", tr("How the device stands"), gripPositionTexts());
+  grip_->setToolTip(
+      tr("Which way the grip is pushed to press: away from you, or down onto a relief that lies "
+         "flat; or the device stands beside you. Forces go off when it changes. The mouse is the "
+         "same in each."));
   list();
+  connect(grip_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &DeviceRows::changed);
   connect(device_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           &DeviceRows::takeChange);
   connect(holds_grip_, &QCheckBox::toggled, this, &DeviceRows::changed);
@@ -57,6 +69,7 @@ void DeviceRows::addTo(QFormLayout* form) {
   form->addRow(tried_);
   form->addRow(heat_);
   form->addRow(QString(), holds_grip_);
+  addLabelled(form, tr("Grip posi&tion"), grip_, grip_);
 }
 
 void DeviceRows::list() {
@@ -133,18 +146,17 @@ void DeviceRows::choose(const QString& id) {
   showTried();
 }
 
-std::string DeviceRows::device() const {
-  return device_->currentData().toString().toStdString();
+DeviceChoice DeviceRows::choice() const {
+  return {.device = device_->currentData().toString().toStdString(),
+          .holds_grip = holds_grip_->isChecked(),
+          .grip = static_cast<GripPosition>(grip_->currentIndex())};
 }
 
-bool DeviceRows::holdsGrip() const {
-  return holds_grip_->isChecked();
-}
-
-void DeviceRows::set(const std::string& device, bool holds_grip) {
-  const QSignalBlocker a(device_), b(holds_grip_);
-  holds_grip_->setChecked(holds_grip);
-  choose(QString::fromStdString(device));
+void DeviceRows::set(const DeviceChoice& choice) {
+  const QSignalBlocker a(device_), b(holds_grip_), c(grip_);
+  holds_grip_->setChecked(choice.holds_grip);
+  grip_->setCurrentIndex(static_cast<int>(choice.grip));
+  choose(QString::fromStdString(choice.device));
 }
 
 void DeviceRows::showHeat(const QString& heat) {

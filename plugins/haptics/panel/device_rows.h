@@ -2,9 +2,11 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 #include <string>
 #include <vector>
 
+#include "haptics/space/grip_position.h"
 #include "plugins/haptics/device/plugin_devices.h"
 
 class QCheckBox;
@@ -14,8 +16,18 @@ class QLabel;
 
 namespace relievo {
 
-/// The rows of the panel Touch about the device in the hand: which one, whether anybody has tried
-/// such a device, how warm its motors are. [GUI thread]
+/// How a grip position is called for people, one after another.
+QStringList gripPositionTexts();
+
+/// What the rows below choose.
+struct DeviceChoice {
+  std::string device;  ///< Its id.
+  bool holds_grip = true;
+  GripPosition grip = GripPosition::upright;
+};
+
+/// The rows of the panel Touch about the device in the hand: which one, how it stands, whether
+/// anybody has tried such a device, how warm its motors are. [GUI thread]
 class DeviceRows : public QObject {
   Q_OBJECT
  public:
@@ -26,9 +38,8 @@ class DeviceRows : public QObject {
   void list();
   void setPluginDevices(std::vector<PluginDevice> devices);
 
-  std::string device() const;  ///< Id of the chosen one.
-  bool holdsGrip() const;
-  void set(const std::string& device, bool holds_grip);  ///< Emits nothing.
+  DeviceChoice choice() const;
+  void set(const DeviceChoice& choice);  ///< Emits nothing.
   /// @param heat  a sentence; empty: no device says it
   void showHeat(const QString& heat);
 
@@ -50,6 +61,7 @@ class DeviceRows : public QObject {
   QLabel* tried_;  // Hidden where nobody can feel a force.
   QLabel* heat_;   // Hidden where no device says it.
   QCheckBox* holds_grip_;
+  QComboBox* grip_;
   std::vector<PluginDevice> plugin_devices_;
 };
 

@@ -3,11 +3,9 @@
 
 #include <QCheckBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -17,6 +15,7 @@
 #include "plugins/haptics/panel/loop_rows.h"
 #include "plugins/haptics/panel/panel_widgets.h"
 #include "plugins/haptics/panel/sound_rows.h"
+#include "plugins/haptics/panel/strength_row.h"
 #include "ui/message/message_text.h"
 
 namespace relievo {
@@ -63,6 +62,7 @@ QString stateText(const LoopReport& report) {
 
 HapticsPanel::HapticsPanel(QWidget* parent)
     : QWidget(parent),
+      strength_(new StrengthRow(this)),
       feel_(new FeelForm(this)),
       firmness_(new FirmnessRow(this)),
       device_(new DeviceRows(this)),
@@ -86,16 +86,11 @@ QFormLayout* HapticsPanel::rows() {
   auto* form = new QFormLayout;
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->setVerticalSpacing(3);
-  auto* strength_row = new QHBoxLayout;
-  strength_row->addWidget(strength_, 1);
-  strength_row->addWidget(strength_value_);
   form->addRow(forces_);
   form->addRow(state_);
   form->addRow(take_back_);
   form->addRow(change_);
-  auto* label = new QLabel(tr("St&rength"));
-  label->setBuddy(strength_);
-  form->addRow(label, strength_row);
+  strength_->addTo(form);
   return form;
 }
 
@@ -115,14 +110,6 @@ QFormLayout* HapticsPanel::advancedRows() {
 void HapticsPanel::buildControls() {
   forces_ = named(new QCheckBox(tr("Forces &on")), "forcesBox", tr("Forces on"));
   forces_->setToolTip(tr("Switch forces on or off (F5). Esc switches them off."));
-  strength_ = named(new QSlider(Qt::Horizontal), "strengthSlider", tr("Strength in percent"));
-  strength_->setRange(0, 100);
-  strength_->setSingleStep(kStrengthStep);
-  strength_->setPageStep(2 * kStrengthStep);
-  strength_->setToolTip(tr("Multiplies every force. The limit stays."));
-  strength_value_ = named(new QLabel, "strengthValue", tr("Strength"));
-  strength_value_->setMinimumWidth(
-      strength_value_->fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
   state_ = readout("forceState", tr("State of the forces"));
   take_back_ = named(new QPushButton(tr("Take the forces bac&k")), "takeBackButton",
                      tr("Take the forces back"));
@@ -136,7 +123,7 @@ void HapticsPanel::buildControls() {
 void HapticsPanel::connectControls() {
   connect(forces_, &QCheckBox::toggled, this, &HapticsPanel::forcesAsked);
   connect(take_back_, &QPushButton::clicked, this, &HapticsPanel::takeBackAsked);
-  connect(strength_, &QSlider::valueChanged, this, &HapticsPanel::changed);
+  connect(strength_, &StrengthRow::changed, this, &HapticsPanel::changed);
   connect(feel_, &FeelForm::changed, this, &HapticsPanel::changed);
   connect(firmness_, &FirmnessRow::asked, this, &HapticsPanel::firmnessAsked);
   connect(device_, &DeviceRows::changed, this, &HapticsPanel::changed);
@@ -145,7 +132,6 @@ void HapticsPanel::connectControls() {
 }
 
 void HapticsPanel::changed() {
-  strength_value_->setText(tr("%1 %").arg(strength_->value()));
   Q_EMIT settingsChanged();
 }
 
@@ -158,26 +144,25 @@ void HapticsPanel::setPluginDevices(std::vector<PluginDevice> devices) {
 }
 
 void HapticsPanel::setSettings(const TouchSettings& settings) {
-  {
-    const QSignalBlocker blocker(strength_);
-    strength_->setValue(settings.strength_percent);
-  }
+  strength_->set(settings.strength_percent);
   feel_->setFeel(settings.feel);
   firmness_->setFile(settings.firmness);
   sound_->set(settings);
-  device_->set(settings.device, settings.holds_grip);
+  device_->set({settings.device, settings.holds_grip, settings.grip});
   changed();
 }
 
 TouchSettings HapticsPanel::settings() const {
   TouchSettings settings;
-  settings.strength_percent = strength_->value();
+  settings.strength_percent = strength_->percent();
   settings.feel = feel_->feel();
   settings.firmness = firmness_->file();
   settings.sound = sound_->sound();
   settings.felt_patterns = sound_->feltPatterns();
-  settings.holds_grip = device_->holdsGrip();
-  settings.device = device_->device();
+  const DeviceChoice chosen = device_->choice();
+  settings.holds_grip = chosen.holds_grip;
+  settings.grip = chosen.grip;
+  settings.device = chosen.device;
   return settings;
 }
 

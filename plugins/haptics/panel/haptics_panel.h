@@ -14,7 +14,6 @@ class QCheckBox;
 class QFormLayout;
 class QLabel;
 class QPushButton;
-class QSlider;
 
 namespace relievo {
 
@@ -23,6 +22,7 @@ class FeelForm;
 class FirmnessRow;
 class LoopRows;
 class SoundRows;
+class StrengthRow;
 
 /// Shows and asks; computes nothing.
 class HapticsPanel : public QWidget {
@@ -58,6 +58,7 @@ class HapticsPanel : public QWidget {
   QFormLayout* advancedRows();
   void changed();
 
+  StrengthRow* strength_;
   FeelForm* feel_;
   FirmnessRow* firmness_;
   DeviceRows* device_;
@@ -65,8 +66,6 @@ class HapticsPanel : public QWidget {
   SoundRows* sound_;
   QWidget* advanced_ = nullptr;
   QCheckBox* forces_ = nullptr;
-  QSlider* strength_ = nullptr;
-  QLabel* strength_value_ = nullptr;
   QLabel* state_ = nullptr;
   QPushButton* take_back_ = nullptr;  // Hidden while no force was taken away.
   QLabel* change_ = nullptr;          // Hidden while none comes.

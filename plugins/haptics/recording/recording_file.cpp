@@ -66,6 +66,11 @@ QString recordingHeaderLines(const QString& from_host, const QString& device,
   if (options.force.lift_n > 0) {
     lines << QStringLiteral("grip held with %1 N upward").arg(options.force.lift_n);
   }
+  if (options.grip != GripPosition::upright) {
+    const std::string_view position = relievo::name(options.grip);
+    lines << QStringLiteral("grip position ") +
+                 QString::fromLatin1(position.data(), static_cast<int>(position.size()));
+  }
   if (firmness != nullptr) {
     lines << QStringLiteral("firmness %1, sha256 %2")
                  .arg(shownFileName(QFile::decodeName(firmness->file.c_str())),

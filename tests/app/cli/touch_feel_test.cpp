@@ -52,6 +52,33 @@ TEST_F(TouchFeel, APresetOfTheWindowIsTakenAndOverriddenByWhatIsGiven) {
   EXPECT_TRUE(report["stiffness_n_per_mm"] == 0.7 || report["stiffness_n_per_mm"] == 0.65);
 }
 
+TEST_F(TouchFeel, StrengthIsAPresetOrPercentAndNeedsTheChainThatHasOne) {
+  const auto strongest = [this](const std::string& strength) {
+    const CommandResult run = touch({"--device", "virtual", "--strength", strength});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.exit_code == 0 ? Json::parse(run.out)["largest_force_n"].get<double>() : 0.0;
+  };
+  const double full = strongest("full"), gentle = strongest("gentle");
+  EXPECT_EQ(strongest("30"), gentle);
+  EXPECT_EQ(strongest("100"), full);
+  EXPECT_GT(gentle, 0);
+  EXPECT_LT(gentle, 0.6 * full) << "the hand comes deeper, but is pushed less";
+  for (const char* word : {"0", "101", "strong", "50%", "5e1"}) {
+    EXPECT_EQ(touch({"--device", "virtual", "--strength", word}).exit_code, 1) << word;
+  }
+  const CommandResult bare = touch({"--strength", "gentle"});
+  EXPECT_EQ(bare.exit_code, 1);
+  EXPECT_NE(bare.err.find("--strength"), std::string::npos) << bare.err;
+}
+
+TEST_F(TouchFeel, AGripPositionIsOfADeviceThatAPersonHolds) {
+  const CommandResult run =
+      runRelievo({"record", test::kReliefF, "--unit", "mm", "--device", "virtual", "--grip", "flat",
+                  "--seconds", "0.1", "-o", path("grip.csv")});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("--grip"), std::string::npos) << run.err;
+}
+
 TEST_F(TouchFeel, ARasterSaysWhereTheGroundIsFirm) {
   const auto grid = [this](const char* name, double part, int side = 2) {
     const std::string file = path(name);

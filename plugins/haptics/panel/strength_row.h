@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QObject>
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QSlider;
+class QString;
+
+namespace relievo {
+
+/// "Gentle, 30 %"; empty: no preset has this strength.
+QString strengthPresetText(int percent);
+
+/// The rows of the panel Touch that say how strong all forces are: any strength, and the presets.
+/// [GUI thread]
+class StrengthRow : public QObject {
+  Q_OBJECT
+ public:
+  explicit StrengthRow(QObject* parent);
+  void addTo(QFormLayout* form);
+
+  int percent() const;
+  void set(int percent);  ///< Emits nothing.
+
+ Q_SIGNALS:
+  void changed();  ///< By the person.
+
+ private:
+  void takePreset(int index);
+  void show();
+
+  QSlider* strength_;
+  QLabel* value_;
+  QComboBox* preset_;
+};
+
+}  // namespace relievo
