@@ -12,7 +12,7 @@
 #include <QTest>
 
 #include "haptics/device/haply/service_address.h"
-#include "tests/emulator/inverse_service.h"
+#include "tests/emulator/haply/inverse_service.h"
 #include "tests/plugins/plugin_fixture.h"
 
 namespace relievo {

@@ -47,7 +47,7 @@ ViewPanel::ViewPanel(QWidget* parent)
     : QWidget(parent), now_(new QLabel), light_part_(new QWidget(this)) {
   setObjectName(QStringLiteral("view_panel"));
   auto* layout = new QGridLayout(this);
-  layout->setContentsMargins(2, 0, 0, 2);
+  layout->setContentsMargins(6, 0, 0, 2);
   layout->setSpacing(0);
   layout->setColumnStretch(0, 1);
   layout->setColumnStretch(1, 1);

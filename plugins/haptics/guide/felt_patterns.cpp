@@ -5,6 +5,8 @@
 #include <QSignalBlocker>
 #include <utility>
 
+#include "plugins/api/host.h"
+
 namespace relievo {
 
 namespace {

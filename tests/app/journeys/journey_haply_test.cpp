@@ -13,7 +13,7 @@
 #include "data/generate/relief_f.h"
 #include "tests/app/command.h"
 #include "tests/app/journeys/journey.h"
-#include "tests/emulator/inverse_service.h"
+#include "tests/emulator/haply/inverse_service.h"
 #include "tests/emulator/stall_watch.h"
 
 namespace relievo {
@@ -67,7 +67,9 @@ class JourneyHaply : public Journey {
       }
       handTo(x_mm, y_mm, kBelowZ);
       return QTest::qWaitFor(
-          [this] { return pushN() > 0.2 && probe()->touching && probe()->hip.z < probe()->proxy.z; },
+          [this] {
+            return pushN() > 0.2 && probe()->touching && probe()->hip.z < probe()->proxy.z;
+          },
           kPatienceMs);
     });
   }

@@ -12,7 +12,7 @@
 #include "haptics/device/haply/event_channel.h"
 #include "haptics/device/haply/haply_device.h"
 #include "haptics/rt/realtime_thread.h"
-#include "tests/emulator/inverse_service.h"
+#include "tests/emulator/haply/inverse_service.h"
 
 namespace relievo::haply {
 namespace {
