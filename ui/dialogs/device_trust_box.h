@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/window/device_trust.h"
+#include "ui/work/device_trust.h"
 #include "ui/work/work_queue.h"
 
 class QCheckBox;

@@ -10,7 +10,7 @@
 #include <QStringList>
 
 #include "core/base/unit.h"
-#include "ui/window/device_trust.h"
+#include "ui/work/device_trust.h"
 
 namespace relievo {
 
