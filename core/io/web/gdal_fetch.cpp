@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <string_view>
 
 #include "core/io/web/web_worker.h"
 #include "core/io/worker/reader_guard.h"
@@ -25,9 +26,22 @@ bool isRemote(const std::string& name) {
   return name.starts_with("/vsicurl/") || name.starts_with("/vsis3/");
 }
 
+/// Does this number stand in the words? 404 does not stand in "port 40412".
+bool saysNumber(std::string_view words, std::string_view number) {
+  const auto isDigit = [&words](std::size_t at) {
+    return at < words.size() && words[at] >= '0' && words[at] <= '9';
+  };
+  for (std::size_t at = words.find(number); at != std::string_view::npos;
+       at = words.find(number, at + 1)) {
+    const bool goes_on = isDigit(at + number.size()) || (at > 0 && isDigit(at - 1));
+    if (!goes_on) return true;
+  }
+  return false;
+}
+
 /// What nobody can fetch now may be there next time: GDAL remembers that it was not.
 FetchedBytes failed(const std::string& name, const std::string& words) {
-  const auto says = [&words](const char* code) { return words.find(code) != std::string::npos; };
+  const auto says = [&words](const char* code) { return saysNumber(words, code); };
   // Of an object store, a key that is not there or fits not is no matter of the network either.
   const int store = VSIGetLastErrorNo();
   const bool of_store = store == VSIE_AWSBucketNotFound || store == VSIE_AWSObjectNotFound ||

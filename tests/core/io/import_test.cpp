@@ -78,8 +78,8 @@ TEST(Import, OneProcessSaysWhatAFileIsAndReadsItIfItIsAScan) {
   ASSERT_TRUE(std::holds_alternative<InputFacts>(found));
   EXPECT_EQ(std::get<InputFacts>(found), inputFacts(grid));
   EXPECT_THROW(importInput(folder.path() / "absent.ply"), FileError);
-  EXPECT_EQ(refusalOf([&] { importInput(folder.write("broken.ply", "ply\nformat odd\n")); }).words,
-            refusal(folder.path() / "broken.ply").words);
+  const auto broken = folder.write("broken.ply", "ply\nformat odd\n");
+  EXPECT_EQ(refusalOf([&] { importInput(broken); }).words, refusal(broken).words);
 }
 
 TEST(Import, AFileWithoutPermissionIsRefused) {

@@ -313,6 +313,12 @@ class Heard {
   std::vector<MessageId> said_;
 };
 
+// The words of a connection that fails name the port, and 404 is no answer there.
+TEST_F(Publishing, DigitsOfAPortAreNoAnswer) {
+  EXPECT_NE(refusalOf<WebLost>([] { webMap("http://127.0.0.1:40404/relief"); }),
+            "nothing was refused");
+}
+
 TEST_F(Publishing, ACoarserWindowComesAtOnceAndTheRestWhenTheServerIsBack) {
   publishMap({.cols = 2600, .rows = 2600});
   const TiledMap original(map());
