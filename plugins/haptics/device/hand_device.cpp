@@ -193,7 +193,8 @@ void HandDevice::announceEvents(const haply::LinkStatus& status) {
   for (const haply::ServiceEvent& event : events_->poll(now_ns)) {
     const bool is_plug =
         event.kind == haply::EventKind::connected || event.kind == haply::EventKind::disconnected;
-    const bool is_own = event.device.empty() || event.device == status.id;
+    // While it is gone its state has no id.
+    const bool is_own = event.device.empty() || status.id.empty() || event.device == status.id;
     if ((is_plug && is_own) || !event_news_.isNews(event, now_ns)) continue;
     parts_.host.messages.say({haply::describe(event)}, SaidBecause::noticed);
   }
