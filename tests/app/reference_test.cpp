@@ -72,7 +72,8 @@ std::string pageOn(const std::string& verb) {
   return text + parts()["Options of many verbs"];
 }
 
-constexpr std::array<const char*, 4> kPartsOfDevices{"firmware", "selftest", "calibrate", "rule"};
+constexpr std::array<const char*, 5> kPartsOfDevices{"firmware", "selftest", "calibrate", "rule",
+                                                     "library"};
 
 TEST(Reference, NamesEveryOptionOfEveryVerb) {
   const std::string help = helpOf({});
