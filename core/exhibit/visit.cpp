@@ -114,15 +114,12 @@ bool Visit::pressOfVoice(VisitPress press) {
 bool Visit::pressWithVolume(VisitPress press) {
   switch (press) {
     case VisitPress::plus:
-      order(Do::louder);
-      return true;
+      return pressOfVoice(VisitPress::louder);
     case VisitPress::minus:
-      order(Do::softer);
-      return true;
+      return pressOfVoice(VisitPress::softer);
     case VisitPress::centre:
     case VisitPress::help:
-      order(Do::repeat);
-      return true;
+      return pressOfVoice(VisitPress::repeat);
     default:
       return false;
   }
