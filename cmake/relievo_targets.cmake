@@ -9,10 +9,12 @@ target_compile_options(relievo_settings INTERFACE
 target_compile_definitions(relievo_settings INTERFACE QT_NO_KEYWORDS QT_NO_CAST_TO_ASCII
   RELIEVO_VERSION_STRING="${PROJECT_VERSION}")
 
-# relievo_add_module(core_depth SOURCES a.cpp ... PUBLIC targets... PRIVATE targets... [QT])
+include(together)
+
+# relievo_add_module(core_depth SOURCES a.cpp ... PUBLIC targets... PRIVATE targets... [QT] [TOGETHER])
 # One module folder, one target: relievo_core_depth, alias relievo::core_depth.
 function(relievo_add_module name)
-  cmake_parse_arguments(ARG "QT" "TYPE" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "QT;TOGETHER" "TYPE" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   if(NOT ARG_SOURCES)
     add_library(relievo_${name} INTERFACE)
     target_link_libraries(relievo_${name} INTERFACE relievo_settings ${ARG_PUBLIC})
@@ -24,6 +26,9 @@ function(relievo_add_module name)
     target_link_libraries(relievo_${name} PUBLIC $<BUILD_INTERFACE:relievo_settings> ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
     if(ARG_QT)
       set_target_properties(relievo_${name} PROPERTIES AUTOMOC ON AUTORCC ON)
+    endif()
+    if(ARG_TOGETHER)
+      relievo_compile_together(relievo_${name})
     endif()
   endif()
   add_library(relievo::${name} ALIAS relievo_${name})

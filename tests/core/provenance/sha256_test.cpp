@@ -44,7 +44,7 @@ TEST(Sha256, OfAFileCanBeStoppedAndTellsHowFarItIs) {
                     stop.request_stop();
                   }};
   EXPECT_THROW(sha256OfFile(file, task), Cancelled);
-  EXPECT_GT(last, 0.1);
+  EXPECT_GT(last, 0);
   EXPECT_LT(last, 0.9);
 }
 
