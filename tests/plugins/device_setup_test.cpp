@@ -375,7 +375,7 @@ TEST_F(DeviceSetupTest, WithTextTwiceAsLargeEverythingIsReachedByKeyOnASmallScre
     EXPECT_FALSE(at->visibleRegion().isEmpty()) << at->objectName().toStdString();
   } while (dialog_->focusWidget() != first && reached.size() < 50);
   for (const char* name : {"setupFirmware", "setupSelfTest", "setupWeight", "setupCalibrate",
-                           "setupResults", "leftHanded", "setupSave", "setupClose"}) {
+                           "setupResults", "leftHanded", "setupOther", "setupSave", "setupClose"}) {
     EXPECT_TRUE(reached.contains(name)) << name;
   }
   picture("setup_large_text_end");

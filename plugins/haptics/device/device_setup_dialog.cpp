@@ -92,6 +92,11 @@ void DeviceSetupDialog::build() {
                        tr("Left-handed"));
   left_handed_->setChecked(settings_.left_handed);
   parts->addWidget(left_handed_);
+  // Not among the buttons below, which large text would make wider than a small screen.
+  auto* other = named(new QPushButton(tr("Set up a &Haply device…")), "setupOther",
+                      tr("Set up a Haply device"));
+  connect(other, &QPushButton::clicked, this, &DeviceSetupDialog::otherAsked);
+  parts->addWidget(other, 0, Qt::AlignLeft);
   auto* scroll = parts_ = named(new QScrollArea, "setupParts", tr("Device set-up"));
   scroll->setWidget(rest);
   scroll->setWidgetResizable(true);
@@ -106,9 +111,6 @@ void DeviceSetupDialog::build() {
   auto* buttons = new QDialogButtonBox;
   save_ = buttons->addButton(tr("&Save and use the Falcon"), QDialogButtonBox::AcceptRole);
   named(save_, "setupSave", tr("Save and use the Falcon"));
-  auto* other = buttons->addButton(tr("Set up a &Haply device…"), QDialogButtonBox::ActionRole);
-  named(other, "setupOther", tr("Set up a Haply device"));
-  connect(other, &QPushButton::clicked, this, &DeviceSetupDialog::otherAsked);
   close_ = named(buttons->addButton(QDialogButtonBox::Close), "setupClose", tr("Close"));
   connect(buttons, &QDialogButtonBox::accepted, this, &DeviceSetupDialog::save);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -2,7 +2,9 @@
 #include "plugins/haptics/panel/haptics_panel.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -86,7 +88,10 @@ QFormLayout* HapticsPanel::rows() {
   auto* form = new QFormLayout;
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->setVerticalSpacing(3);
-  form->addRow(forces_);
+  auto* first = new QHBoxLayout;
+  first->addWidget(forces_);
+  first->addWidget(strength_->presets(), 1);
+  form->addRow(first);
   form->addRow(state_);
   form->addRow(take_back_);
   form->addRow(change_);

@@ -74,7 +74,10 @@ void StrengthRow::addTo(QFormLayout* form) {
   auto* label = new QLabel(tr("St&rength"));
   label->setBuddy(strength_);
   form->addRow(label, row);
-  form->addRow(QString(), preset_);
+}
+
+QComboBox* StrengthRow::presets() const {
+  return preset_;
 }
 
 int StrengthRow::percent() const {

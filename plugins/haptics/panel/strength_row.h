@@ -14,13 +14,15 @@ namespace relievo {
 /// "Gentle, 30 %"; empty: no preset has this strength.
 QString strengthPresetText(int percent);
 
-/// The rows of the panel Touch that say how strong all forces are: any strength, and the presets.
-/// [GUI thread]
+/// What the panel Touch has to say how strong all forces are: a row for any strength, and the
+/// presets. [GUI thread]
 class StrengthRow : public QObject {
   Q_OBJECT
  public:
   explicit StrengthRow(QObject* parent);
   void addTo(QFormLayout* form);
+  QComboBox* presets()
+      const;  ///< For a place beside other controls: the panel is as high as it may be.
 
   int percent() const;
   void set(int percent);  ///< Emits nothing.
