@@ -526,6 +526,8 @@ TEST_F(DeviceButtonsTest, OneButtonScansThroughTheCommands) {
   EXPECT_EQ(host_.commands, QStringList{"finer"});
   press(kMinus, 0.1);
   pass(3);
+  EXPECT_EQ(last(), "Whole object?");
+  pass(1);
   EXPECT_EQ(last(), "Move mode?");
   press(kMinus, 0.1);
   EXPECT_TRUE(buttons_.moving());
