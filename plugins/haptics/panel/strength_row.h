@@ -21,8 +21,8 @@ class StrengthRow : public QObject {
  public:
   explicit StrengthRow(QObject* parent);
   void addTo(QFormLayout* form);
-  QComboBox* presets()
-      const;  ///< For a place beside other controls: the panel is as high as it may be.
+  /// For a place beside other controls: the panel is as high as it may be.
+  QComboBox* presets() const;
 
   int percent() const;
   void set(int percent);  ///< Emits nothing.

@@ -35,7 +35,7 @@ TEST(Sha256, OfAFileIsThatOfItsBytesHoweverLong) {
 TEST(Sha256, OfAFileCanBeStoppedAndTellsHowFarItIs) {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "long.bin";
-  std::ofstream(file, std::ios::binary) << std::string(3'000'000, 'x');
+  std::ofstream(file, std::ios::binary) << std::string(2'000'000, 'x');
   std::stop_source stop;
   double last = 0;
   const Task task{.stop = stop.get_token(), .progress = [&](std::string_view, double fraction) {
@@ -44,7 +44,7 @@ TEST(Sha256, OfAFileCanBeStoppedAndTellsHowFarItIs) {
                     stop.request_stop();
                   }};
   EXPECT_THROW(sha256OfFile(file, task), Cancelled);
-  EXPECT_GT(last, 0);
+  EXPECT_GT(last, 0.1);
   EXPECT_LT(last, 0.9);
 }
 
