@@ -11,6 +11,7 @@
 #include "ui/dialogs/depth_map_dialog.h"
 #include "ui/style/mnemonic.h"
 #include "ui/views/detail_view.h"
+#include "ui/views/scan_view.h"
 
 namespace relievo {
 namespace {
@@ -21,8 +22,8 @@ constexpr double kTurnStepDeg = 15;
 }  // namespace
 
 SurfaceController::SurfaceController(const ControllerParts& parts, DetailView& detail,
-                                     const TouchController& touch)
-    : Controller(parts), detail_(detail), touch_(touch) {
+                                     const ScanView& scan, const TouchController& touch)
+    : Controller(parts), detail_(detail), scan_(scan), touch_(touch) {
   makeCommands();
   showHistory();
   for (const auto signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged}) {
@@ -64,6 +65,7 @@ void SurfaceController::makeCommands() {
   commands_.on(Command::turn_up, this, [this] { detail_.turnBy(0, -kTurnStepDeg); });
   commands_.on(Command::turn_down, this, [this] { detail_.turnBy(0, kTurnStepDeg); });
   commands_.on(Command::use_view, this, [this] { useThisView(); });
+  commands_.on(Command::relief_from_scan, this, [this] { useScanView(); });
   commands_.on(Command::engine_cpu, this,
                [this] { document_.choices().setEngine(QStringLiteral("cpu")); });
   commands_.on(Command::engine_depthbuffer, this,
@@ -106,6 +108,17 @@ void SurfaceController::useThisView() {
     }
   }
   document_.choices().setView({"free", turned});
+}
+
+void SurfaceController::useScanView() {
+  if (!document_.isOpen() || scan_.turnedDeg() == 0) return;
+  // A side that has a name is chosen by it.
+  for (const std::string_view side : kViewNames) {
+    if (standardRotation(side) != scan_.rotation()) continue;
+    document_.choices().setView({std::string(side), {}});
+    return;
+  }
+  document_.choices().setView({"free", scan_.rotation()});
 }
 
 void SurfaceController::chooseDepthMap() {

@@ -6,6 +6,7 @@
 namespace relievo {
 
 class DetailView;
+class ScanView;
 class TouchController;
 
 /// Which part of the surface is shown, from where, how it is made, and the steps that led there.
@@ -13,10 +14,13 @@ class TouchController;
 class SurfaceController : public Controller {
   Q_OBJECT
  public:
-  SurfaceController(const ControllerParts& parts, DetailView& detail, const TouchController& touch);
+  SurfaceController(const ControllerParts& parts, DetailView& detail, const ScanView& scan,
+                    const TouchController& touch);
 
   /// Makes the relief anew from where the turned detail view looks.
   void useThisView();
+  /// Makes the relief anew from where the scan in 3-D is looked at.
+  void useScanView();
 
  private:
   void makeCommands();
@@ -27,6 +31,7 @@ class SurfaceController : public Controller {
   void showSteps();
 
   DetailView& detail_;
+  const ScanView& scan_;
   const TouchController& touch_;
 };
 

@@ -14,6 +14,8 @@ namespace relievo {
 class HeaderRow : public QWidget {
  public:
   HeaderRow(QLabel* title, QLabel* note);  ///< Takes ownership.
+  /// At the end of the row, whether the note is below or not. Takes ownership.
+  void addAtEnd(QWidget* widget);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -23,7 +25,7 @@ class HeaderRow : public QWidget {
  private:
   void fit();
 
-  QBoxLayout* row_;
+  QBoxLayout *whole_, *row_;
   QLabel *title_, *note_;
 };
 

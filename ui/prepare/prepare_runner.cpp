@@ -6,6 +6,7 @@
 #include "ui/language/core_text.h"
 #include "ui/language/error_text.h"
 #include "ui/prepare/step_words.h"
+#include "ui/work/pictures/scan_points.h"
 #include "ui/work/surface_work.h"
 
 namespace relievo {

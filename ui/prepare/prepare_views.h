@@ -4,7 +4,7 @@
 #include <memory>
 #include <QWidget>
 
-#include "ui/prepare/cloud_view.h"
+#include "ui/views/cloud_view.h"
 #include "ui/prepare/prepare_work.h"
 #include "ui/work/latest_worker.h"
 

@@ -8,19 +8,17 @@
 #include "core/base/replaceable.h"
 #include "core/io/export/write_cloud.h"
 #include "core/io/formats/text_file.h"
-#include "core/prepare/normals.h"
-#include "core/prepare/outliers.h"
+#include "core/neighbours/point_neighbours.h"
 #include "core/provenance/prepared_state.h"
+#include "ui/work/pictures/scan_points.h"
 
 namespace relievo {
 namespace {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-constexpr Rgb kStone{204, 200, 193};
 constexpr Rgb kGone{176, 48, 48};
 constexpr Rgb kAlone{120, 120, 120};  // No other scan is near.
-constexpr int kNormalNeighbours = 12;
 constexpr std::size_t kCheckEvery = 1U << 16U;
 constexpr double kFarthestSpacings = 3;
 
@@ -42,18 +40,6 @@ Rgb distanceColour(double share) {
   };
   if (t < 0.5) return {mix(40, 245, 2 * t), mix(90, 245, 2 * t), mix(200, 245, 2 * t)};
   return {mix(245, 200, 2 * t - 1), mix(245, 40, 2 * t - 1), mix(245, 30, 2 * t - 1)};
-}
-
-Rgb ownColour(const Scan& scan, std::size_t i) {
-  if (!scan.colours.empty() && scan.colours[i][3] != 0) {
-    const Rgba& c = scan.colours[i];
-    return {c[0], c[1], c[2]};
-  }
-  if (!scan.intensities.empty()) {
-    const auto grey = static_cast<std::uint8_t>(60 + scan.intensities[i] * 180 / 65535);
-    return {grey, grey, grey};
-  }
-  return kStone;
 }
 
 Point3f turnedNormal(const Pose& pose, const Point3f& n) {
@@ -153,19 +139,10 @@ std::array<std::uint8_t, 3> colourOfScan(std::size_t number) {
 std::shared_ptr<const ReadScan> shownOf(std::shared_ptr<const Scan> scan, const std::string& sha256,
                                         std::size_t most, const Task& task) {
   auto read = std::make_shared<ReadScan>();
-  const std::size_t all = scan->points.size();
-  const std::size_t count = std::min(all, std::max<std::size_t>(most, 1));
-  std::vector<Point3f> points;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i % kCheckEvery == 0) task.check();
-    // Evenly along the file: a scanner's rows are all thinned alike.
-    const std::size_t point = i * all / count;
-    read->shown.push_back(static_cast<std::uint32_t>(point));
-    points.push_back(scan->points[point]);
-  }
-  const PointNeighbours neighbours(points, task);
-  read->normals = normalsOf(neighbours, points.size(), kNormalNeighbours, std::nullopt, task);
-  read->spacing = spacingOf(neighbours, task);
+  ShownPoints shown = shownPoints(*scan, most, task);
+  read->shown = std::move(shown.numbers);
+  read->normals = std::move(shown.normals);
+  read->spacing = shown.spacing;
   read->scan = std::move(scan);
   read->sha256 = sha256;
   return read;
@@ -206,7 +183,7 @@ CloudPoints cloudOf(const PrepareResult& result, const CloudWish& wish, const Ta
       cloud.points.push_back(from(cloud.origin, poses[s](read.scan->point(point))));
       cloud.normals.push_back(turnedNormal(poses[s], read.normals[i]));
       cloud.colours.push_back(wish.colour == CloudColour::scan ? colourOfScan(result.used[s])
-                                                               : ownColour(*read.scan, point));
+                                                               : shownColour(*read.scan, point));
     }
     range.end = cloud.points.size();
     ranges.push_back(range);
@@ -224,7 +201,7 @@ CloudPoints cloudOf(const ReadScan& read) {
   cloud.normals = read.normals;
   for (const std::uint32_t point : read.shown) {
     cloud.points.push_back(from(cloud.origin, read.scan->point(point)));
-    cloud.colours.push_back(ownColour(*read.scan, point));
+    cloud.colours.push_back(shownColour(*read.scan, point));
   }
   return cloud;
 }

@@ -20,9 +20,6 @@ struct ReadScan {
   std::string sha256;                ///< Of the file as it was read, hexadecimal.
 };
 
-/// How many points of all scans together are drawn at most, so that a view turns smoothly.
-inline constexpr std::size_t kMostShownPoints = 400'000;
-
 /// @param most  points to draw [worker] @throw as importScan
 std::shared_ptr<const ReadScan> readScan(const PrepareInput& input, std::size_t most,
                                          const Task& task);

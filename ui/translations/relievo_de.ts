@@ -1978,6 +1978,26 @@
         <source>End the sitting before all conditions were shown</source>
         <translation>Die Sitzung beenden, bevor alle Bedingungen gezeigt wurden</translation>
     </message>
+    <message>
+        <source>Show the points or the mesh behind the relief in the place of the overview, turned freely</source>
+        <translation>Die Punkte oder das Netz hinter dem Relief an der Stelle der Übersicht zeigen, frei gedreht</translation>
+    </message>
+    <message>
+        <source>3-D</source>
+        <translation>3-D</translation>
+    </message>
+    <message>
+        <source>Make the relief anew from where the scan in 3-D is looked at</source>
+        <translation>Das Relief neu machen, von wo der Scan in 3-D betrachtet wird</translation>
+    </message>
+    <message>
+        <source>Scan in &amp;3-D</source>
+        <translation>Scan in &amp;3-D</translation>
+    </message>
+    <message>
+        <source>Make rel&amp;ief as the scan is seen</source>
+        <translation>Relief, &amp;wie der Scan gesehen wird</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2120,6 +2140,14 @@
     <message>
         <source>experiment participant trial blind randomize</source>
         <translation>Experiment Versuch Teilnehmer Durchgang blind zufällig</translation>
+    </message>
+    <message>
+        <source>point cloud mesh raw 3D turn rotate orbit object arrow</source>
+        <translation>Punktwolke Netz roh 3D drehen Objekt Pfeil</translation>
+    </message>
+    <message>
+        <source>align rotate orient projection view direction</source>
+        <translation>ausrichten drehen Projektion Blickrichtung</translation>
     </message>
 </context>
 <context>
@@ -4735,6 +4763,14 @@
     <message>
         <source>%1 stays open</source>
         <translation>%1 bleibt offen</translation>
+    </message>
+    <message>
+        <source>The scan in 3-D: arrows turn it, Enter makes the relief from there</source>
+        <translation>Der Scan in 3-D: Pfeile drehen ihn, Enter macht das Relief von dort</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>Übersicht</translation>
     </message>
 </context>
 <context>
@@ -10861,6 +10897,53 @@
     </message>
 </context>
 <context>
+    <name>relievo::ScanView</name>
+    <message>
+        <source>Make relief from here</source>
+        <translation>Relief von hier machen</translation>
+    </message>
+    <message>
+        <source>As the relief</source>
+        <translation>Wie das Relief</translation>
+    </message>
+    <message>
+        <source>Make the relief anew as the scan is looked at now (Enter)</source>
+        <translation>Das Relief neu machen, wie der Scan jetzt betrachtet wird (Enter)</translation>
+    </message>
+    <message>
+        <source>Look at the scan from where the relief is seen</source>
+        <translation>Den Scan von dort betrachten, von wo das Relief gesehen wird</translation>
+    </message>
+    <message>
+        <source>Scan in 3-D</source>
+        <translation>Scan in 3-D</translation>
+    </message>
+    <message>
+        <source>The scan behind the relief. Drag with the left button or use the arrows to turn it, the right button moves it, the wheel or + and - bring it nearer, Home shows all of it. Enter makes the relief from here. The box is the window, the arrow shows along which direction the relief is seen.</source>
+        <translation>Der Scan hinter dem Relief. Ziehen mit der linken Taste oder die Pfeiltasten drehen ihn, die rechte Taste verschiebt ihn, das Rad oder + und - holen ihn näher, Pos1 zeigt ihn ganz. Enter macht das Relief von hier. Der Kasten ist der Ausschnitt, der Pfeil zeigt, in welcher Richtung das Relief gesehen wird.</translation>
+    </message>
+    <message>
+        <source>The scan is being prepared for the view…</source>
+        <translation>Der Scan wird für die Ansicht vorbereitet…</translation>
+    </message>
+    <message>
+        <source>Points: %1 of %2</source>
+        <translation>Punkte: %1 von %2</translation>
+    </message>
+    <message>
+        <source>Triangles: %1</source>
+        <translation>Dreiecke: %1</translation>
+    </message>
+    <message>
+        <source>Seen as the relief is</source>
+        <translation>Gesehen wie das Relief</translation>
+    </message>
+    <message>
+        <source>Turned by %1° from where the relief is seen</source>
+        <translation>Um %1° gedreht gegenüber dem Blick auf das Relief</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ScopeDialog</name>
     <message>
         <source>Force and height against time</source>
@@ -13120,6 +13203,10 @@
     <message>
         <source>hand scale 1 : %1</source>
         <translation>Maßstab der Hand 1 : %1</translation>
+    </message>
+    <message>
+        <source>SCAN</source>
+        <translation>SCAN</translation>
     </message>
 </context>
 </TS>

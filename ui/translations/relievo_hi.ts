@@ -1978,6 +1978,26 @@
         <source>End the sitting before all conditions were shown</source>
         <translation>सभी शर्तें दिखाने से पहले सत्र समाप्त करें</translation>
     </message>
+    <message>
+        <source>Show the points or the mesh behind the relief in the place of the overview, turned freely</source>
+        <translation>अवलोकन की जगह उभार के पीछे के बिंदु या जाल दिखाएँ, स्वतंत्र रूप से घुमाए हुए</translation>
+    </message>
+    <message>
+        <source>3-D</source>
+        <translation>3-D</translation>
+    </message>
+    <message>
+        <source>Make the relief anew from where the scan in 3-D is looked at</source>
+        <translation>जहाँ से 3-D में स्कैन देखा जा रहा है वहाँ से उभार फिर बनाएँ</translation>
+    </message>
+    <message>
+        <source>Scan in &amp;3-D</source>
+        <translation>स्कैन 3-D में (&amp;3)</translation>
+    </message>
+    <message>
+        <source>Make rel&amp;ief as the scan is seen</source>
+        <translation>जैसा स्कैन दिखता है वैसा उभार बनाएँ (&amp;I)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2120,6 +2140,14 @@
     <message>
         <source>experiment participant trial blind randomize</source>
         <translation>प्रयोग प्रतिभागी परीक्षण यादृच्छिक</translation>
+    </message>
+    <message>
+        <source>point cloud mesh raw 3D turn rotate orbit object arrow</source>
+        <translation>बिंदु बादल जाल कच्चा 3D घुमाना वस्तु तीर</translation>
+    </message>
+    <message>
+        <source>align rotate orient projection view direction</source>
+        <translation>संरेखित घुमाना प्रक्षेप दृश्य दिशा</translation>
     </message>
 </context>
 <context>
@@ -4735,6 +4763,14 @@
     <message>
         <source>%1 stays open</source>
         <translation>%1 खुला रहता है</translation>
+    </message>
+    <message>
+        <source>The scan in 3-D: arrows turn it, Enter makes the relief from there</source>
+        <translation>3-D में स्कैन: तीर उसे घुमाते हैं, Enter वहाँ से उभार बनाता है</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>अवलोकन</translation>
     </message>
 </context>
 <context>
@@ -10861,6 +10897,53 @@
     </message>
 </context>
 <context>
+    <name>relievo::ScanView</name>
+    <message>
+        <source>Make relief from here</source>
+        <translation>यहाँ से उभार बनाएँ</translation>
+    </message>
+    <message>
+        <source>As the relief</source>
+        <translation>उभार जैसा</translation>
+    </message>
+    <message>
+        <source>Make the relief anew as the scan is looked at now (Enter)</source>
+        <translation>अभी जैसा स्कैन देखा जा रहा है वैसा उभार फिर बनाएँ (Enter)</translation>
+    </message>
+    <message>
+        <source>Look at the scan from where the relief is seen</source>
+        <translation>स्कैन को वहाँ से देखें जहाँ से उभार दिखता है</translation>
+    </message>
+    <message>
+        <source>Scan in 3-D</source>
+        <translation>स्कैन 3-D में</translation>
+    </message>
+    <message>
+        <source>The scan behind the relief. Drag with the left button or use the arrows to turn it, the right button moves it, the wheel or + and - bring it nearer, Home shows all of it. Enter makes the relief from here. The box is the window, the arrow shows along which direction the relief is seen.</source>
+        <translation>उभार के पीछे का स्कैन। बाएँ बटन से खींचना या तीर कुंजियाँ उसे घुमाती हैं, दायाँ बटन खिसकाता है, पहिया या + और - पास लाते हैं, Home पूरा दिखाता है। Enter यहाँ से उभार बनाता है। डिब्बा विंडो है, तीर दिखाता है कि उभार किस दिशा में देखा जाता है।</translation>
+    </message>
+    <message>
+        <source>The scan is being prepared for the view…</source>
+        <translation>स्कैन दृश्य के लिए तैयार किया जा रहा है…</translation>
+    </message>
+    <message>
+        <source>Points: %1 of %2</source>
+        <translation>बिंदु: %2 में से %1</translation>
+    </message>
+    <message>
+        <source>Triangles: %1</source>
+        <translation>त्रिभुज: %1</translation>
+    </message>
+    <message>
+        <source>Seen as the relief is</source>
+        <translation>उभार जैसा ही दिखता है</translation>
+    </message>
+    <message>
+        <source>Turned by %1° from where the relief is seen</source>
+        <translation>उभार की दिशा से %1° घुमा हुआ</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ScopeDialog</name>
     <message>
         <source>Force and height against time</source>
@@ -13120,6 +13203,10 @@
     <message>
         <source>hand scale 1 : %1</source>
         <translation>हाथ का पैमाना 1 : %1</translation>
+    </message>
+    <message>
+        <source>SCAN</source>
+        <translation>स्कैन</translation>
     </message>
 </context>
 </TS>

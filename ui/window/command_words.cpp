@@ -12,7 +12,7 @@ struct OtherWords {
   const char* words;
 };
 
-constexpr std::array<OtherWords, 38> kWords{
+constexpr std::array<OtherWords, 40> kWords{
     {{"open", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import file read")},
      {"open_folder", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import directory images")},
      {"save_project", QT_TRANSLATE_NOOP("relievo::CommandWords", "store keep session")},
@@ -50,6 +50,10 @@ constexpr std::array<OtherWords, 38> kWords{
      {"turn_up", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit tilt")},
      {"turn_down", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit tilt")},
      {"use_view", QT_TRANSLATE_NOOP("relievo::CommandWords", "align rotate orient plane")},
+     {"show_scan", QT_TRANSLATE_NOOP("relievo::CommandWords",
+                                     "point cloud mesh raw 3D turn rotate orbit object arrow")},
+     {"relief_from_scan",
+      QT_TRANSLATE_NOOP("relievo::CommandWords", "align rotate orient projection view direction")},
      {"auto", QT_TRANSLATE_NOOP("relievo::CommandWords", "align rotate orient level")},
      {"pointer_look", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit mouse navigate")},
      {"pointer_touch", QT_TRANSLATE_NOOP("relievo::CommandWords", "feel press mouse haptic")},

@@ -32,7 +32,7 @@ Controllers::Controllers(const ControllerParts& parts, WorkArea& area)
       exports(parts, {area.detail(), area.reference(), *area.panels().measure, pictures}),
       questions(parts),
       pointer(parts, area.detail()),
-      surface(parts, area.detail(), touch),
+      surface(parts, area.detail(), area.scan(), touch),
       study(parts, look) {
   saving.watch({pictures, packages, exports, videos});
   QObject::connect(&opening, &OpenController::recordingChosen, &replays, &ReplayController::open);

@@ -27,6 +27,7 @@
 #include "ui/style/text.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"
+#include "ui/views/scan_view.h"
 #include "ui/window/first_view.h"
 #include "ui/window/work_area.h"
 #include "ui/work/file_names.h"
@@ -118,7 +119,7 @@ void MainWindow::layOut() {
   first_view_ = new FirstViewCard(document_, pages_);
   setCentralWidget(centre);
   for (QWidget* part : std::initializer_list<QWidget*>{
-           &area_->reference(), &area_->detail(), &area_->plot(), &area_->profile(),
+           &area_->reference(), &area_->scan(), &area_->detail(), &area_->plot(), &area_->profile(),
            area_->panels().all, first_view_, statusBar()}) {
     makeOwnWindow(part);
   }
@@ -180,6 +181,11 @@ void MainWindow::connectParts() {
   });
   connect(&detail, &DetailView::handMoved, heard,
           [this](const ViewMm& position, bool inside) { Q_EMIT handMoved(position, inside); });
+  connect(&area_->scan(), &ScanView::turnedChanged, heard, [this] { enableCommands(); });
+  connect(&area_->scan(), &ScanView::said, messages_.get(), &WindowMessages::announce);
+  connect(&area_->scan(), &ScanView::left, &detail, [&detail] { detail.setFocus(); });
+  connect(&area_->scan(), &ScanView::reliefAsked, heard,
+          [this] { commands_[Command::relief_from_scan].trigger(); });
   connect(&area_->reference(), &ReferenceView::left, &detail, [&detail] { detail.setFocus(); });
   connect(&document_, &Document::windowChanged, heard, [this] {
     if (const auto window = document_.window()) Q_EMIT windowShown(window);

@@ -102,6 +102,7 @@ class MainWindow : public QMainWindow {
   /// Where they are wanted and leave the views enough height.
   void showPlots();
   void showAroundDetail();  ///< On a full screen, and when that ends.
+  void showScan(bool on);   ///< In the place of the overview.
   void focusNextPart(int direction);
   void setTheme(Theme theme);
   void showPreferences();
@@ -114,6 +115,7 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void makeToolBar();
   void makeViewButton();
+  void makeScanSwitch();
   void makeDetailChoice();
   void showRecent();
   void enableCommands();

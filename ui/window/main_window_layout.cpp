@@ -17,6 +17,7 @@
 #include "ui/style/text.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"
+#include "ui/views/scan_view.h"
 #include "ui/window/main_window.h"
 #include "ui/window/work_area.h"
 
@@ -56,11 +57,22 @@ void MainWindow::showAroundDetail() {
   controllers_->look.placeLight();
 }
 
+void MainWindow::showScan(bool on) {
+  if (on) commands_[Command::show_reference].setChecked(true);
+  const bool had_focus =
+      area_->besideDetail().isAncestorOf(focusWidget()) || focusWidget() == &area_->besideDetail();
+  area_->showScan(on);
+  if (had_focus || on) area_->besideDetail().setFocus();
+  enableCommands();
+  messages_->announce(on ? tr("The scan in 3-D: arrows turn it, Enter makes the relief from there")
+                         : tr("Overview"));
+}
+
 void MainWindow::focusNextPart(int direction) {
   // Order of the window: message, toolbar, reference, detail, panels, plot, status.
   const std::array<QWidget*, 8> parts{strip_,
                                       tools_,
-                                      &area_->reference(),
+                                      &area_->besideDetail(),
                                       &area_->detail(),
                                       area_->panels().all,
                                       &area_->plot(),

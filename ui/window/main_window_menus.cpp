@@ -93,13 +93,14 @@ void MainWindow::makeCommands() {
   commands_.onToggled(Command::show_panels, this,
                       [this](bool on) { area_->panels().all->setVisible(on); });
   commands_.onToggled(Command::show_reference, this, [this](bool on) { area_->showReference(on); });
+  commands_.onToggled(Command::show_scan, this, [this](bool on) { showScan(on); });
   commands_.onToggled(Command::show_profile, this, [this](bool) { showPlots(); });
   commands_[Command::show_plots].setVisible(false);
   commands_.onToggled(Command::show_plots, this, [this](bool) { showPlots(); });
   commands_.on(Command::full_screen, this, [this] { setFullScreenDetail(!isFullScreen()); });
   commands_.on(Command::swap_views, this, [this] {
     QWidget* to = &area_->detail();
-    if (to->hasFocus()) to = &area_->reference();
+    if (to->hasFocus()) to = &area_->besideDetail();
     to->setFocus(Qt::ShortcutFocusReason);
   });
   commands_.on(Command::next_part, this, [this] { focusNextPart(1); });
@@ -149,6 +150,7 @@ void MainWindow::makeToolBar() {
     button->setToolButtonStyle(Qt::ToolButtonIconOnly);
   }
   new ToolBarFitter(*tools_);
+  makeScanSwitch();
 }
 
 void MainWindow::makeViewButton() {
@@ -170,6 +172,17 @@ void MainWindow::makeViewButton() {
   }
   views->setMenu(sides);
   tools_->addWidget(views);
+}
+
+void MainWindow::makeScanSwitch() {
+  auto* scan = new QToolButton;
+  scan->setObjectName(QStringLiteral("scan_switch"));
+  scan->setDefaultAction(&commands_[Command::show_scan]);
+  scan->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  scan->setAutoRaise(true);
+  scan->setFocusPolicy(Qt::StrongFocus);
+  scan->setAccessibleName(withoutMnemonic(commands_[Command::show_scan].text()));
+  area_->addSwitch(scan);
 }
 
 void MainWindow::makeDetailChoice() {
@@ -214,6 +227,8 @@ void MainWindow::enableCommands() {
   const bool in_replay = area_->replay().showing();
   commands_.enable(is_open, is_scan, in_replay);
   commands_[Command::use_view].setEnabled(is_scan && area_->detail().isTurned());
+  if (!is_scan) commands_[Command::show_scan].setChecked(false);
+  if (area_->scan().turnedDeg() == 0) commands_[Command::relief_from_scan].setEnabled(false);
   for (const ReliefKind kind : {ReliefKind::natural, ReliefKind::intensity}) {
     QAction& look = commands_[commandAfter(Command::relief_lit, static_cast<std::size_t>(kind))];
     look.setEnabled(is_open && canShow(*document_.surface(), kind));

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include "core/session/map_facts.h"
@@ -24,6 +25,7 @@
 #include "ui/style/text.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"
+#include "ui/views/scan_view.h"
 #include "ui/work/document.h"
 #include "ui/work/settings.h"
 
@@ -43,12 +45,12 @@ QLabel* headerLabel(const QString& name) {
   return label;
 }
 
-QWidget* headed(QWidget* view, QLabel* title, QLabel* note) {
+QWidget* headed(QWidget* view, HeaderRow* header) {
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(new HeaderRow(title, note));
+  column->addWidget(header);
   column->addWidget(view, 1);
   return box;
 }
@@ -74,11 +76,16 @@ void WorkArea::layOutViews(Document& document, RenderScheduler& turns) {
   reference_note_ = headerLabel(QStringLiteral("reference_note"));
   detail_title_ = headerLabel(QStringLiteral("detail_title"));
   detail_note_ = headerLabel(QStringLiteral("detail_note"));
-  reference_box_ = headed(reference_, reference_title_, reference_note_);
+  scan_ = new ScanView(document);
+  beside_ = new QStackedWidget;
+  beside_->addWidget(reference_);
+  beside_->addWidget(scan_);
+  reference_header_ = new HeaderRow(reference_title_, reference_note_);
+  reference_box_ = headed(beside_, reference_header_);
   views_ = new QSplitter(Qt::Horizontal);
   views_->setChildrenCollapsible(false);
   views_->addWidget(reference_box_);
-  views_->addWidget(headed(detail_, detail_title_, detail_note_));
+  views_->addWidget(headed(detail_, new HeaderRow(detail_title_, detail_note_)));
   views_->setStretchFactor(0, 1);
   views_->setStretchFactor(1, 2);
   views_->setSizes({1000, 2000});
@@ -127,7 +134,7 @@ const QObject* WorkArea::rows() const {
 
 void WorkArea::showMapTitle() {
   const DetailLadder& ladder = document_.surface()->ladder;
-  reference_title_->setText(tr("OVERVIEW"));
+  reference_title_->setText(beside_->currentWidget() == scan_ ? tr("SCAN") : tr("OVERVIEW"));
   reference_note_->setText(sizeText({ladder.width_mm, ladder.height_mm}));
 }
 
@@ -160,6 +167,19 @@ void WorkArea::showReference(bool on) {
   reference_box_->setVisible(on);
 }
 
+void WorkArea::showScan(bool on) {
+  beside_->setCurrentWidget(on ? static_cast<QWidget*>(scan_) : reference_);
+  if (document_.isOpen()) showMapTitle();
+}
+
+QWidget& WorkArea::besideDetail() {
+  return *beside_->currentWidget();
+}
+
+void WorkArea::addSwitch(QWidget* widget) {
+  reference_header_->addAtEnd(widget);
+}
+
 void WorkArea::showInset(bool on) {
   inset_->setVisible(on);
 }
@@ -168,6 +188,7 @@ void WorkArea::takeColours() {
   const ThemeColours& c = currentColours();
   reference_->setBackground(c.viewport);
   detail_->setBackground(c.viewport);
+  scan_->takeColours();
   plot_->takeColours();
   profile_->takeColours();
   replay_->panel()->takeColours();

@@ -6,11 +6,13 @@
 
 class QLabel;
 class QSplitter;
+class QStackedWidget;
 
 namespace relievo {
 
 class DetailView;
 class Document;
+class HeaderRow;
 class MeasurePanel;
 class OverviewInset;
 class PlacesPanel;
@@ -19,6 +21,7 @@ class RenderScheduler;
 class ReferenceView;
 class RegionPanel;
 class ReplayControl;
+class ScanView;
 class Settings;
 class SidePanels;
 class StereoPanel;
@@ -36,6 +39,9 @@ class WorkArea : public QWidget {
 
   DetailView& detail() { return *detail_; }
   ReferenceView& reference() { return *reference_; }
+  ScanView& scan() { return *scan_; }
+  /// Which of the two stands beside the detail view.
+  QWidget& besideDetail();
   TimePlot& plot() { return *plot_; }
   ProfileStrip& profile() { return *profile_; }
   ReplayControl& replay() { return *replay_; }
@@ -53,11 +59,14 @@ class WorkArea : public QWidget {
   /// Views and plots, one below the other: another height may be room for other plots.
   const QObject* rows() const;
 
+  /// Turns what is beside the detail view; it takes the place at the end of its header.
+  void addSwitch(QWidget* widget);
   void showMapTitle();     ///< And its size, above the reference view.
   void showWindowTitle();  ///< Which detail, how large it is and under the hand.
   /// Views have the room that they need, and plots the rest: the curve first, which was asked for.
   void showPlots(bool curve_wanted, bool plots_wanted);
   void showReference(bool on);
+  void showScan(bool on);  ///< The scan in 3-D in the place of the reference view.
   void showInset(bool on);
   void takeColours();
   void saveTo(Settings& settings) const;
@@ -70,6 +79,9 @@ class WorkArea : public QWidget {
   Document& document_;
   QLabel *reference_title_, *reference_note_, *detail_title_, *detail_note_;
   ReferenceView* reference_;
+  ScanView* scan_;
+  QStackedWidget* beside_;  ///< The two above.
+  HeaderRow* reference_header_;
   DetailView* detail_;
   OverviewInset* inset_;
   QWidget* reference_box_;

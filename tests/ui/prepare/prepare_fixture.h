@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "tests/ui/gui_fixture.h"
-#include "ui/prepare/cloud_view.h"
+#include "ui/views/cloud_view.h"
 #include "ui/prepare/prepare_dialog.h"
 
 class QTreeWidget;

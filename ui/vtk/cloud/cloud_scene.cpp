@@ -5,11 +5,13 @@
 #include <cmath>
 
 #include <vtkActor.h>
+#include <vtkArrowSource.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkLight.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLVertexBufferObject.h>
@@ -28,7 +30,8 @@ namespace {
 
 constexpr double kPointsOverlap = 1.8;  // So that a surface is closed.
 constexpr double kLeastPointPx = 2.5, kMostPointPx = 8;
-constexpr std::array<double, 3> kBoxColour{1.0, 0.62, 0.20};
+constexpr int kArrowSides = 24;
+constexpr std::array<double, 3> kArrowColour{1.0, 0.31, 0.64};  // As the window in the overview.
 
 /// Somebody else's list of threes as VTK's array; VTK only reads it.
 template <class Array, class T>
@@ -56,18 +59,22 @@ void lightBothSides(vtkActor* actor) {
 struct CloudScene::Impl {
   std::shared_ptr<const CloudPoints> drawn;
   std::optional<CloudBox> box;
+  std::optional<CloudArrow> arrow;
+  std::size_t one_in = 1;
   CloudCamera camera;
-  double reach = 1;  ///< Of points and box from `origin`, file units.
+  double reach = 1;  ///< Of all that is drawn from `origin`, file units.
   FilePoint origin;
 
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkCamera> vtk_camera;
   vtkNew<vtkPolyData> cloud, lines;
-  vtkNew<vtkActor> cloud_actor, box_actor;
+  vtkNew<vtkActor> cloud_actor, box_actor, arrow_actor;
   vtkSmartPointer<vtkRenderWindow> window;
 
   Impl();
+  void placeCells();
   void placeBox();
+  void placeArrow();
   void measure();
 };
 
@@ -81,12 +88,20 @@ CloudScene::Impl::Impl() {
   cloud_actor->GetProperty()->SetSpecular(0);
   line_mapper->SetInputData(lines);
   box_actor->SetMapper(line_mapper);
-  box_actor->GetProperty()->SetColor(kBoxColour[0], kBoxColour[1], kBoxColour[2]);
   box_actor->GetProperty()->LightingOff();
-  cloud_actor->VisibilityOff();
-  box_actor->VisibilityOff();
-  renderer->AddActor(cloud_actor);
-  renderer->AddActor(box_actor);
+  vtkNew<vtkArrowSource> arrow_source;  // Along x, of length 1.
+  arrow_source->SetShaftResolution(kArrowSides);
+  arrow_source->SetTipResolution(kArrowSides);
+  vtkNew<vtkOpenGLPolyDataMapper> arrow_mapper;
+  arrow_mapper->SetInputConnection(arrow_source->GetOutputPort());
+  arrow_actor->SetMapper(arrow_mapper);
+  arrow_actor->GetProperty()->SetColor(kArrowColour[0], kArrowColour[1], kArrowColour[2]);
+  arrow_actor->GetProperty()->SetAmbient(0.4);
+  arrow_actor->GetProperty()->SetDiffuse(0.6);
+  for (vtkActor* actor : {cloud_actor.Get(), box_actor.Get(), arrow_actor.Get()}) {
+    actor->VisibilityOff();
+    renderer->AddActor(actor);
+  }
   renderer->SetActiveCamera(vtk_camera);
   renderer->AutomaticLightCreationOff();
   vtkNew<vtkLight> lamp;
@@ -98,9 +113,55 @@ CloudScene::Impl::Impl() {
   vtk_camera->ParallelProjectionOn();
 }
 
+/// Triangles where there are some, else one vertex for each point that is drawn.
+void CloudScene::Impl::placeCells() {
+  if (!drawn) return;
+  vtkNew<vtkCellArray> cells, none;
+  const auto count = static_cast<vtkIdType>(drawn->points.size());
+  const auto step = static_cast<vtkIdType>(std::max<std::size_t>(one_in, 1));
+  const bool is_mesh = !drawn->triangles.empty() && step == 1;
+  if (is_mesh) {
+    for (const auto& t : drawn->triangles) {
+      cells->InsertNextCell({static_cast<vtkIdType>(t[0]), static_cast<vtkIdType>(t[1]),
+                             static_cast<vtkIdType>(t[2])});
+    }
+  } else if (count > 0) {
+    cells->InsertNextCell(static_cast<int>((count + step - 1) / step));
+    for (vtkIdType i = 0; i < count; i += step) cells->InsertCellPoint(i);
+  }
+  cloud->SetPolys(is_mesh ? cells : none);
+  cloud->SetVerts(is_mesh ? none : cells);
+  cloud->Modified();
+}
+
+void CloudScene::Impl::placeArrow() {
+  arrow_actor->SetVisibility(arrow.has_value() ? 1 : 0);
+  if (!arrow) return;
+  const FilePoint along = arrow->to - arrow->from;
+  const double length = std::max(norm(along), 1e-12);
+  const FilePoint x = (1 / length) * along;
+  // Any two axes across it: the arrow is round.
+  const FilePoint aside = std::abs(x.x) < 0.7 ? FilePoint{1, 0, 0} : FilePoint{0, 1, 0};
+  FilePoint y = aside - dot(aside, x) * x;
+  y = (1 / norm(y)) * y;
+  const FilePoint z{x.y * y.z - x.z * y.y, x.z * y.x - x.x * y.z, x.x * y.y - x.y * y.x};
+  const FilePoint at = arrow->from - origin;
+  vtkNew<vtkMatrix4x4> placed;
+  const std::array<std::array<double, 4>, 3> rows{
+      {{x.x, y.x, z.x, at.x}, {x.y, y.y, z.y, at.y}, {x.z, y.z, z.z, at.z}}};
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 4; ++c) {
+      const double value = rows[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)];
+      placed->SetElement(r, c, c < 3 ? length * value : value);
+    }
+  }
+  arrow_actor->SetUserMatrix(placed);
+}
+
 void CloudScene::Impl::placeBox() {
   box_actor->SetVisibility(box.has_value() ? 1 : 0);
   if (!box) return;
+  box_actor->GetProperty()->SetColor(box->colour[0], box->colour[1], box->colour[2]);
   const Rotation& axes = box->axes;
   vtkNew<vtkPoints> corners;
   for (int i = 0; i < 8; ++i) {
@@ -143,6 +204,13 @@ void CloudScene::Impl::measure() {
           std::max(squared, corner[0] * corner[0] + corner[1] * corner[1] + corner[2] * corner[2]);
     }
   }
+  if (arrow) {
+    // The tip's cone is a tenth of the length thick.
+    for (const FilePoint& end : {arrow->from - origin, arrow->to - origin}) {
+      const double far = norm(end) + 0.1 * norm(arrow->to - arrow->from);
+      squared = std::max(squared, far * far);
+    }
+  }
   reach = std::max(1e-9, 1.01 * std::sqrt(squared));
 }
 
@@ -162,15 +230,11 @@ void CloudScene::setPoints(std::shared_ptr<const CloudPoints> points) {
   m.cloud_actor->SetVisibility(any ? 1 : 0);
   if (any) {
     const CloudPoints& c = *m.drawn;
-    const auto count = static_cast<vtkIdType>(c.points.size());
     m.origin = c.origin;
     vtkNew<vtkPoints> places;
     places->SetData(borrowed<vtkFloatArray>(c.points));
     m.cloud->SetPoints(places);
-    vtkNew<vtkCellArray> all;
-    all->InsertNextCell(static_cast<int>(count));
-    for (vtkIdType i = 0; i < count; ++i) all->InsertCellPoint(i);
-    m.cloud->SetVerts(all);
+    m.placeCells();
     const auto colours = borrowed<vtkUnsignedCharArray>(c.colours);
     colours->SetName("colours");
     m.cloud->GetPointData()->SetScalars(colours);
@@ -180,6 +244,7 @@ void CloudScene::setPoints(std::shared_ptr<const CloudPoints> points) {
     m.cloud_actor->GetProperty()->SetLighting(!c.normals.empty());
   }
   m.placeBox();
+  m.placeArrow();
   m.measure();
 }
 
@@ -187,6 +252,18 @@ void CloudScene::setBox(const std::optional<CloudBox>& box) {
   impl_->box = box;
   impl_->placeBox();
   impl_->measure();
+}
+
+void CloudScene::setArrow(const std::optional<CloudArrow>& arrow) {
+  impl_->arrow = arrow;
+  impl_->placeArrow();
+  impl_->measure();
+}
+
+void CloudScene::setCoarseness(std::size_t one_in) {
+  if (impl_->one_in == one_in) return;
+  impl_->one_in = one_in;
+  impl_->placeCells();
 }
 
 void CloudScene::setBackground(double red, double green, double blue) {
@@ -217,7 +294,8 @@ void CloudScene::prepare(const PictureSize& size, double mark_scale) {
   m.vtk_camera->SetParallelScale(0.5 * c.height);
   const double middle = distance + along;  // From the camera to the origin's plane.
   m.vtk_camera->SetClippingRange(std::max(middle - m.reach, 1e-3 * m.reach), middle + m.reach);
-  const double px = m.drawn ? m.drawn->spacing * size.height / c.height : 0;
+  const double coarser = std::sqrt(static_cast<double>(std::max<std::size_t>(m.one_in, 1)));
+  const double px = m.drawn ? coarser * m.drawn->spacing * size.height / c.height : 0;
   m.cloud_actor->GetProperty()->SetPointSize(static_cast<float>(
       std::clamp(kPointsOverlap * px, kLeastPointPx * mark_scale, kMostPointPx * mark_scale)));
   m.box_actor->GetProperty()->SetLineWidth(static_cast<float>(1.5 * mark_scale));

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <QTimer>
 #include <QWidget>
 #include <vector>
 
@@ -10,10 +11,10 @@
 
 namespace relievo {
 
-/// Points in space on screen: turned, moved and looked at from near by mouse and keys. With a tool,
-/// a cross chooses a point, or draws an outline; it goes where the mouse points or where the arrow
-/// keys carry it. Accessible as one named object whose description says what is under the cross.
-/// [GUI thread]
+/// Points or a mesh in space on screen: turned, moved and looked at from near by mouse and keys.
+/// With a tool, a cross chooses a point, or draws an outline; it goes where the mouse points or
+/// where the arrow keys carry it. Accessible as one named object whose description says what is
+/// under the cross. [GUI thread]
 class CloudView : public QWidget {
   Q_OBJECT
  public:
@@ -36,6 +37,10 @@ class CloudView : public QWidget {
   void setCloud(std::shared_ptr<const CloudPoints> cloud);
   const CloudPoints* cloud() const { return cloud_.get(); }
   void setBox(const std::optional<CloudBox>& box);
+  /// All of it is in view, too, when the view is fitted.
+  void setArrow(const std::optional<CloudArrow>& arrow);
+  const std::optional<CloudArrow>& arrow() const { return arrow_; }
+  const std::optional<CloudBox>& box() const { return box_; }
   void setMarks(std::vector<Mark> marks);
   /// Shown while the view looks along it.
   void setOutline(std::optional<Outline> outline);
@@ -46,6 +51,7 @@ class CloudView : public QWidget {
   const CloudCamera& camera() const { return camera_; }
   void look(const Rotation& view);  ///< From this side; all of the points fitted.
   void fit();
+  void takeColours();  ///< Of the window.
 
   /// Pixels of this widget; where the cross is.
   QPointF cross() const { return cross_; }
@@ -56,6 +62,7 @@ class CloudView : public QWidget {
   QSize sizeHint() const override { return {480, 360}; }
 
  Q_SIGNALS:
+  void cameraChanged();
   void pointChosen(const relievo::FilePoint& point);
   void outlineDrawn(const relievo::CloudView::Outline& outline);
   void toolLeft();  ///< By Escape.
@@ -79,6 +86,8 @@ class CloudView : public QWidget {
   class Overlay;
 
   void setCamera(const CloudCamera& camera);
+  /// Draws less of a large cloud until the view has stood still for a moment.
+  void drawCoarselyForNow();
   void turnBy(double right_deg, double up_deg);
   void zoomBy(double factor, const QPointF& about);
   void shiftBy(const QPointF& pixels);
@@ -103,11 +112,14 @@ class CloudView : public QWidget {
   bool seen_ = false;    ///< There was something to see.
   bool dragging_ = false, drawing_ = false;
   std::vector<Mark> marks_;
+  std::optional<CloudArrow> arrow_;
+  std::optional<CloudBox> box_;
   std::optional<Outline> outline_;  ///< Whole, or while it is drawn.
   bool outline_open_ = false;
   int drag_corners_ = 0;  ///< Set by the drag at hand.
   QString where_am_i_;
   std::unique_ptr<CloudScene> scene_;
+  QTimer still_;                ///< Since the view moved last.
   Canvas* canvas_ = nullptr;    ///< Child; owned by Qt.
   Overlay* overlay_ = nullptr;  ///< Child; owned by Qt.
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/prepare/cloud_view.h"
+#include "ui/views/cloud_view.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -26,6 +26,8 @@ constexpr double kDragDegPerPx = 0.4;
 constexpr double kZoom = 1.25;
 constexpr double kCrossStepPx = 12;  // A key press; with Shift one.
 constexpr double kFreehandPx = 4;    // Between corners of an outline drawn with the mouse.
+constexpr std::size_t kFluentPoints = 120'000;  // Drawn in a blink without a graphics card.
+constexpr int kStillMs = 200;
 constexpr int kFreehandCorners = 3;  // A drag that set so many drew the whole outline.
 
 const QColor kPink(0xff, 0x4f, 0xa3);
@@ -97,15 +99,26 @@ CloudView::CloudView(const QString& name, QWidget* parent)
   setMinimumSize(160, 140);
   canvas_ = new Canvas(this, *scene_);
   overlay_ = new Overlay(this);
-  const QColor ground = currentColours().viewport;
-  scene_->setBackground(ground.redF(), ground.greenF(), ground.blueF());
+  takeColours();
   camera_.view = *standardRotation("front");
   scene_->setCamera(camera_);
+  still_.setSingleShot(true);
+  still_.setInterval(kStillMs);
+  connect(&still_, &QTimer::timeout, this, [this] {
+    scene_->setCoarseness(1);
+    canvas_->requestRender();
+  });
 }
 
 // The canvas draws the scene: it goes first.
 CloudView::~CloudView() {
   delete canvas_;
+}
+
+void CloudView::takeColours() {
+  const QColor ground = currentColours().viewport;
+  scene_->setBackground(ground.redF(), ground.greenF(), ground.blueF());
+  canvas_->requestRender();
 }
 
 void CloudView::setCloud(std::shared_ptr<const CloudPoints> cloud) {
@@ -120,7 +133,16 @@ void CloudView::setCloud(std::shared_ptr<const CloudPoints> cloud) {
 }
 
 void CloudView::setBox(const std::optional<CloudBox>& box) {
+  box_ = box;
   scene_->setBox(box);
+  canvas_->requestRender();
+}
+
+void CloudView::setArrow(const std::optional<CloudArrow>& arrow) {
+  if (arrow == arrow_) return;
+  arrow_ = arrow;
+  scene_->setArrow(arrow);
+  if (fitted_) fit();
   canvas_->requestRender();
 }
 
@@ -164,6 +186,12 @@ void CloudView::fit() {
     box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
     box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
   }
+  if (arrow_) {
+    for (const FilePoint& p : {arrow_->from, arrow_->to}) {
+      box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
+      box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+    }
+  }
   setCamera(fitted(camera_, box, pictureSize()));
   fitted_ = true;
 }
@@ -175,9 +203,20 @@ void CloudView::setCamera(const CloudCamera& camera) {
   canvas_->requestRender();
   overlay_->update();
   if (tool_ != Tool::turn) sayCross();
+  Q_EMIT cameraChanged();
+}
+
+void CloudView::drawCoarselyForNow() {
+  if (!cloud_) return;
+  const std::size_t drawn =
+      cloud_->triangles.empty() ? cloud_->points.size() : cloud_->triangles.size();
+  if (drawn <= kFluentPoints) return;
+  scene_->setCoarseness(std::max<std::size_t>(2, cloud_->points.size() / kFluentPoints));
+  still_.start();
 }
 
 void CloudView::turnBy(double right_deg, double up_deg) {
+  drawCoarselyForNow();
   setCamera(turnedBy(camera_, right_deg, up_deg));
 }
 
@@ -199,6 +238,7 @@ void CloudView::shiftBy(const QPointF& pixels) {
   const FilePoint right{r[0], r[1], r[2]}, up{r[3], r[4], r[5]};
   CloudCamera next = camera_;
   next.middle = next.middle - (pixels.x() * unit) * right + (pixels.y() * unit) * up;
+  drawCoarselyForNow();
   setCamera(next);
 }
 
