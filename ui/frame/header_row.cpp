@@ -11,22 +11,12 @@ constexpr int kSpareDigits = 3;
 }
 
 HeaderRow::HeaderRow(QLabel* title, QLabel* note)
-    : whole_(new QBoxLayout(QBoxLayout::LeftToRight, this)),
-      row_(new QBoxLayout(QBoxLayout::LeftToRight)),
-      title_(title),
-      note_(note) {
-  for (QBoxLayout* layout : {whole_, row_}) {
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-  }
-  whole_->addLayout(row_, 1);
+    : row_(new QBoxLayout(QBoxLayout::LeftToRight, this)), title_(title), note_(note) {
+  row_->setContentsMargins(0, 0, 0, 0);
+  row_->setSpacing(0);
   row_->addWidget(title);
   row_->addStretch(1);
   row_->addWidget(note);
-}
-
-void HeaderRow::addAtEnd(QWidget* widget) {
-  whole_->addWidget(widget, 0, Qt::AlignTop);
 }
 
 void HeaderRow::resizeEvent(QResizeEvent* event) {
@@ -52,9 +42,7 @@ void HeaderRow::fit() {
   // A number that gets a digit more and less under a drag must not make the row jump.
   const int spare =
       note_->wordWrap() ? note_->fontMetrics().horizontalAdvance('0') * kSpareDigits : 0;
-  int room = width();
-  for (int i = 1; i < whole_->count(); ++i) room -= whole_->itemAt(i)->sizeHint().width();
-  const bool below = needed + spare > room;
+  const bool below = needed + spare > width();
   // Setting it asks for a layout anew even if nothing changes, and that comes back here.
   if (note_->wordWrap() != below) note_->setWordWrap(below);
   row_->setDirection(below ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);

@@ -14,8 +14,6 @@ namespace relievo {
 class HeaderRow : public QWidget {
  public:
   HeaderRow(QLabel* title, QLabel* note);  ///< Takes ownership.
-  /// At the end of the row, whether the note is below or not. Takes ownership.
-  void addAtEnd(QWidget* widget);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -25,7 +23,7 @@ class HeaderRow : public QWidget {
  private:
   void fit();
 
-  QBoxLayout *whole_, *row_;
+  QBoxLayout* row_;
   QLabel *title_, *note_;
 };
 

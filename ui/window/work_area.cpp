@@ -45,14 +45,22 @@ QLabel* headerLabel(const QString& name) {
   return label;
 }
 
-QWidget* headed(QWidget* view, HeaderRow* header) {
+QWidget* headed(QWidget* view, QLayout* header) {
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  column->addWidget(header);
+  column->addLayout(header);
   column->addWidget(view, 1);
   return box;
+}
+
+QBoxLayout* headerOf(QLabel* title, QLabel* note) {
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  row->addWidget(new HeaderRow(title, note), 1);
+  return row;
 }
 
 }  // namespace
@@ -80,12 +88,12 @@ void WorkArea::layOutViews(Document& document, RenderScheduler& turns) {
   beside_ = new QStackedWidget;
   beside_->addWidget(reference_);
   beside_->addWidget(scan_);
-  reference_header_ = new HeaderRow(reference_title_, reference_note_);
+  reference_header_ = headerOf(reference_title_, reference_note_);
   reference_box_ = headed(beside_, reference_header_);
   views_ = new QSplitter(Qt::Horizontal);
   views_->setChildrenCollapsible(false);
   views_->addWidget(reference_box_);
-  views_->addWidget(headed(detail_, new HeaderRow(detail_title_, detail_note_)));
+  views_->addWidget(headed(detail_, headerOf(detail_title_, detail_note_)));
   views_->setStretchFactor(0, 1);
   views_->setStretchFactor(1, 2);
   views_->setSizes({1000, 2000});
@@ -177,7 +185,7 @@ QWidget& WorkArea::besideDetail() {
 }
 
 void WorkArea::addSwitch(QWidget* widget) {
-  reference_header_->addAtEnd(widget);
+  reference_header_->addWidget(widget, 0, Qt::AlignTop);
 }
 
 void WorkArea::showInset(bool on) {

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QWidget>
 
+class QBoxLayout;
 class QLabel;
 class QSplitter;
 class QStackedWidget;
@@ -12,7 +13,6 @@ namespace relievo {
 
 class DetailView;
 class Document;
-class HeaderRow;
 class MeasurePanel;
 class OverviewInset;
 class PlacesPanel;
@@ -81,7 +81,7 @@ class WorkArea : public QWidget {
   ReferenceView* reference_;
   ScanView* scan_;
   QStackedWidget* beside_;  ///< The two above.
-  HeaderRow* reference_header_;
+  QBoxLayout* reference_header_;
   DetailView* detail_;
   OverviewInset* inset_;
   QWidget* reference_box_;
