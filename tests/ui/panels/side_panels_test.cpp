@@ -27,7 +27,7 @@ class SidePanelsTest : public GuiTest {
 
 TEST_F(SidePanelsTest, WhatEverybodyNeedsIsFirstAndOpen) {
   EXPECT_EQ(panels().titles(), QStringList({"Scan", "View", "Window", "Light", "Measure", "Stereo",
-                                            "Places", "Suggestions"}));
+                                            "Bookmarks", "Suggestions"}));
   for (const char* panel :
        {"surface_panel", "view_panel", "region_panel", "light_panel", "measure_panel"}) {
     EXPECT_TRUE(isOpen(panel)) << panel;
