@@ -208,6 +208,7 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   auto* gain_label = new QLabel(tr("Exaggeratio&n"));
   gain_label->setBuddy(gain_);
   auto* gain_row = new QHBoxLayout;  // Of its own: its long name would leave the fields no room.
+  gain_row->setSpacing(layout->horizontalSpacing());
   gain_row->addWidget(gain_label);
   gain_row->addWidget(gain_);
   gain_row->addWidget(gain_slider_, 1);
