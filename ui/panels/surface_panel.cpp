@@ -32,13 +32,13 @@ double gainOf(int slider) {
   return std::pow(kMostGain, static_cast<double>(slider) / kGainSteps);
 }
 
-/// "2 of 4 (level 2, \u03c3 0.56 mm)": what the level is smoothed by, if it is.
+/// "2/4 (level 2, \u03c3 0.56 mm)": what the level is smoothed by, if it is.
 QString levelText(const DetailLadder& ladder, Level level) {
   const int detail = ladder.detailOf(level);
   if (level.value == 0) {
-    return RegionPanel::tr("%1 of %2 (level 0)").arg(detail).arg(ladder.levels());
+    return RegionPanel::tr("%1/%2 (level 0)").arg(detail).arg(ladder.levels());
   }
-  return RegionPanel::tr("%1 of %2 (level %3, \u03c3 %4)")
+  return RegionPanel::tr("%1/%2 (level %3, \u03c3 %4)")
       .arg(QString::number(detail), QString::number(ladder.levels()), QString::number(level.value),
            lengthText(smoothingMm(ladder, level)));
 }

@@ -908,8 +908,8 @@
         <translation>Kugel: Proxy, auf der Oberfläche</translation>
     </message>
     <message>
-        <source>ring with a cross: hand</source>
-        <translation>Ring mit Kreuz: Hand</translation>
+        <source>ring with a cross: HIP</source>
+        <translation>Ring mit Kreuz: HIP</translation>
     </message>
 </context>
 <context>
@@ -10421,11 +10421,11 @@
         <translation>Maßstab der Hand 1 : %1</translation>
     </message>
     <message>
-        <source>%1 of %2 (level 0)</source>
+        <source>%1/%2 (level 0)</source>
         <translation>%1/%2 (Ebene 0)</translation>
     </message>
     <message>
-        <source>%1 of %2 (level %3, σ %4)</source>
+        <source>%1/%2 (level %3, σ %4)</source>
         <translation>%1/%2 (Ebene %3, σ %4)</translation>
     </message>
     <message>
@@ -10946,8 +10946,8 @@
         <translation>Noch nichts gemessen.</translation>
     </message>
     <message>
-        <source>At %1 s: hand %2 mm, proxy %3 mm, force %4 N</source>
-        <translation>Bei %1 s: Hand %2 mm, Proxy %3 mm, Kraft %4 N</translation>
+        <source>At %1 s: HIP %2 mm, proxy %3 mm, force %4 N</source>
+        <translation>Bei %1 s: HIP %2 mm, Proxy %3 mm, Kraft %4 N</translation>
     </message>
 </context>
 <context>

@@ -908,8 +908,8 @@
         <translation>गोला: प्रॉक्सी, सतह पर</translation>
     </message>
     <message>
-        <source>ring with a cross: hand</source>
-        <translation>क्रॉस वाला छल्ला: हाथ</translation>
+        <source>ring with a cross: HIP</source>
+        <translation>क्रॉस वाला छल्ला: HIP</translation>
     </message>
 </context>
 <context>
@@ -10421,12 +10421,12 @@
         <translation>हाथ का पैमाना 1 : %1</translation>
     </message>
     <message>
-        <source>%1 of %2 (level 0)</source>
-        <translation>%2 में से %1 (स्तर 0)</translation>
+        <source>%1/%2 (level 0)</source>
+        <translation>%1/%2 (स्तर 0)</translation>
     </message>
     <message>
-        <source>%1 of %2 (level %3, σ %4)</source>
-        <translation>%2 में से %1 (स्तर %3, σ %4)</translation>
+        <source>%1/%2 (level %3, σ %4)</source>
+        <translation>%1/%2 (स्तर %3, σ %4)</translation>
     </message>
     <message>
         <source>Reso&amp;lution</source>
@@ -10946,8 +10946,8 @@
         <translation>अभी कुछ नहीं मापा गया।</translation>
     </message>
     <message>
-        <source>At %1 s: hand %2 mm, proxy %3 mm, force %4 N</source>
-        <translation>%1 s पर: हाथ %2 mm, प्रॉक्सी %3 mm, बल %4 N</translation>
+        <source>At %1 s: HIP %2 mm, proxy %3 mm, force %4 N</source>
+        <translation>%1 s पर: HIP %2 mm, प्रॉक्सी %3 mm, बल %4 N</translation>
     </message>
 </context>
 <context>
