@@ -262,7 +262,7 @@ TEST_F(RegionTest, TheLevelCanBeChosenWithoutMovingTheWindow) {
   const Region before = region();
   auto* level = child<QComboBox>("region_level");
   ASSERT_EQ(level->count(), 3);
-  EXPECT_EQ(level->itemText(1), "2 of 3, level 1, \u03c3 0.500 mm");
+  EXPECT_EQ(level->itemText(1), "2/3 (level 1, \u03c3 0.500 mm)");
   level->setFocus();
   QTest::keyClick(level, Qt::Key_Home);
   EXPECT_EQ(region().level.value, 2);
