@@ -121,7 +121,7 @@ const std::vector<WindowOptionRow>& windowOptionRows() {
   static const std::vector<WindowOptionRow> kRows{
       {{"--unit"}, "mm|cm|m|in|ft|us-ft", "length unit of the file's coordinates"},
       {{"--view"}, "front|back|left|right|top|bottom|auto", "direction of the view"},
-      {{"--detail"}, "N", "first detail; 1 is the whole object"},
+      {{"--detail"}, "N", "first resolution; 1 is the whole object"},
       {{"--region"}, "X,Y,W,H", "first window, millimetres from the lower left corner"},
       {{"--lang"}, "en|de|hi", "language of the window"},
       {{"--exhibit"}, "FILE", "for visitors: full screen and locked, as the file says"},

@@ -145,10 +145,10 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
         {.low = 2, .high = 1e6});
   takes(verb.add_option("--spacing", a.spacing_mm, "Distance of samples in mm"),
         {.low = 1e-4, .high = 1e6, .unit = "mm"});
-  verb.add_option("--engine", a.engine, "cpu or depthbuffer (the paper's OpenGL way)");
+  verb.add_option("--engine", a.engine, "Method: cpu, or depthbuffer (the paper's, by OpenGL)");
   verb.add_option(
       "--rule", a.rule,
-      "A cell's height from its points: auto front second topmean median mean min splat "
+      "Height per cell from its points: auto front second topmean median mean min splat "
       "quadratic");
   verb.add_option("--holes", a.holes,
                   "base (the paper's), interpolate:MAX_MM2, membrane, membrane:MAX_MM2 or none");
@@ -167,7 +167,7 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
   takes(verb.add_option("--height-zero", a.height_zero,
                         "Of a raster: the value that lies on the base plane; else the lowest"),
         {.low = -kLargestNumber, .high = kLargestNumber});
-  takes(verb.add_option("--factor", a.factor, "The paper's M between levels: 1.1 to 8; 2"),
+  takes(verb.add_option("--factor", a.factor, "Pyramid factor, the paper's M: 1.1 to 8; 2"),
         {.low = kLeastFactor, .high = kMostFactor});
   addScanOptions(verb, a.scan);
 }
@@ -214,7 +214,7 @@ void addRegionOptions(CLI::App& verb, RegionArguments& a) {
   takesList(
       verb.add_option("--region", a.region, "X,Y,W,H in view mm; X,Y is the lower left corner"), 4,
       {.low = -kFarMm, .high = kFarMm, .unit = "mm"});
-  takes(verb.add_option("--gain", a.gain, "Factor on heights; 1 is true to scale"),
+  takes(verb.add_option("--gain", a.gain, "Vertical exaggeration; 1 is true to scale"),
         {.low = 1e-3, .high = 1e3})
       .each([&a](const std::string&) { a.gain_given = true; });
   verb.add_option("--window-out", a.window_out, "Also write the 200 x 200 samples as a GeoTIFF");

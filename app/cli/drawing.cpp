@@ -27,7 +27,7 @@ const Drawing* drawing() {
 const std::vector<DrawingVerb>& drawingVerbs() {
   static const std::vector<DrawingVerb> verbs{
       {"render", "Picture of a region at its level, as the detail view shows it"},
-      {"figure", "Figure for print: reference and detail with scale bar, legend and caption"},
+      {"figure", "Figure for print: overview and detail with scale bar, legend and caption"},
       {"video", "Video of a recording: detail, whole object and plots, frame by frame"}};
   return verbs;
 }

@@ -137,9 +137,10 @@ void addHostFileOptions(CLI::App& verb, HostFileArguments& a) {
                   "Draw again what this picture of relievo shows; FILE is then found by itself, or "
                   "given");
   verb.add_option("--project", a.project, "Draw what this project shows");
-  verb.add_option("--place", a.place,
-                  "With these: this place of the project, with its gain; --view NAME: this view, "
-                  "also how it is looked at; --region, --level and --gain go beyond both");
+  verb.add_option(
+      "--place", a.place,
+      "With these: this bookmark of the project, with its exaggeration; --view NAME: this "
+      "view, also how it is looked at; --region, --level and --gain go beyond both");
   verb.add_flag("--changed-input", a.changed_input,
                 "With these: take an input whose checksum differs (else exit 5)");
   addOutsideOption(verb, a.outside_files);
@@ -213,9 +214,9 @@ const NamedRegion& namedPlace(const Project& p, const char* option, const std::s
     if (place.name == name) return place;
     known += (known.empty() ? "" : ", ") + ("'" + place.name + "'");
   }
-  throw ArgumentError(std::string(option) + ": the project has no " + (as_view ? "view" : "place") +
-                      " '" + name + "'" + (known.empty() ? "" : "; it has " + known) +
-                      ". Nothing was drawn.");
+  throw ArgumentError(std::string(option) + ": the project has no " +
+                      (as_view ? "view" : "bookmark") + " '" + name + "'" +
+                      (known.empty() ? "" : "; it has " + known) + ". Nothing was drawn.");
 }
 
 void requireLevelOf(const DetailLadder& ladder, Level level, const std::string& what) {

@@ -24,11 +24,11 @@ struct HandPlace {
   double object_mm_per_hand_mm = 1;
 };
 
-/// "Touching: middle left, 30 millimetres high. Place: Dome." Three facts at most.
+/// "Touching: middle left, 30 millimetres high. Bookmark: Dome." Three facts at most.
 std::vector<Message> shortWords(const HandPlace& place);
 /// The same, then the distances from the edges, whether it was measured, and detailWords().
 std::vector<Message> longWords(const HandPlace& place);
-/// Detail, window, scale of the hand, distance of samples.
+/// Resolution, window, scale of the hand, distance of samples.
 std::vector<Message> detailWords(const HandPlace& place);
 
 }  // namespace relievo

@@ -65,7 +65,7 @@ std::string mapText(const Project& p, const Surface& surface) {
                      std::to_string(frame.size.rows) + " cells, " +
                      ShownLengths(surface).text(frame.spacing_mm) + " apart";
   if (surface.engine == "as stored") return text + ", as stored.";
-  text += ", engine " + surface.engine;
+  text += ", method " + methodName(surface.engine);
   text += surface.rule == "as stored" ? ", heights as stored" : ", heights by " + surface.rule;
   return text + "; " + holesText(p, surface) + ".";
 }
@@ -80,12 +80,13 @@ std::string smoothingText(const Surface& surface, Level level) {
 std::string regionText(const Project& p, const Surface& surface) {
   const Region& r = p.region;
   const ShownLengths lengths(surface);
-  return "Detail " + std::to_string(surface.ladder.detailOf(r.level)) + " of " +
+  return "Resolution " + std::to_string(surface.ladder.detailOf(r.level)) + " of " +
          std::to_string(surface.ladder.levels()) + " (level " + std::to_string(r.level.value) +
-         ", M = " + shortNumber(surface.ladder.factor, 9) + smoothingText(surface, r.level) +
-         "): " + lengths.rectangle(r.side_mm, r.side_mm) + " from x " + lengths.number(r.x_mm) +
-         ", y " + lengths.number(r.y_mm) + " " + std::string(lengths.unit().name) +
-         "; heights \u00d7 " + shortNumber(p.gain) + (p.gain == 1 ? " (true to scale)." : ".");
+         ", pyramid factor " + shortNumber(surface.ladder.factor, 9) +
+         smoothingText(surface, r.level) + "): " + lengths.rectangle(r.side_mm, r.side_mm) +
+         " from x " + lengths.number(r.x_mm) + ", y " + lengths.number(r.y_mm) + " " +
+         std::string(lengths.unit().name) + "; vertical exaggeration \u00d7 " +
+         shortNumber(p.gain) + (p.gain == 1 ? " (true to scale)." : ".");
 }
 
 /// @param spacing_mm  of the samples, which decides a radius that the look leaves open
@@ -99,7 +100,7 @@ std::string lookText(const ReliefLook& look, double spacing_mm, const ShownLengt
                        : "without shading";
   switch (look.kind) {
     case ReliefKind::lit:
-      return "Lit relief, " + light;
+      return "Shaded relief, " + light;
     case ReliefKind::height:
       return "Heights" + colours + ", " + light;
     case ReliefKind::hillshade:
@@ -120,7 +121,7 @@ std::string lookText(const ReliefLook& look, double spacing_mm, const ShownLengt
     case ReliefKind::curvature:
       return "Multi-scale curvature (volume within balls)" + around + " and its halves," + colours;
     case ReliefKind::occlusion:
-      return "Lit relief with ambient occlusion" + around + ", " + light;
+      return "Shaded relief with ambient occlusion" + around + ", " + light;
     case ReliefKind::natural:
       return "Natural colours of the scan, " + shading;
     case ReliefKind::intensity:
@@ -154,7 +155,7 @@ std::string seenText(const Project& p, const CaptionFacts& facts, double spacing
   }
   if (facts.look.unmeasured) text += "; interpolated cells in orange";
   text += stereoText(facts);
-  if (facts.hand_by_shape) text += "; ball: proxy, ring with a cross: hand";
+  if (facts.hand_by_shape) text += "; ball: proxy, ring with a cross: HIP";
   return text + ".";
 }
 
@@ -196,6 +197,11 @@ std::string sourceText(const Project& p) {
 }
 
 }  // namespace
+
+std::string methodName(const std::string& engine) {
+  if (engine == "cpu") return "CPU";
+  return engine == "depthbuffer" ? "OpenGL" : engine;
+}
 
 std::string shortNumber(double value, int digits) {
   std::array<char, 64> text{};

@@ -29,12 +29,16 @@ struct CaptionFacts {
 CaptionFacts pictureFacts(const Project& project, double mm_per_pixel);
 
 /// The text that belongs under a picture, one paragraph of UTF-8, decimal points whatever the
-/// locale: object, unit, view, engine, rule, holes, detail, level, M, sigma, gain, light or relief
-/// image, stereo, scale, planes of what is measured, shares of measured cells in the region,
-/// program and checksum. Lengths in the object's unit (core/project/shown_lengths.h).
+/// locale: object, unit, view, method, height per cell, holes, resolution, level, pyramid factor,
+/// sigma, vertical exaggeration, light or relief image, stereo, scale, planes of what is measured,
+/// shares of measured cells in the region, program and checksum. Lengths in the object's unit
+/// (core/project/shown_lengths.h).
 /// @param window  the region's samples
 std::string captionOf(const Project& project, const Surface& surface, const RegionWindow& window,
                       const CaptionFacts& facts);
+
+/// How people are told the engine: "CPU", "OpenGL"; others as they are.
+std::string methodName(const std::string& engine);
 
 /// A number with at most `digits` significant digits and no trailing zeros; a larger one to the
 /// next integer, without an exponent.

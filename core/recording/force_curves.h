@@ -35,7 +35,7 @@ struct ForceCurve {
 /// All of them. On paper those that come first are drawn last, over the others.
 inline constexpr auto kForceCurves = std::to_array<ForceCurve>({
     {&ForcePoint::hip_z_mm, ForceStrip::heights, CurveInk::hand, true, "HIP",
-     RELIEVO_CURVE_NAME("hand"), "hip_z_mm"},
+     RELIEVO_CURVE_NAME("HIP"), "hip_z_mm"},
     {&ForcePoint::proxy_z_mm, ForceStrip::heights, CurveInk::proxy, false, "proxy",
      RELIEVO_CURVE_NAME("proxy"), "proxy_z_mm"},
     {&ForcePoint::force_n, ForceStrip::forces, CurveInk::force, false, "force",

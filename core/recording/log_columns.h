@@ -115,7 +115,7 @@ inline constexpr auto kLogColumns = [] {
       of<&R::normal, &View::y>(replay, arithmetic, "ny", "1", "surface normal at the proxy"),
       of<&R::normal, &View::z>(replay, arithmetic, "nz", "1", "surface normal at the proxy"),
       of<&R::stiffness_n_per_m>(replay, arithmetic, "k_Npm", "N/m", "stiffness, per metre of hand"),
-      of<&R::detail>(show, arithmetic, "detail", "1", "detail of the window; 1 is the whole"),
+      of<&R::detail>(show, arithmetic, "detail", "1", "resolution of the window; 1 is the whole"),
       of<&R::window_id>(show, arithmetic, "region_id", "1", "number of the window"),
       of<&R::origin>(show, arithmetic, "origin", "1", "0 measured, 1 interpolated, 2 base, 3 steep, 4 outside"),
       of<&R::buttons>(replay, device, "buttons", "1", "bit i: button i is down; bit 4: the hand hovers"),

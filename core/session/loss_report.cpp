@@ -57,8 +57,8 @@ std::vector<std::string> mixedLayerWords(PointRule chosen, const HiddenSurface& 
       inside > 0 ? static_cast<double>(hidden.cells) / static_cast<double>(inside) : 0;
   if (share < kMixedWorthSaying) return {};
   return {"In " + percentText(share) +
-          " of the cells the points lie in several layers, front and back, and the chosen rule "
-          "makes one height of them. Choose the mean of the top layer (topmean) to keep them "
+          " of the cells the points lie in several layers, front and back, and the chosen height "
+          "per cell makes one of them. Choose the mean of the top layer (topmean) to keep them "
           "apart."};
 }
 

@@ -65,18 +65,18 @@ void makePlaceActions(TouchActions& actions) {
             QT_TRANSLATE_NOOP("relievo::TouchActions",
                               "Place and height under the hand, and whether it was measured.")},
            {QKeySequence(QStringLiteral("Ctrl+I"))}, false);
-  actions.where_am_i_long =
-      made({"whereAmILong", QT_TRANSLATE_NOOP("relievo::TouchActions", "Wh&ere am I, in full"),
-            QT_TRANSLATE_NOOP("relievo::TouchActions",
-                              "Say where the hand is, with edges, detail and scale (Ctrl+Alt+I)"),
-            QT_TRANSLATE_NOOP("relievo::TouchActions",
-                              "Also the distances from the object's edges, and how fine the shown "
-                              "samples are.")},
-           {QKeySequence(QStringLiteral("Ctrl+Alt+I"))}, false);
+  actions.where_am_i_long = made(
+      {"whereAmILong", QT_TRANSLATE_NOOP("relievo::TouchActions", "Wh&ere am I, in full"),
+       QT_TRANSLATE_NOOP("relievo::TouchActions",
+                         "Say where the hand is, with edges, resolution and scale (Ctrl+Alt+I)"),
+       QT_TRANSLATE_NOOP("relievo::TouchActions",
+                         "Also the distances from the object's edges, and how fine the shown "
+                         "samples are.")},
+      {QKeySequence(QStringLiteral("Ctrl+Alt+I"))}, false);
   actions.say_detail =
-      made({"sayDetail", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Detail and scale"),
+      made({"sayDetail", QT_TRANSLATE_NOOP("relievo::TouchActions", "Resolution an&d scale"),
             QT_TRANSLATE_NOOP("relievo::TouchActions",
-                              "Say detail, window and hand scale (Ctrl+Shift+I)"),
+                              "Say resolution, window and hand scale (Ctrl+Shift+I)"),
             QT_TRANSLATE_NOOP("relievo::TouchActions",
                               "How large the window is and what one millimetre of hand is.")},
            {QKeySequence(QStringLiteral("Ctrl+Shift+I"))}, false);

@@ -113,7 +113,7 @@ void TouchedSurface::chooseFirmness(const QString& file) {
   if (!file.isEmpty()) return askFirmness(file, true);
   firmness_awaited_.clear();
   setFirmness(nullptr);
-  parts_.host.messages.announce(tr("The ground is firm where it was measured."));
+  parts_.host.messages.announce(tr("The surface is stiff where it was measured."));
 }
 
 void TouchedSurface::restoreFirmness() {

@@ -99,7 +99,7 @@ TEST_F(ProjectPictures, NamesThatTheProjectDoesNotHaveAreRefused) {
     EXPECT_FALSE(fs::exists(path("x.png")));
   };
   refused({"render", "--project", p, "--place", "south"},
-          "--place: the project has no place 'south'; it has 'north', 'crack'.");
+          "--place: the project has no bookmark 'south'; it has 'north', 'crack'.");
   refused({"figure", "--project", p, "--view", "north"},
           "--view: the project has no view 'north'; it has 'crack'.");
   refused({"render", path("hill.xyz"), "--place", "north"}, "--place needs --project");

@@ -63,7 +63,7 @@ void writeTable(std::ostream& out, const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     out << "| " << row.scene;
     if (row.detail > 0) {
-      out << " of Detail " << row.detail << ", "
+      out << " of resolution " << row.detail << ", "
           << test::kTextureWaveMm[static_cast<std::size_t>(row.detail - 1)] << " mm waves";
     }
     out << " |";
@@ -113,17 +113,19 @@ void writePage(std::ostream& out, const std::vector<Row>& rows, const std::vecto
          "Waves are in mm of hand; their amplitude is 1/20 of their length. A level meets the "
          "flat, the\n"
          "edge and its own texture; the least over scenes and grips bounds its default\n"
-         "(`stiffnessForDetail`). Detail 1 and 2 take at most 75 % of what is stable with the "
+         "(`stiffnessForDetail`). Resolution 1 and 2 take at most 75 % of what is stable with the "
          "stage.\n"
-         "Detail 3 and finer, which carry the texture, take no more than what is stable without "
+         "Resolution 3 and finer, which carry the texture, take no more than what is stable "
+         "without "
          "it, so\n"
-         "that the stage has nothing to do where the finest forces are felt; from Detail 4 on 0.5, "
+         "that the stage has nothing to do where the finest forces are felt; from Resolution 4 on "
+         "0.5, "
          "up\n"
          "to which textured surfaces were found to be felt cleanly (Choi and Tan 2004).\n\n"
          "| level | virtual hand, without -> with | Falcon, without -> with | default "
          "|\n|---|---:|---:|---:|\n";
   for (int detail = 1; detail <= 4; ++detail) {
-    out << "| Detail " << detail << (detail == 4 ? " and finer" : "") << " | "
+    out << "| Resolution " << detail << (detail == 4 ? " and finer" : "") << " | "
         << number(leastAt(rows, detail, false)) << " -> " << number(leastAt(rows, detail, true))
         << " | " << number(leastAt(falcon, detail, false)) << " -> "
         << number(leastAt(falcon, detail, true)) << " | "
@@ -168,7 +170,8 @@ std::string plot(const std::vector<Row>& rows) {
     svg += bar(x, leastAt(rows, detail, false), kWithout);
     svg += bar(x + 34, leastAt(rows, detail, true), kWith);
     svg += bar(x + 68, stiffnessForDetail(detail), kDefault);
-    svg += batch::textAt(x + 49, kTop + kHeight + 16, "middle", "Detail " + std::to_string(detail));
+    svg += batch::textAt(x + 49, kTop + kHeight + 16, "middle",
+                         "Resolution " + std::to_string(detail));
   }
   const auto legend = [&](double x, const char* style, const char* text) {
     return "<rect x='" + fixedDigits(x, 1) + "' y='302' width='12' height='12' " + style + "/>\n" +

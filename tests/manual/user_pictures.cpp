@@ -228,7 +228,7 @@ void takeAll(Photographer& p) {
   p.takeDialog("preferences", QStringLiteral("dialog_preferences"));
   p.takeDialog("keys", QStringLiteral("dialog_keys"));
   p.takeDialog("search_commands", QStringLiteral("dialog_search"), [](QDialog& dialog) {
-    QTest::keyClicks(dialog.findChild<QLineEdit*>(QStringLiteral("command_words")), "place");
+    QTest::keyClicks(dialog.findChild<QLineEdit*>(QStringLiteral("command_words")), "bookmark");
   });
 }
 
@@ -239,7 +239,7 @@ void takeRecovery(const QString& folder, const QString& state) {
   Project work;
   work.file = kPanel.toStdString();
   work.region = {.x_mm = 0, .y_mm = 0, .side_mm = 80, .level = Level{0}};
-  work.history = {"Choose window", "Detail 2 \u2192 3"};
+  work.history = {"Choose window", "Resolution 2 \u2192 3"};
   writeProject((copies + QLatin1String("/autosave-000001.json")).toStdString(), work);
   QFile lock(copies + QLatin1String("/autosave-000001.lock"));
   need(lock.open(QIODevice::WriteOnly), "the lock");

@@ -443,16 +443,17 @@ TEST_F(DeviceButtonsTest, RunTheWindowsCommandsAndSayWhatTheyFind) {
   press(kForward, 1.0);
   EXPECT_EQ(host_.commands, (QStringList{"finer", "coarser", "whole", "forces", "beacon"}));
   press(kCentre, 0.2);
-  EXPECT_EQ(last(), "Touching: middle left, 5.5 millimetres high. Place: Ear.");
+  EXPECT_EQ(last(), "Touching: middle left, 5.5 millimetres high. Bookmark: Ear.");
   press(kCentre, 0.2);
-  EXPECT_EQ(last(),
-            "Touching: middle left, 5.5 millimetres high. Place: Ear. 1.2 centimetres from the "
-            "left edge. nearly 3.5 centimetres from the bottom edge. Measured here. Detail 1 of "
-            "1, 8 centimetres wide. One centimetre of hand: 1 centimetre of relief. Samples are "
-            "0.5 millimetres apart.");
+  EXPECT_EQ(
+      last(),
+      "Touching: middle left, 5.5 millimetres high. Bookmark: Ear. 1.2 centimetres from the "
+      "left edge. nearly 3.5 centimetres from the bottom edge. Measured here. Resolution 1 of "
+      "1, 8 centimetres wide. One centimetre of hand: 1 centimetre of relief. Samples are "
+      "0.5 millimetres apart.");
   EXPECT_EQ(host_.hushed, 7) << "each press cuts what is being said";
   press(kPlus, 1.0);
-  EXPECT_TRUE(last().startsWith("Detail 1 of 1, 8 centimetres wide."));
+  EXPECT_TRUE(last().startsWith("Resolution 1 of 1, 8 centimetres wide."));
 }
 
 TEST_F(DeviceButtonsTest, PlusAndMinusTogetherAreTheWindowsSwitchOfLookAndTouch) {
@@ -486,7 +487,7 @@ TEST_F(DeviceButtonsTest, MoveModePutsAGateUnderTheHandAndStepsTheWindow) {
   EXPECT_EQ(host_.commands,
             (QStringList{"move_right", "move_down", "next_place", "previous_place"}));
   press(kForward, 0.2);
-  EXPECT_TRUE(last().startsWith("Moved. Detail 1 of 1"));
+  EXPECT_TRUE(last().startsWith("Moved. Resolution 1 of 1"));
   EXPECT_FALSE(buttons_.detent().on);
   EXPECT_TRUE(host_.regions.empty());
 }
@@ -521,7 +522,7 @@ TEST_F(DeviceButtonsTest, OneButtonScansThroughTheCommands) {
   press(kMinus, 0.1);
   EXPECT_EQ(last(), "Where am I?");
   pass(1);
-  EXPECT_EQ(last(), "Finer detail?");
+  EXPECT_EQ(last(), "Finer resolution?");
   press(kMinus, 0.1);
   EXPECT_EQ(host_.commands, QStringList{"finer"});
   press(kMinus, 0.1);

@@ -596,7 +596,7 @@ TEST_F(HapticsPluginTest, InMoveModeTheGateIsFeltInPlaceOfTheSurface) {
   EXPECT_TRUE(host_.announcements.last().contains(" from the left edge."))
       << host_.announcements.last().toStdString();
   host_.actions.at("sayDetail")->trigger();
-  EXPECT_TRUE(host_.announcements.last().startsWith("Detail 1 of"));
+  EXPECT_TRUE(host_.announcements.last().startsWith("Resolution 1 of"));
   host_.actions.at("buttonHelp")->trigger();
   EXPECT_TRUE(host_.announcements.last().startsWith("Plus: finer;"));
   host_.actions.at("useMouse")->trigger();

@@ -98,8 +98,7 @@ TEST(Scope, TheCursorsValuesAreText) {
   scope.findChild<QAction*>("scopePause")->trigger();
   QTest::keyClick(&scope.view(), Qt::Key_Left);
   const QString text = scope.findChild<QLabel*>("scopeValues")->text();
-  EXPECT_EQ(text, "At 4.990 s: hand -0.527 mm, proxy 0.473 mm, force 0.998 N")
-      << text.toStdString();
+  EXPECT_EQ(text, "At 4.990 s: HIP -0.527 mm, proxy 0.473 mm, force 0.998 N") << text.toStdString();
   QTest::keyClick(&scope.view(), Qt::Key_Left, Qt::ShiftModifier);
   EXPECT_TRUE(scope.view().cursorText().contains("force 0.978 N"));
 }

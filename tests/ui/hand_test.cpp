@@ -145,7 +145,7 @@ TEST_F(HandTest, TheStatusSaysWhereTheHandIsAndOnWhat) {
   const QString place = child<QLabel>("status_position")->text();
   EXPECT_TRUE(place.startsWith("x 100") || place.startsWith("x 99")) << place.toStdString();
   EXPECT_EQ(child<QLabel>("status_kind_of_surface")->text(), "measured");
-  EXPECT_TRUE(view().whereAmI().contains("Detail"));
+  EXPECT_TRUE(view().whereAmI().contains("Resolution"));
 }
 
 TEST_F(HandTest, AProbeIsDrawnOnlyOnTheWindowItBelongsTo) {
@@ -175,8 +175,7 @@ TEST_F(HandTest, AGreyAnaglyphHasALegendOfHandAndProxy) {
   EXPECT_FALSE(legend->isVisible());
   view().setStereo({.mode = StereoMode::anaglyph});
   EXPECT_TRUE(legend->isVisible());
-  EXPECT_EQ(legend->accessibleDescription(),
-            "ball: proxy, on the surface, ring with a cross: hand");
+  EXPECT_EQ(legend->accessibleDescription(), "ball: proxy, on the surface, ring with a cross: HIP");
   view().clearProbe();
   EXPECT_FALSE(legend->isVisible()) << "no hand, no legend";
   window().controllers().touch.showProbe(probe);

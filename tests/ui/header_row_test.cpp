@@ -38,7 +38,7 @@ class HeaderRowTest : public ::testing::Test {
   }
   int digit() const { return note_->fontMetrics().horizontalAdvance('0'); }
 
-  QLabel* title_ = new QLabel(QStringLiteral("Detail 2 of 3"));
+  QLabel* title_ = new QLabel(QStringLiteral("DETAIL   |   Resolution 2 of 3"));
   QLabel* note_ = new QLabel(QStringLiteral("80.0 mm, 1 mm of hand is 1.5 mm"));
   HeaderRow row_{title_, note_};
 };

@@ -262,7 +262,7 @@ TEST_F(RegionTest, TheLevelCanBeChosenWithoutMovingTheWindow) {
   const Region before = region();
   auto* level = child<QComboBox>("region_level");
   ASSERT_EQ(level->count(), 3);
-  EXPECT_EQ(level->itemText(1), "2 of 3, level 1, \u03c3 0.500 mm");
+  EXPECT_EQ(level->itemText(1), "2/3 (level 1, \u03c3 0.500 mm)");
   level->setFocus();
   QTest::keyClick(level, Qt::Key_Home);
   EXPECT_EQ(region().level.value, 2);
@@ -282,7 +282,7 @@ TEST_F(RegionTest, UndoAndRedoBringBackIdenticalStatesUnderTheirNames) {
   for (int i = 0; i < 3; ++i) QTest::keyClick(&view(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(document().state(), first);
   EXPECT_EQ(document().window()->heights_mm, first_heights);
-  EXPECT_EQ(action("redo")->text(), QString::fromUtf8("&Redo Detail 1 \u2192 2"));
+  EXPECT_EQ(action("redo")->text(), QString::fromUtf8("&Redo Resolution 1 \u2192 2"));
   EXPECT_FALSE(action("undo")->isEnabled());
   QTest::keyClick(&view(), Qt::Key_Y, Qt::ControlModifier);
   QTest::keyClick(&view(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);

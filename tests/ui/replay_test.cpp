@@ -119,7 +119,8 @@ TEST_F(ReplayTest, EventsAndSamplesAreReachedByKeysButtonsAndCommands) {
   QApplication::processEvents();
   const auto readout = [this] { return child<QLabel>("replay_readout")->text(); };
   EXPECT_TRUE(readout().contains("force 0.00 N")) << readout().toStdString();
-  EXPECT_TRUE(readout().endsWith("since 0.00 s: window of detail 1; stiffness 500 N/m; forces off"))
+  EXPECT_TRUE(
+      readout().endsWith("since 0.00 s: window at resolution 1; stiffness 500 N/m; forces off"))
       << readout().toStdString();
   QTest::keyClick(&panel, Qt::Key_Down);
   EXPECT_DOUBLE_EQ(player().timeS(), 3.25);
@@ -128,7 +129,7 @@ TEST_F(ReplayTest, EventsAndSamplesAreReachedByKeysButtonsAndCommands) {
   EXPECT_EQ(child<QLabel>("replay_readout")->accessibleDescription(), readout());
   QTest::mouseClick(child<QToolButton>("replay_event_next"), Qt::LeftButton);
   EXPECT_DOUBLE_EQ(player().timeS(), 5);
-  EXPECT_TRUE(readout().contains("hand z 14.20 mm")) << readout().toStdString();
+  EXPECT_TRUE(readout().contains("HIP z 14.20 mm")) << readout().toStdString();
   EXPECT_TRUE(readout().contains("force 0.40 N"));
   QTest::keyClick(&slider(), Qt::Key_Down);
   EXPECT_DOUBLE_EQ(player().timeS(), 5) << "there is none";

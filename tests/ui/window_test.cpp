@@ -222,7 +222,7 @@ TEST_F(WindowTest, AViewsAccessibleValueSaysWhereOneIs) {
   QAccessibleInterface* view = QAccessible::queryAccessibleInterface(&window().referenceView());
   ASSERT_NE(view, nullptr);
   EXPECT_EQ(view->text(QAccessible::Name), "Overview");
-  EXPECT_TRUE(view->text(QAccessible::Value).contains("Detail 1 of 3"));
+  EXPECT_TRUE(view->text(QAccessible::Value).contains("Resolution 1 of 3"));
 }
 
 TEST_F(WindowTest, PicturesAreWrittenAtTheChosenSize) {

@@ -132,12 +132,13 @@ void PlaceController::goTo(const NamedRegion& place) {
   if (place.is_point) return goToPoint(place);
   if (place.region.level.value >= document_.details()) {
     messages_.show(
-        tr("%1 lies on a finer detail than this map has. The window was not moved.").arg(name));
+        tr("%1 has a finer resolution than this map. The window was not moved.").arg(name));
     return;
   }
   if (place.view) look_.showView(*place.view, tr("Go to %1").arg(name));
   document_.region().goTo(place.region, place.gain, tr("Go to %1").arg(name));
-  announce(tr("%1. Detail %2 of %3").arg(name).arg(document_.detail()).arg(document_.details()));
+  announce(
+      tr("%1. Resolution %2 of %3").arg(name).arg(document_.detail()).arg(document_.details()));
 }
 
 // The window stays as large and as fine as it is: whoever set the marker far out finds it close up.
@@ -154,7 +155,8 @@ void PlaceController::goToPoint(const NamedRegion& marker) {
     announce(tr("%1 is in the window already.").arg(name));
     return;
   }
-  announce(tr("%1. Detail %2 of %3").arg(name).arg(document_.detail()).arg(document_.details()));
+  announce(
+      tr("%1. Resolution %2 of %3").arg(name).arg(document_.detail()).arg(document_.details()));
 }
 
 void PlaceController::copyView() {
@@ -177,7 +179,7 @@ void PlaceController::pasteView() {
     }
     look_.showView(view, tr("Paste view"));
     document_.region().goTo(view.region, view.gain, tr("Paste view"));
-    announce(tr("The copied view is shown. Detail %1 of %2")
+    announce(tr("The copied view is shown. Resolution %1 of %2")
                  .arg(document_.detail())
                  .arg(document_.details()));
   } catch (const Error& error) {

@@ -76,9 +76,9 @@ void SurfaceController::stepDetail(bool finer) {
   const bool done =
       finer ? document_.region().finer(touch_.about()) : document_.region().coarser(touch_.about());
   if (done) {
-    announce(tr("Detail %1 of %2").arg(document_.detail()).arg(document_.details()));
+    announce(tr("Resolution %1 of %2").arg(document_.detail()).arg(document_.details()));
   } else {
-    announce(finer ? tr("This is the finest detail") : tr("This is the whole object"));
+    announce(finer ? tr("This is the finest resolution") : tr("This is the whole object"));
   }
 }
 

@@ -77,7 +77,7 @@ void TouchController::showPosition(const ViewMm& position, std::optional<CellSta
           .arg(mmText(position.x, step), mmText(position.y, step), mmText(z, step / 10));
   messages_.set(StatusField::position, place);
   messages_.set(StatusField::origin, originText(origin));
-  detail_.setWhereAmI(tr("%1, %2. Detail %3 of %4")
+  detail_.setWhereAmI(tr("%1, %2. Resolution %3 of %4")
                           .arg(place, originText(origin))
                           .arg(document_.detail())
                           .arg(document_.details()));
@@ -170,7 +170,7 @@ void TouchController::showMissing(const QString& reason) {
 QString TouchController::introduction() const {
   if (!document_.isOpen()) return tr("Nothing is open. Open a scan with Ctrl+O.");
   const DetailLadder& ladder = document_.surface()->ladder;
-  return tr("%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. "
+  return tr("%1, %2 by %3 mm, in %4 resolutions. Push the hand in to touch; F5 switches forces on. "
             "Plus: finer; Minus: coarser; both for two seconds: help.")
       .arg(shownName(document_.file()), QString::number(ladder.width_mm, 'f', 0),
            QString::number(ladder.height_mm, 'f', 0), QString::number(document_.details()));

@@ -135,7 +135,7 @@ void ExportDialog::fillParts() {
   part_->addItem(tr("Whole map"), -1);
   const int levels = surface_->ladder.levels();
   for (int level = 1; level < levels; ++level) {
-    part_->addItem(tr("Whole map, detail %1 of %2").arg(levels - level).arg(levels), level);
+    part_->addItem(tr("Whole map, resolution %1 of %2").arg(levels - level).arg(levels), level);
   }
   part_->addItem(tr("Window, 200 x 200 samples"), -2);
 }

@@ -49,7 +49,7 @@ StudyDialog::StudyDialog(const QStringList& places, const QString& folder, QWidg
   places_->setObjectName(QStringLiteral("study_conditions"));
   places_->setAccessibleName(tr("Conditions"));
   places_->setToolTip(
-      tr("Places with names, each with its detail and exaggeration. They are shown "
+      tr("Bookmarks, each with its resolution and exaggeration. They are shown "
          "in random order, under letters"));
   for (const QString& place : places) {
     auto* item = new QListWidgetItem(place, places_);
@@ -111,7 +111,7 @@ QStringList StudyDialog::conditions() const {
 
 QString StudyDialog::missing() const {
   if (places_->count() < 2) {
-    return tr("A study needs at least two places with names: Surface > Name this place.");
+    return tr("A study needs at least two bookmarks: Surface > Add bookmark.");
   }
   if (!isParticipantCode(participant_->text().toStdString())) {
     return tr("The code has 1 to 32 letters, digits, - and _.");

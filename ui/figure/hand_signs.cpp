@@ -62,7 +62,7 @@ void paintHandLegend(RgbaImage& picture, const QRect& box) {
   constexpr double kDpi = 72, kTextOfLine = 0.62;
   FigureInk ink(painter, kDpi, kTextOfLine * line, FigureInk::Target::pixels);
   const std::array<QString, 2> words{QStringLiteral("ball: proxy, on the surface"),
-                                     QStringLiteral("ring with a cross: hand")};
+                                     QStringLiteral("ring with a cross: HIP")};
   const double widest = std::max(ink.width(words[0]), ink.width(words[1]));
   const double pad = 0.4 * line;
   const QRectF plate(box.right() - widest - 1.3 * line - 3 * pad, box.top() + pad,

@@ -32,7 +32,7 @@ constexpr std::array<FieldFact, kStatusFieldCount> kFields{{
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Message"), ""},
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Position"), "x 1234.56  y 1234.56  z 123.45 mm"},
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Kind of surface"), "interpolated"},
-    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Detail"), "Detail 10/10"},
+    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Resolution"), "Resolution 10/10"},
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Force"), ""},
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Force rate"), ""},
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Recording"), ""},

@@ -18,7 +18,7 @@ PlacesPanel::PlacesPanel(Document& document, QWidget* parent)
       document_(document),
       list_(new QListWidget),
       with_view_(new QCheckBox(tr("With light and view"))),
-      add_(new QPushButton(tr("Name this place"))),
+      add_(new QPushButton(tr("Add bookmark"))),
       go_(new QPushButton(tr("Go to"))),
       rename_(new QPushButton(tr("Rename"))),
       remove_(new QPushButton(tr("Delete"))) {
@@ -28,25 +28,25 @@ PlacesPanel::PlacesPanel(Document& document, QWidget* parent)
   layout->setContentsMargins(6, 0, 0, 6);
   layout->setSpacing(5);
   list_->setObjectName(QStringLiteral("places_list"));
-  list_->setAccessibleName(tr("Named places"));
-  list_->setToolTip(tr("Enter goes to a place, F2 renames it, Delete removes it"));
+  list_->setAccessibleName(tr("Bookmarks"));
+  list_->setToolTip(tr("Enter goes to a bookmark, F2 renames it, Delete removes it"));
   list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
   list_->setMinimumHeight(70);
   list_->setMaximumHeight(140);
   with_view_->setObjectName(QStringLiteral("places_with_view"));
   with_view_->setAccessibleName(tr("With light and view"));
   with_view_->setToolTip(
-      tr("A new place also keeps light, relief image, stereo and the turn of the view"));
+      tr("A new bookmark also keeps light, relief image, stereo and the turn of the view"));
   struct Button {
     QPushButton* button;
     const char* name;
     QString tip;
   };
   for (const Button& b :
-       {Button{add_, "place_add", tr("Give the window's place a name (Ctrl+N)")},
-        Button{go_, "place_go", tr("Move the window to the selected place")},
-        Button{rename_, "place_rename", tr("Change the selected place's name (F2)")},
-        Button{remove_, "place_delete", tr("Forget the selected place")}}) {
+       {Button{add_, "place_add", tr("Keep the window under a name (Ctrl+N)")},
+        Button{go_, "place_go", tr("Move the window to the selected bookmark")},
+        Button{rename_, "place_rename", tr("Change the selected bookmark's name (F2)")},
+        Button{remove_, "place_delete", tr("Delete the selected bookmark")}}) {
     b.button->setObjectName(QString::fromLatin1(b.name));
     b.button->setAccessibleName(b.button->text());
     b.button->setToolTip(b.tip);
@@ -81,7 +81,7 @@ bool PlacesPanel::withView() const {
 void PlacesPanel::change(const std::function<void(Places&)>& change, int row) {
   {
     const QScopedValueRollback<bool> ours(asking_, true);
-    document_.edit(tr("Places"), [&](Project& p) { change(p.places); });
+    document_.edit(tr("Bookmarks"), [&](Project& p) { change(p.places); });
   }
   showList(row);
 }
@@ -99,7 +99,7 @@ void PlacesPanel::add(NamedRegion place) {
 
 QString PlacesPanel::freeName() const {
   for (std::size_t n = places().size() + 1;; ++n) {
-    QString name = tr("Place %1").arg(n);
+    QString name = tr("Bookmark %1").arg(n);
     const auto is = [&](const NamedRegion& p) { return p.name == name.toStdString(); };
     if (std::none_of(places().begin(), places().end(), is)) return name;
   }
@@ -108,7 +108,7 @@ QString PlacesPanel::freeName() const {
 void PlacesPanel::step(int direction) {
   const int count = list_->count();
   if (count == 0) {
-    Q_EMIT said(tr("No place has a name yet"));
+    Q_EMIT said(tr("There is no bookmark yet"));
     return;
   }
   const int now = list_->currentRow();
@@ -130,7 +130,7 @@ void PlacesPanel::rename(const QListWidgetItem* item) {
     return;
   }
   const QScopedValueRollback<bool> ours(asking_, true);  // The list has the name already.
-  document_.edit(tr("Places"), [&](Project& p) {
+  document_.edit(tr("Bookmarks"), [&](Project& p) {
     p.places[static_cast<std::size_t>(row)].name = name.toStdString();
   });
 }
@@ -155,7 +155,7 @@ void PlacesPanel::showList(int row) {
   for (const NamedRegion& place : places()) {
     auto* item = new QListWidgetItem(QString::fromStdString(place.name), list_);
     item->setFlags(item->flags() | Qt::ItemIsEditable);
-    item->setToolTip(place.view ? tr("With light and view") : tr("The place alone"));
+    item->setToolTip(place.view ? tr("With light and view") : tr("The window alone"));
   }
   list_->setCurrentRow(row);
   enableButtons();

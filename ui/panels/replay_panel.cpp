@@ -171,7 +171,7 @@ QWidget* ReplayPanel::makeSteps() {
 
 void ReplayPanel::showReadout() {
   const TouchRow& row = player_.row();
-  QString text = tr("hand z %1 mm   proxy z %2 mm   force %3 N")
+  QString text = tr("HIP z %1 mm   proxy z %2 mm   force %3 N")
                      .arg(numberText(row.hip.z, 2), numberText(row.proxy.z, 2),
                           numberText(norm(row.force), 2));
   const TouchRecording& recording = *player_.recording();

@@ -47,7 +47,7 @@ SuggestPanel::SuggestPanel(Document& document, QWidget* parent)
           .arg(numberText(FeelOptions{}.grip_factor, 0)));
   list_->setObjectName(QStringLiteral("suggest_list"));
   list_->setAccessibleName(tr("Suggested windows"));
-  list_->setToolTip(tr("A click or Enter shows the window at its detail; undo goes back"));
+  list_->setToolTip(tr("A click or Enter shows the window at its resolution; undo goes back"));
   list_->setWordWrap(true);
   list_->setMinimumHeight(110);
   overlay_->setObjectName(QStringLiteral("suggest_overlay"));
@@ -140,7 +140,7 @@ bool SuggestPanel::cancel() {
 QString SuggestPanel::rowText(std::size_t place) const {
   const FeelableWindow& w = windows_[place];
   const DetailLadder& ladder = surface_->ladder;
-  return tr("%1. Detail %2 of %3, %4: %5 % felt, relief about %6 wide")
+  return tr("%1. Resolution %2 of %3, %4: %5 % felt, relief about %6 wide")
       .arg(QString::number(place + 1), QString::number(ladder.detailOf(w.region.level)),
            QString::number(ladder.levels()), lengthText(w.region.side_mm),
            QString::number(std::lround(100 * w.felt_share)), lengthText(w.width_mm));

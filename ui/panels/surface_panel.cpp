@@ -32,13 +32,13 @@ double gainOf(int slider) {
   return std::pow(kMostGain, static_cast<double>(slider) / kGainSteps);
 }
 
-/// "2 of 4, level 2, \u03c3 0.56 mm": what the level is smoothed by, if it is.
+/// "2/4 (level 2, \u03c3 0.56 mm)": what the level is smoothed by, if it is.
 QString levelText(const DetailLadder& ladder, Level level) {
   const int detail = ladder.detailOf(level);
   if (level.value == 0) {
-    return RegionPanel::tr("%1 of %2, level 0").arg(detail).arg(ladder.levels());
+    return RegionPanel::tr("%1/%2 (level 0)").arg(detail).arg(ladder.levels());
   }
-  return RegionPanel::tr("%1 of %2, level %3, \u03c3 %4")
+  return RegionPanel::tr("%1/%2 (level %3, \u03c3 %4)")
       .arg(QString::number(detail), QString::number(ladder.levels()), QString::number(level.value),
            lengthText(smoothingMm(ladder, level)));
 }
@@ -187,8 +187,8 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   side_ = mmField(layout, tr("Si&de"), QStringLiteral("region_side"),
                   tr("Width and height of the pink window"));
   side_->setMinimum(0.01);
-  level_ = field<QComboBox>(layout, tr("&Level"), QStringLiteral("region_level"),
-                            tr("Which detail feeds the window"));
+  level_ = field<QComboBox>(layout, tr("Reso&lution"), QStringLiteral("region_level"),
+                            tr("Which level of the pyramid feeds the window"));
   gain_ = new QDoubleSpinBox;
   gain_->setObjectName(QStringLiteral("gain"));
   gain_->setToolTip(tr("Heights are multiplied by this; 1 is true to scale"));
@@ -208,6 +208,7 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   auto* gain_label = new QLabel(tr("Exaggeratio&n"));
   gain_label->setBuddy(gain_);
   auto* gain_row = new QHBoxLayout;  // Of its own: its long name would leave the fields no room.
+  gain_row->setSpacing(layout->horizontalSpacing());
   gain_row->addWidget(gain_label);
   gain_row->addWidget(gain_);
   gain_row->addWidget(gain_slider_, 1);

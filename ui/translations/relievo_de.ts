@@ -267,10 +267,6 @@
         <translation>Umgebungsverdeckung</translation>
     </message>
     <message>
-        <source>hand</source>
-        <translation>Hand</translation>
-    </message>
-    <message>
         <source>proxy</source>
         <translation>Proxy</translation>
     </message>
@@ -330,6 +326,10 @@
         <source>Fetching the map</source>
         <translation>Karte wird geholt</translation>
     </message>
+    <message>
+        <source>HIP</source>
+        <translation>HIP</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -340,14 +340,6 @@
     <message>
         <source>resumed after %1 ms</source>
         <translation>nach %1 ms fortgesetzt</translation>
-    </message>
-    <message>
-        <source>new window of detail %2</source>
-        <translation>neuer Ausschnitt in Detail %2</translation>
-    </message>
-    <message>
-        <source>window of detail %2</source>
-        <translation>Ausschnitt in Detail %2</translation>
     </message>
     <message>
         <source>stiffness %1 N/m</source>
@@ -412,6 +404,14 @@
     <message>
         <source>note: %1</source>
         <translation>Notiz: %1</translation>
+    </message>
+    <message>
+        <source>new window at resolution %2</source>
+        <translation>neuer Ausschnitt in Auflösung %2</translation>
+    </message>
+    <message>
+        <source>window at resolution %2</source>
+        <translation>Ausschnitt in Auflösung %2</translation>
     </message>
 </context>
 <context>
@@ -908,8 +908,8 @@
         <translation>Kugel: Proxy, auf der Oberfläche</translation>
     </message>
     <message>
-        <source>ring with a cross: hand</source>
-        <translation>Ring mit Kreuz: Hand</translation>
+        <source>ring with a cross: HIP</source>
+        <translation>Ring mit Kreuz: HIP</translation>
     </message>
 </context>
 <context>
@@ -1163,10 +1163,6 @@
         <translation>Ansicht als &amp;Text kopieren</translation>
     </message>
     <message>
-        <source>Place, level, gain, light, colours and turn, to be sent or pasted</source>
-        <translation>Ort, Ebene, Überhöhung, Licht, Farben und Drehung, zum Verschicken oder Einfügen</translation>
-    </message>
-    <message>
         <source>Paste &amp;view</source>
         <translation>&amp;Ansicht einfügen</translation>
     </message>
@@ -1323,10 +1319,6 @@
         <translation>Höhe &amp;in Farbe</translation>
     </message>
     <message>
-        <source>Lit, with a colour for each height</source>
-        <translation>Beleuchtet, mit einer Farbe für jede Höhe</translation>
-    </message>
-    <message>
         <source>H&amp;illshade</source>
         <translation>S&amp;chummerung</translation>
     </message>
@@ -1389,14 +1381,6 @@
     <message>
         <source>Ridges and incisions of several widths, however the ground is tilted</source>
         <translation>Grate und Einschnitte verschiedener Breite, wie auch immer der Grund geneigt ist</translation>
-    </message>
-    <message>
-        <source>Stone with &amp;ambient occlusion</source>
-        <translation>Stein mit &amp;Umgebungsverdeckung</translation>
-    </message>
-    <message>
-        <source>Lit, and darker in hollows and grooves</source>
-        <translation>Beleuchtet und dunkler in Mulden und Rillen</translation>
     </message>
     <message>
         <source>&amp;Natural colours</source>
@@ -1547,16 +1531,8 @@
         <translation>&amp;Feiner</translation>
     </message>
     <message>
-        <source>Finer detail: a smaller window</source>
-        <translation>Feineres Detail: ein kleinerer Ausschnitt</translation>
-    </message>
-    <message>
         <source>&amp;Coarser</source>
         <translation>G&amp;röber</translation>
-    </message>
-    <message>
-        <source>Coarser detail: a larger window</source>
-        <translation>Gröberes Detail: ein größerer Ausschnitt</translation>
     </message>
     <message>
         <source>&amp;Whole object</source>
@@ -1605,30 +1581,6 @@
     <message>
         <source>Rank windows by how much of their relief a hand feels</source>
         <translation>Ausschnitte danach ordnen, wie viel von ihrem Relief eine Hand fühlt</translation>
-    </message>
-    <message>
-        <source>Na&amp;me this place…</source>
-        <translation>&amp;Diese Stelle benennen…</translation>
-    </message>
-    <message>
-        <source>Give the window&apos;s place a name, to come back to it</source>
-        <translation>Der Stelle des Ausschnitts einen Namen geben, um zu ihr zurückzukehren</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt place</source>
-        <translation>&amp;Nächste Stelle</translation>
-    </message>
-    <message>
-        <source>Go to the next place that has a name</source>
-        <translation>Zur nächsten Stelle mit Namen gehen</translation>
-    </message>
-    <message>
-        <source>Pre&amp;vious place</source>
-        <translation>Vorige &amp;Stelle</translation>
-    </message>
-    <message>
-        <source>Go to the place with a name before this one</source>
-        <translation>Zur Stelle mit Namen vor dieser gehen</translation>
     </message>
     <message>
         <source>Prep&amp;are…</source>
@@ -1959,10 +1911,6 @@
         <translation>Sitzung einer St&amp;udie beginnen…</translation>
     </message>
     <message>
-        <source>Places as conditions in random order, under letters, for one participant</source>
-        <translation>Stellen als Bedingungen in zufälliger Reihenfolge, unter Buchstaben, für eine teilnehmende Person</translation>
-    </message>
-    <message>
         <source>Next con&amp;dition</source>
         <translation>Nächste Bedin&amp;gung</translation>
     </message>
@@ -1997,6 +1945,58 @@
     <message>
         <source>Make rel&amp;ief as the scan is seen</source>
         <translation>Relief, &amp;wie der Scan gesehen wird</translation>
+    </message>
+    <message>
+        <source>Region, level, vertical exaggeration, light, colours and turn, to be sent or pasted</source>
+        <translation>Region, Ebene, Überhöhung, Licht, Farben und Drehung, zum Verschicken oder Einfügen</translation>
+    </message>
+    <message>
+        <source>Shaded, with a colour for each height</source>
+        <translation>Beleuchtet, mit einer Farbe für jede Höhe</translation>
+    </message>
+    <message>
+        <source>Shaded, with &amp;ambient occlusion</source>
+        <translation>Beleuchtet, mit &amp;Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>Shaded, and darker in hollows and grooves</source>
+        <translation>Beleuchtet und dunkler in Mulden und Rillen</translation>
+    </message>
+    <message>
+        <source>Finer resolution: a smaller window</source>
+        <translation>Feinere Auflösung: ein kleinerer Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Coarser resolution: a larger window</source>
+        <translation>Gröbere Auflösung: ein größerer Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Add book&amp;mark…</source>
+        <translation>Lese&amp;zeichen hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Keep the window under a name, to come back to it</source>
+        <translation>Den Ausschnitt unter einem Namen merken, um zu ihm zurückzukehren</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt bookmark</source>
+        <translation>&amp;Nächstes Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Go to the next bookmark or marker</source>
+        <translation>Zum nächsten Lesezeichen oder zur nächsten Markierung gehen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious bookmark</source>
+        <translation>Voriges Le&amp;sezeichen</translation>
+    </message>
+    <message>
+        <source>Go to the bookmark or marker before this one</source>
+        <translation>Zum Lesezeichen oder zur Markierung davor gehen</translation>
+    </message>
+    <message>
+        <source>Bookmarks as conditions in random order, under letters, for one participant</source>
+        <translation>Lesezeichen als Bedingungen in zufälliger Reihenfolge, unter Buchstaben, für eine teilnehmende Person</translation>
     </message>
 </context>
 <context>
@@ -2048,14 +2048,6 @@
     <message>
         <source>scale millimetres metres inches</source>
         <translation>Maßstab Millimeter Meter Zoll</translation>
-    </message>
-    <message>
-        <source>zoom in closer magnify level</source>
-        <translation>zoomen hinein näher vergrößern Ebene</translation>
-    </message>
-    <message>
-        <source>zoom out farther level</source>
-        <translation>zoomen heraus weiter verkleinern Ebene</translation>
     </message>
     <message>
         <source>zoom all overview reset fit</source>
@@ -2148,6 +2140,22 @@
     <message>
         <source>align rotate orient projection view direction</source>
         <translation>ausrichten drehen Projektion Blickrichtung</translation>
+    </message>
+    <message>
+        <source>zoom in closer magnify level detail</source>
+        <translation>zoomen hinein näher vergrößern Ebene Detail</translation>
+    </message>
+    <message>
+        <source>zoom out farther level detail</source>
+        <translation>zoomen heraus weiter verkleinern Ebene Detail</translation>
+    </message>
+    <message>
+        <source>place name save position favourite</source>
+        <translation>Stelle Ort benennen merken Position Favorit</translation>
+    </message>
+    <message>
+        <source>place position favourite</source>
+        <translation>Stelle Ort Position Favorit</translation>
     </message>
 </context>
 <context>
@@ -2278,7 +2286,7 @@
     </message>
     <message>
         <source>Stray points left out: %1.</source>
-        <translation>Ausreißer weggelassen: %1.</translation>
+        <translation>Streupunkte weggelassen: %1.</translation>
     </message>
 </context>
 <context>
@@ -2943,10 +2951,6 @@
         <translation>Ganze Karte</translation>
     </message>
     <message>
-        <source>Whole map, detail %1 of %2</source>
-        <translation>Ganze Karte, Detail %1 von %2</translation>
-    </message>
-    <message>
         <source>Window, 200 x 200 samples</source>
         <translation>Ausschnitt, 200 x 200 Stützstellen</translation>
     </message>
@@ -2969,6 +2973,10 @@
     <message>
         <source>as long as its lines</source>
         <translation>so lang wie seine Linien</translation>
+    </message>
+    <message>
+        <source>Whole map, resolution %1 of %2</source>
+        <translation>Ganze Karte, Auflösung %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -3137,10 +3145,6 @@
         <translation>Steifigkeit, wie die Ebene empfiehlt</translation>
     </message>
     <message>
-        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level&apos;s own.</source>
-        <translation>0,8 N/mm bei Detail 1 und 2, 0,6 bei 3, 0,5 bei feineren. Was hier gesetzt wird, gilt dann für die gezeigte Ebene.</translation>
-    </message>
-    <message>
         <source>Stiffness in newtons per millimetre</source>
         <translation>Steifigkeit in Newton je Millimeter</translation>
     </message>
@@ -3173,10 +3177,6 @@
         <translation> N</translation>
     </message>
     <message>
-        <source>A faint tick on the way from measured ground to other ground, and back. 0: none.</source>
-        <translation>Ein schwacher Tick beim Übergang vom Gemessenen zu anderem und zurück. 0: keiner.</translation>
-    </message>
-    <message>
         <source>Texture of the next finer level, in micrometres of hand</source>
         <translation>Textur der nächstfeineren Ebene, in Mikrometern der Hand</translation>
     </message>
@@ -3193,16 +3193,24 @@
         <translation>Kontaktimpuls, höchstens in Newton</translation>
     </message>
     <message>
-        <source>A short knock as hard as the hand comes. 0: none.</source>
-        <translation>Ein kurzer Schlag, so stark wie die Hand kommt. 0: keiner.</translation>
-    </message>
-    <message>
         <source>Pull toward the surface, in newtons at most</source>
         <translation>Zug zur Oberfläche, höchstens in Newton</translation>
     </message>
     <message>
         <source>A gentle pull that begins 3 mm above the surface and ends on it. 0: none.</source>
         <translation>Ein sanfter Zug, der 3 mm über der Oberfläche beginnt und auf ihr endet. 0: keiner.</translation>
+    </message>
+    <message>
+        <source>0.8 N/mm at resolution 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level&apos;s own.</source>
+        <translation>0,8 N/mm bei Auflösung 1 und 2, 0,6 bei 3, 0,5 bei feineren. Was hier gesetzt wird, gilt dann für die gezeigte Ebene.</translation>
+    </message>
+    <message>
+        <source>A faint cue on the way from measured ground to other ground, and back. 0: none.</source>
+        <translation>Ein schwacher Hinweis beim Übergang vom Gemessenen zu anderem und zurück. 0: keiner.</translation>
+    </message>
+    <message>
+        <source>A short impulse as hard as the hand comes. 0: none.</source>
+        <translation>Ein kurzer Impuls, so stark wie die Hand kommt. 0: keiner.</translation>
     </message>
 </context>
 <context>
@@ -3366,10 +3374,6 @@
         <translation>Krümmung, mehrere Maßstäbe</translation>
     </message>
     <message>
-        <source>Stone with ambient occlusion</source>
-        <translation>Stein mit Umgebungsverdeckung</translation>
-    </message>
-    <message>
         <source>Natural colours</source>
         <translation>Natürliche Farben</translation>
     </message>
@@ -3460,10 +3464,6 @@
     <message>
         <source>Its colours are the scan&apos;s own</source>
         <translation>Seine Farben sind die des Scans</translation>
-    </message>
-    <message>
-        <source>Stone and hillshades have no colours</source>
-        <translation>Stein und Schummerungen haben keine Farben</translation>
     </message>
     <message>
         <source>Turn on &quot;Own ends of the colours&quot; first</source>
@@ -3801,36 +3801,24 @@
         <source>Turn on &quot;Own zero plane&quot; first</source>
         <translation>Zuerst „Nullebene vorgeben“ einschalten</translation>
     </message>
+    <message>
+        <source>Shaded, with ambient occlusion</source>
+        <translation>Beleuchtet, mit Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>Shaded reliefs and hillshades have no colours</source>
+        <translation>Beleuchtete Reliefs und Schummerungen haben keine Farben</translation>
+    </message>
 </context>
 <context>
     <name>relievo::FirmnessRow</name>
-    <message>
-        <source>What says where the ground is firm</source>
-        <translation>Was sagt, wo der Grund fest ist</translation>
-    </message>
     <message>
         <source>Choose…</source>
         <translation>Wählen…</translation>
     </message>
     <message>
-        <source>Choose a raster that says where the ground is firm</source>
-        <translation>Ein Raster wählen, das sagt, wo der Grund fest ist</translation>
-    </message>
-    <message>
-        <source>A raster over the whole map: 1 where the ground is firm, 0 where it is as soft as set above. In place of where it was measured.</source>
-        <translation>Ein Raster über die ganze Karte: 1, wo der Grund fest ist, 0, wo er so weich ist wie oben eingestellt. Anstelle davon, wo gemessen wurde.</translation>
-    </message>
-    <message>
         <source>No&amp;ne</source>
         <translation>Ke&amp;ines</translation>
-    </message>
-    <message>
-        <source>No raster: firm where it was measured</source>
-        <translation>Kein Raster: fest, wo gemessen wurde</translation>
-    </message>
-    <message>
-        <source>The ground is firm where it was measured.</source>
-        <translation>Der Grund ist fest, wo gemessen wurde.</translation>
     </message>
     <message>
         <source>Stiffness &amp;map</source>
@@ -3851,6 +3839,26 @@
     <message>
         <source>%1 (not of this map)</source>
         <translation>%1 (nicht von dieser Karte)</translation>
+    </message>
+    <message>
+        <source>Stiffness map in use</source>
+        <translation>Benutzte Steifigkeitskarte</translation>
+    </message>
+    <message>
+        <source>Choose a stiffness map</source>
+        <translation>Eine Steifigkeitskarte wählen</translation>
+    </message>
+    <message>
+        <source>A raster over the whole map: 1 where the surface is stiff, 0 where it is as soft as set above. In place of where it was measured.</source>
+        <translation>Ein Raster über die ganze Karte: 1, wo die Oberfläche steif ist, 0, wo sie so weich ist wie oben eingestellt. Anstelle davon, wo gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>No stiffness map: stiff where it was measured</source>
+        <translation>Keine Steifigkeitskarte: steif, wo gemessen wurde</translation>
+    </message>
+    <message>
+        <source>The surface is stiff where it was measured.</source>
+        <translation>Die Oberfläche ist steif, wo gemessen wurde.</translation>
     </message>
 </context>
 <context>
@@ -4685,14 +4693,6 @@
         <translation>Von welcher Seite das Objekt gesehen wird (Alt+1 bis Alt+6)</translation>
     </message>
     <message>
-        <source>Detail</source>
-        <translation>Detail</translation>
-    </message>
-    <message>
-        <source>Which detail feeds the window</source>
-        <translation>Welches Detail den Ausschnitt speist</translation>
-    </message>
-    <message>
         <source>&amp;Clear this list</source>
         <translation>&amp;Diese Liste leeren</translation>
     </message>
@@ -4709,10 +4709,6 @@
         <translation>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;Scans von Reliefs sehen und fühlen: eine Tiefenkarte, ihre Pyramide und ein Ausschnitt daraus, der in Stereo gezeigt und gefühlt wird.&lt;br&gt;&lt;br&gt;BSD-3-Clause-Lizenz.</translation>
     </message>
     <message>
-        <source>Detail %1 of %2</source>
-        <translation>Detail %1 von %2</translation>
-    </message>
-    <message>
         <source>Cancelled. Nothing was changed.</source>
         <translation>Abgebrochen. Nichts wurde geändert.</translation>
     </message>
@@ -4727,10 +4723,6 @@
     <message>
         <source>%1 Press F5 to switch forces on.</source>
         <translation>%1 F5 schaltet die Kräfte ein.</translation>
-    </message>
-    <message>
-        <source>Detail %1/%2</source>
-        <translation>Detail %1/%2</translation>
     </message>
     <message>
         <source>Only files on this computer can be opened. Nothing was opened.</source>
@@ -4771,6 +4763,22 @@
     <message>
         <source>Overview</source>
         <translation>Übersicht</translation>
+    </message>
+    <message>
+        <source>Resolution %1 of %2</source>
+        <translation>Auflösung %1 von %2</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Which level of the pyramid feeds the window</source>
+        <translation>Welche Ebene der Pyramide den Ausschnitt speist</translation>
+    </message>
+    <message>
+        <source>Resolution %1/%2</source>
+        <translation>Auflösung %1/%2</translation>
     </message>
 </context>
 <context>
@@ -5292,10 +5300,6 @@
         <translation>„%1“ hat %2 x %3 Zellen, die Karte aber misst %4 x %5 mm: Es ist kein Raster der ganzen Karte und wurde nicht verwendet. Schneiden Sie es auf den Umriss der Karte zu.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 where the ground is firm, 0 where it is softest.</source>
-        <translation>„%1“ enthält Werte außerhalb von 0 bis 1, etwa %2, und wurde nicht verwendet. Skalieren Sie sie: 1, wo der Grund fest ist, 0, wo er am weichsten ist.</translation>
-    </message>
-    <message>
         <source>%1: a mesh&apos;s triangles cannot be read in blocks. Nothing was made. Leave out --memory, or save it without faces.</source>
         <translation>%1: Die Dreiecke eines Netzes können nicht in Blöcken gelesen werden. Nichts wurde gemacht. Lassen Sie --memory weg, oder speichern Sie die Datei ohne Flächen.</translation>
     </message>
@@ -5364,10 +5368,6 @@
         <translation>%1: Keiner der angesehenen Punkte ist endlich. Nichts wurde gemacht.</translation>
     </message>
     <message>
-        <source>Maps by tiles are made by the cpu engine. Nothing was made.</source>
-        <translation>Karten in Kacheln entstehen mit dem Verfahren cpu. Nichts wurde gemacht.</translation>
-    </message>
-    <message>
         <source>A raster is a height map already and is seen from the top only.</source>
         <translation>Ein Raster ist schon eine Höhenkarte und wird nur von oben gesehen.</translation>
     </message>
@@ -5420,16 +5420,12 @@
         <translation>Eine Karte von %1 x %2 Zellen braucht, während sie gemacht wird, etwa %3 MB auf der Platte von %4; %5 MB sind frei. Es wurde nichts gemacht. Schaffen Sie Platz, oder wählen Sie größere Zellen.</translation>
     </message>
     <message>
-        <source>Rules other than front are for point clouds in the cpu engine. Nothing was made.</source>
-        <translation>Andere Regeln als front gelten für Punktwolken mit dem Verfahren cpu. Nichts wurde gemacht.</translation>
-    </message>
-    <message>
         <source>The relief image &apos;natural&apos; cannot be drawn: this surface has no colours. Choose another, for example &apos;lit&apos;.</source>
-        <translation>Das Reliefbild „natürliche Farben“ kann nicht gezeichnet werden: Diese Oberfläche hat keine Farben. Wählen Sie ein anderes, zum Beispiel beleuchteten Stein.</translation>
+        <translation>Das Reliefbild „natürliche Farben“ kann nicht gezeichnet werden: Diese Oberfläche hat keine Farben. Wählen Sie ein anderes, zum Beispiel das beleuchtete Relief.</translation>
     </message>
     <message>
         <source>The relief image &apos;intensity&apos; cannot be drawn: this surface has no intensities. Choose another, for example &apos;lit&apos;.</source>
-        <translation>Das Reliefbild „Intensität“ kann nicht gezeichnet werden: Diese Oberfläche hat keine Intensitäten. Wählen Sie ein anderes, zum Beispiel beleuchteten Stein.</translation>
+        <translation>Das Reliefbild „Intensität“ kann nicht gezeichnet werden: Diese Oberfläche hat keine Intensitäten. Wählen Sie ein anderes, zum Beispiel das beleuchtete Relief.</translation>
     </message>
     <message>
         <source>An angle needs three different points.</source>
@@ -5534,18 +5530,6 @@
     <message>
         <source>A region needs a finite position and a side above 0 mm.</source>
         <translation>Ein Ausschnitt braucht eine endliche Lage und eine Seite über 0 mm.</translation>
-    </message>
-    <message>
-        <source>The height gain must be a finite number above 0; 1 is true to scale.</source>
-        <translation>Die Überhöhung muss eine endliche Zahl über 0 sein; 1 ist maßstäblich.</translation>
-    </message>
-    <message>
-        <source>The pyramid&apos;s factor M must be from 1.1 to 8. Nothing was made; 2 is the paper&apos;s.</source>
-        <translation>Der Faktor M der Pyramide muss zwischen 1.1 und 8 liegen. Nichts wurde gemacht; 2 ist der des Artikels.</translation>
-    </message>
-    <message>
-        <source>The pyramid&apos;s factor M is so near to 1 that its levels do not fit into memory. Nothing was made; choose a larger one.</source>
-        <translation>Der Faktor M der Pyramide liegt so nahe bei 1, dass ihre Ebenen nicht in den Speicher passen. Nichts wurde gemacht; wählen Sie einen größeren.</translation>
     </message>
     <message>
         <source>The camera path &quot;%1&quot; needs at least two key views. Nothing was made.</source>
@@ -5960,10 +5944,6 @@
         <translation>Die Aufzeichnung sagt nicht, wie eine ihrer Karten gemacht wurde. Nichts wurde wiederholt.</translation>
     </message>
     <message>
-        <source>The recording does not say where its raster of firm ground is. Nothing was replayed.</source>
-        <translation>Die Aufzeichnung sagt nicht, wo ihr Raster des festen Grundes ist. Nichts wurde wiederholt.</translation>
-    </message>
-    <message>
         <source>project new needs -o PROJECT.json.</source>
         <translation>project new braucht -o PROJECT.json.</translation>
     </message>
@@ -5982,10 +5962,6 @@
     <message>
         <source>%1 belongs to project %2, not to %3. Nothing was done. Leave it out.</source>
         <translation>%1 gehört zu project %2, nicht zu %3. Nichts wurde getan. Lassen Sie es weg.</translation>
-    </message>
-    <message>
-        <source>--relief: lit stone has no values. Choose another, or &apos;relievo render&apos;.</source>
-        <translation>--relief: Beleuchteter Stein hat keine Werte. Wählen Sie ein anderes, oder &apos;relievo render&apos;.</translation>
     </message>
     <message>
         <source>--relief: &apos;%1&apos; has no values of the relief. Choose another, or &apos;relievo render&apos;; colours are written beside a map without --relief.</source>
@@ -6100,10 +6076,6 @@
         <translation>„%1“ ist nicht die Datei, für die %2 gemacht wurde (Prüfsumme verschieden, E501). Nichts wurde getan. Geben Sie die Datei mit ihrem Namen an, um sie trotzdem zu verwenden.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not the raster of firm ground that was felt (checksum differs, E501). Nothing was replayed. Put the right one back, there or beside the recording.</source>
-        <translation>„%1“ ist nicht das Raster des festen Grundes, das ertastet wurde (Prüfsumme verschieden, E501). Nichts wurde wiederholt. Legen Sie das richtige zurück, dorthin oder neben die Aufzeichnung.</translation>
-    </message>
-    <message>
         <source>Recording stopped: disk full. {1|%1 sample is|%1 samples are} saved and complete in &quot;%2&quot;.</source>
         <translation>Aufnahme beendet: Datenträger voll. {1|%1 Abtastwert ist|%1 Abtastwerte sind} gespeichert und vollständig in „%2“.</translation>
     </message>
@@ -6200,20 +6172,8 @@
         <translation>Nichts</translation>
     </message>
     <message>
-        <source>Finer detail</source>
-        <translation>Feineres Detail</translation>
-    </message>
-    <message>
-        <source>Coarser detail</source>
-        <translation>Gröberes Detail</translation>
-    </message>
-    <message>
         <source>Whole object</source>
         <translation>Ganzes Objekt</translation>
-    </message>
-    <message>
-        <source>Detail and scale</source>
-        <translation>Detail und Maßstab</translation>
     </message>
     <message>
         <source>Where am I</source>
@@ -6258,14 +6218,6 @@
     <message>
         <source>Down</source>
         <translation>Unten</translation>
-    </message>
-    <message>
-        <source>Next place</source>
-        <translation>Nächster Ort</translation>
-    </message>
-    <message>
-        <source>Previous place</source>
-        <translation>Voriger Ort</translation>
     </message>
     <message>
         <source>Help</source>
@@ -6726,10 +6678,6 @@
     <message>
         <source>The window&apos;s side is %1 mm; it must be greater than 0.</source>
         <translation>Die Seite des Ausschnitts ist %1 mm; sie muss größer als 0 sein.</translation>
-    </message>
-    <message>
-        <source>A map of firmness must hold 200 x 200 numbers from 0 to 1.</source>
-        <translation>Eine Karte der Festigkeit muss 200 x 200 Zahlen von 0 bis 1 enthalten.</translation>
     </message>
     <message>
         <source>A texture has %1 heights; exactly 400 x 400 finite ones are needed.</source>
@@ -7196,10 +7144,6 @@
         <translation>Membranen über Löchern brauchen die ganze Karte im Speicher. Nichts wurde gemacht. Wählen Sie eine andere Behandlung der Löcher, oder lassen Sie --memory weg.</translation>
     </message>
     <message>
-        <source>The pyramid&apos;s factor M must be from 1.1 to 8.</source>
-        <translation>Der Faktor M der Pyramide muss zwischen 1,1 und 8 liegen.</translation>
-    </message>
-    <message>
         <source>Points and heights that do not fit into memory cannot be kept in %1: %2. Nothing was made. Free some space there, write the result to another disk, or allow more memory.</source>
         <translation>Punkte und Höhen, die nicht in den Speicher passen, können nicht in %1 gehalten werden: %2. Nichts wurde gemacht. Schaffen Sie dort Platz, schreiben Sie das Ergebnis auf einen anderen Datenträger, oder erlauben Sie mehr Speicher.</translation>
     </message>
@@ -7396,16 +7340,8 @@
         <translation>Eine Fläche zum Zeichnen braucht mindestens 2 x 2 Abtastwerte und einen Abstand über 0.</translation>
     </message>
     <message>
-        <source>The graphics driver does not say how exact its depth buffer is. Use the CPU engine instead.</source>
-        <translation>Der Grafiktreiber sagt nicht, wie genau sein Tiefenpuffer ist. Verwenden Sie stattdessen den Rechenweg „cpu“.</translation>
-    </message>
-    <message>
         <source>A depth map needs at least one sample and a spacing above 0.</source>
         <translation>Eine Tiefenkarte braucht mindestens einen Abtastwert und einen Abstand über 0.</translation>
-    </message>
-    <message>
-        <source>The graphics driver returned an empty depth buffer. Use the CPU engine instead.</source>
-        <translation>Der Grafiktreiber gab einen leeren Tiefenpuffer zurück. Verwenden Sie stattdessen den Rechenweg „cpu“.</translation>
     </message>
     <message>
         <source>A camera needs a rectangle with a width and a height above 0.</source>
@@ -7498,10 +7434,6 @@
     <message>
         <source>The part %1 of relievo cannot be loaded: %2. Nothing was written. Install relievo again.</source>
         <translation>Der Teil %1 von relievo kann nicht geladen werden: %2. Es wurde nichts geschrieben. Installieren Sie relievo neu.</translation>
-    </message>
-    <message>
-        <source>Gain, grip factor and number of windows must be above 0. Nothing was made.</source>
-        <translation>Überhöhung, Griff-Faktor und Anzahl der Fenster müssen über 0 liegen. Es wurde nichts gemacht.</translation>
     </message>
     <message>
         <source>Windows are suggested for maps that fit into memory; this one is read by tiles. Nothing was made. Give a level of it, or a map with larger cells.</source>
@@ -7848,10 +7780,6 @@
         <translation>Neben dem Relief.</translation>
     </message>
     <message>
-        <source>Place: %1.</source>
-        <translation>Ort: %1.</translation>
-    </message>
-    <message>
         <source>Measured here.</source>
         <translation>Hier gemessen.</translation>
     </message>
@@ -7878,14 +7806,6 @@
     <message>
         <source>%2 from the bottom edge.</source>
         <translation>%2 vom unteren Rand.</translation>
-    </message>
-    <message>
-        <source>Detail %1 of %2, window %3.</source>
-        <translation>Detail %1 von %2, Ausschnitt %3.</translation>
-    </message>
-    <message>
-        <source>Detail %1 of %2, %4 wide.</source>
-        <translation>Detail %1 von %2, %4 breit.</translation>
     </message>
     <message>
         <source>1 mm of hand is %1 of relief.</source>
@@ -8034,10 +7954,6 @@
     <message>
         <source>Now, for 20 seconds: Plus: louder. Minus: softer. Centre: say it again. Forward: back.</source>
         <translation>Jetzt, für 20 Sekunden: Plus: lauter. Minus: leiser. Mitte: noch einmal sagen. Vorwärts: zurück.</translation>
-    </message>
-    <message>
-        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces, say it again, louder, softer, help. Press again to take it. Hold for a second and a half: forces off.</source>
-        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächster Ort, voriger Ort, zurück, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt es. Anderthalb Sekunden halten: Kräfte aus.</translation>
     </message>
     <message>
         <source>The Haply device is not in use.</source>
@@ -8320,10 +8236,6 @@
         <translation>Die Einführung ist aus. Das Relief ist wieder unter der Hand.</translation>
     </message>
     <message>
-        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done; long: guide along the outline. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
-        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächster Ort. Minus: voriger Ort. Vorwärts: fertig; lang: am Umriss entlangführen. Mitte: zurück; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
-    </message>
-    <message>
         <source>Gamepads that are no HID devices cannot be used: this program was built without the system&apos;s header linux/input.h.</source>
         <translation>Gamepads, die keine HID-Geräte sind, können nicht benutzt werden: Dieses Programm wurde ohne die Kopfdatei linux/input.h des Systems gebaut.</translation>
     </message>
@@ -8382,10 +8294,6 @@
     <message>
         <source>Marker</source>
         <translation>Markierung</translation>
-    </message>
-    <message>
-        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: marker. Centre: where am I; long: forces off or on. Plus and Minus: look or touch; for two seconds: help; for five: introduction.</source>
-        <translation>Plus: feiner; lang: Detail und Maßstab. Minus: gröber; lang: ganzes Objekt. Vorwärts: verschieben; lang: Markierung. Mitte: wo bin ich; lang: Kräfte aus oder an. Plus und Minus: Betrachten oder Fühlen; zwei Sekunden: Hilfe; fünf: Einführung.</translation>
     </message>
     <message>
         <source>Edges: the hand reached %1 mm right, %2 left, %3 up, %4 down, %5 out and %6 in.</source>
@@ -8470,10 +8378,6 @@
     <message>
         <source>Coarser until the tiles are here.</source>
         <translation>Gröber, bis die Kacheln da sind.</translation>
-    </message>
-    <message>
-        <source>Full detail.</source>
-        <translation>Volles Detail.</translation>
     </message>
     <message>
         <source>%1 gives no answer. What is here can be seen and felt; the rest is asked for again and again.</source>
@@ -8916,12 +8820,116 @@
         <translation>Die Kräfte werden klein gehalten, weil der Arm zittert.</translation>
     </message>
     <message>
-        <source>Detail %2 is on its way. Until it is here, detail %1 is shown and felt.</source>
-        <translation>Detail %2 ist unterwegs. Bis es da ist, wird Detail %1 gezeigt und gefühlt.</translation>
+        <source>&apos;%1&apos; holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 where the surface is stiff, 0 where it is softest.</source>
+        <translation>„%1“ enthält Werte außerhalb von 0 bis 1, etwa %2, und wurde nicht verwendet. Skalieren Sie sie: 1, wo die Oberfläche steif ist, 0, wo sie am weichsten ist.</translation>
     </message>
     <message>
-        <source>Detail %1 is here.</source>
-        <translation>Detail %1 ist da.</translation>
+        <source>Maps by tiles are made by the method CPU. Nothing was made.</source>
+        <translation>Karten in Kacheln entstehen mit dem Verfahren CPU. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>Heights other than front are for point clouds by the method CPU. Nothing was made.</source>
+        <translation>Andere Höhen je Zelle als front gelten für Punktwolken mit dem Verfahren CPU. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>The vertical exaggeration must be a finite number above 0; 1 is true to scale.</source>
+        <translation>Die Überhöhung muss eine endliche Zahl über 0 sein; 1 ist maßstäblich.</translation>
+    </message>
+    <message>
+        <source>The pyramid factor must be from 1.1 to 8. Nothing was made; 2 is the paper&apos;s.</source>
+        <translation>Der Pyramidenfaktor muss zwischen 1.1 und 8 liegen. Nichts wurde gemacht; 2 ist der des Artikels.</translation>
+    </message>
+    <message>
+        <source>The pyramid factor is so near to 1 that its levels do not fit into memory. Nothing was made; choose a larger one.</source>
+        <translation>Der Pyramidenfaktor liegt so nahe bei 1, dass die Ebenen nicht in den Speicher passen. Nichts wurde gemacht; wählen Sie einen größeren.</translation>
+    </message>
+    <message>
+        <source>The recording does not say where its stiffness map is. Nothing was replayed.</source>
+        <translation>Die Aufzeichnung sagt nicht, wo ihre Steifigkeitskarte ist. Nichts wurde wiederholt.</translation>
+    </message>
+    <message>
+        <source>--relief: shaded relief has no values. Choose another, or &apos;relievo render&apos;.</source>
+        <translation>--relief: Das beleuchtete Relief hat keine Werte. Wählen Sie ein anderes, oder &apos;relievo render&apos;.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the stiffness map that was felt (checksum differs, E501). Nothing was replayed. Put the right one back, there or beside the recording.</source>
+        <translation>„%1“ ist nicht die Steifigkeitskarte, die ertastet wurde (Prüfsumme verschieden, E501). Nichts wurde wiederholt. Legen Sie die richtige zurück, dorthin oder neben die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Exaggeration, grip factor and number of windows must be above 0. Nothing was made.</source>
+        <translation>Überhöhung, Griff-Faktor und Anzahl der Fenster müssen über 0 liegen. Es wurde nichts gemacht.</translation>
+    </message>
+    <message>
+        <source>Bookmark: %1.</source>
+        <translation>Lesezeichen: %1.</translation>
+    </message>
+    <message>
+        <source>Resolution %1 of %2, window %3.</source>
+        <translation>Auflösung %1 von %2, Ausschnitt %3.</translation>
+    </message>
+    <message>
+        <source>Resolution %1 of %2, %4 wide.</source>
+        <translation>Auflösung %1 von %2, %4 breit.</translation>
+    </message>
+    <message>
+        <source>Finer resolution</source>
+        <translation>Feinere Auflösung</translation>
+    </message>
+    <message>
+        <source>Coarser resolution</source>
+        <translation>Gröbere Auflösung</translation>
+    </message>
+    <message>
+        <source>Resolution and scale</source>
+        <translation>Auflösung und Maßstab</translation>
+    </message>
+    <message>
+        <source>Next bookmark</source>
+        <translation>Nächstes Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Previous bookmark</source>
+        <translation>Voriges Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Plus: finer; long: resolution and scale. Minus: coarser; long: whole object. Forward: move; long: marker. Centre: where am I; long: forces off or on. Plus and Minus: look or touch; for two seconds: help; for five: introduction.</source>
+        <translation>Plus: feiner; lang: Auflösung und Maßstab. Minus: gröber; lang: ganzes Objekt. Vorwärts: verschieben; lang: Markierung. Mitte: wo bin ich; lang: Kräfte aus oder an. Plus und Minus: Betrachten oder Fühlen; zwei Sekunden: Hilfe; fünf: Einführung.</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Plus: next bookmark. Minus: previous bookmark. Forward: done; long: guide along the outline. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
+        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächstes Lesezeichen. Minus: voriges Lesezeichen. Vorwärts: fertig; lang: am Umriss entlangführen. Mitte: zurück; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next bookmark, previous bookmark, back, forces, say it again, louder, softer, help. Press again to take it. Hold for a second and a half: forces off.</source>
+        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächstes Lesezeichen, voriges Lesezeichen, zurück, Kräfte, noch einmal sagen, lauter, leiser, Hilfe. Noch einmal drücken nimmt es. Anderthalb Sekunden halten: Kräfte aus.</translation>
+    </message>
+    <message>
+        <source>A stiffness map must hold 200 x 200 numbers from 0 to 1.</source>
+        <translation>Eine Steifigkeitskarte muss 200 x 200 Zahlen von 0 bis 1 enthalten.</translation>
+    </message>
+    <message>
+        <source>The pyramid factor must be from 1.1 to 8.</source>
+        <translation>Der Pyramidenfaktor muss zwischen 1,1 und 8 liegen.</translation>
+    </message>
+    <message>
+        <source>Resolution %2 is on its way. Until it is here, resolution %1 is shown and felt.</source>
+        <translation>Auflösung %2 ist unterwegs. Bis sie da ist, wird Auflösung %1 gezeigt und gefühlt.</translation>
+    </message>
+    <message>
+        <source>Resolution %1 is here.</source>
+        <translation>Auflösung %1 ist da.</translation>
+    </message>
+    <message>
+        <source>Full resolution.</source>
+        <translation>Volle Auflösung.</translation>
+    </message>
+    <message>
+        <source>The graphics driver does not say how exact its depth buffer is. Use the method CPU instead.</source>
+        <translation>Der Grafiktreiber sagt nicht, wie genau sein Tiefenpuffer ist. Verwenden Sie stattdessen das Verfahren CPU.</translation>
+    </message>
+    <message>
+        <source>The graphics driver returned an empty depth buffer. Use the method CPU instead.</source>
+        <translation>Der Grafiktreiber gab einen leeren Tiefenpuffer zurück. Verwenden Sie stattdessen das Verfahren CPU.</translation>
     </message>
 </context>
 <context>
@@ -9271,16 +9279,8 @@
         <translation>%1 gesetzt.</translation>
     </message>
     <message>
-        <source>%1 lies on a finer detail than this map has. The window was not moved.</source>
-        <translation>%1 liegt auf einem feineren Detail, als diese Karte hat. Der Ausschnitt wurde nicht verschoben.</translation>
-    </message>
-    <message>
         <source>Go to %1</source>
         <translation>Gehe zu %1</translation>
-    </message>
-    <message>
-        <source>%1. Detail %2 of %3</source>
-        <translation>%1. Detail %2 von %3</translation>
     </message>
     <message>
         <source>The view is copied as text</source>
@@ -9295,10 +9295,6 @@
         <translation>Ansicht einfügen</translation>
     </message>
     <message>
-        <source>The copied view is shown. Detail %1 of %2</source>
-        <translation>Die kopierte Ansicht wird gezeigt. Detail %1 von %2</translation>
-    </message>
-    <message>
         <source>Marker %1</source>
         <translation>Markierung %1</translation>
     </message>
@@ -9310,16 +9306,24 @@
         <source>%1 is in the window already.</source>
         <translation>%1 ist schon im Ausschnitt.</translation>
     </message>
+    <message>
+        <source>%1 has a finer resolution than this map. The window was not moved.</source>
+        <translation>%1 hat eine feinere Auflösung als diese Karte. Der Ausschnitt wurde nicht verschoben.</translation>
+    </message>
+    <message>
+        <source>%1. Resolution %2 of %3</source>
+        <translation>%1. Auflösung %2 von %3</translation>
+    </message>
+    <message>
+        <source>The copied view is shown. Resolution %1 of %2</source>
+        <translation>Die kopierte Ansicht wird gezeigt. Auflösung %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>relievo::PlacesPanel</name>
     <message>
         <source>With light and view</source>
         <translation>Mit Licht und Ansicht</translation>
-    </message>
-    <message>
-        <source>Name this place</source>
-        <translation>Diese Stelle benennen</translation>
     </message>
     <message>
         <source>Go to</source>
@@ -9334,52 +9338,52 @@
         <translation>Löschen</translation>
     </message>
     <message>
-        <source>Named places</source>
-        <translation>Benannte Stellen</translation>
-    </message>
-    <message>
-        <source>Enter goes to a place, F2 renames it, Delete removes it</source>
-        <translation>Eingabe geht zu einer Stelle, F2 benennt sie um, Entf löscht sie</translation>
-    </message>
-    <message>
-        <source>A new place also keeps light, relief image, stereo and the turn of the view</source>
-        <translation>Eine neue Stelle behält auch Licht, Reliefbild, Stereo und die Drehung der Ansicht</translation>
-    </message>
-    <message>
-        <source>Give the window&apos;s place a name (Ctrl+N)</source>
-        <translation>Der Stelle des Ausschnitts einen Namen geben (Strg+N)</translation>
-    </message>
-    <message>
-        <source>Move the window to the selected place</source>
-        <translation>Den Ausschnitt zur gewählten Stelle bewegen</translation>
-    </message>
-    <message>
-        <source>Change the selected place&apos;s name (F2)</source>
-        <translation>Den Namen der gewählten Stelle ändern (F2)</translation>
-    </message>
-    <message>
-        <source>Forget the selected place</source>
-        <translation>Die gewählte Stelle vergessen</translation>
-    </message>
-    <message>
-        <source>Place %1</source>
-        <translation>Stelle %1</translation>
-    </message>
-    <message>
-        <source>No place has a name yet</source>
-        <translation>Noch hat keine Stelle einen Namen</translation>
-    </message>
-    <message>
         <source>%1 is forgotten</source>
         <translation>%1 ist vergessen</translation>
     </message>
     <message>
-        <source>The place alone</source>
-        <translation>Nur die Stelle</translation>
+        <source>Add bookmark</source>
+        <translation>Lesezeichen hinzufügen</translation>
     </message>
     <message>
-        <source>Places</source>
-        <translation>Stellen</translation>
+        <source>Bookmarks</source>
+        <translation>Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Enter goes to a bookmark, F2 renames it, Delete removes it</source>
+        <translation>Eingabe geht zu einem Lesezeichen, F2 benennt es um, Entf löscht es</translation>
+    </message>
+    <message>
+        <source>A new bookmark also keeps light, relief image, stereo and the turn of the view</source>
+        <translation>Ein neues Lesezeichen behält auch Licht, Reliefbild, Stereo und die Drehung der Ansicht</translation>
+    </message>
+    <message>
+        <source>Keep the window under a name (Ctrl+N)</source>
+        <translation>Den Ausschnitt unter einem Namen merken (Strg+N)</translation>
+    </message>
+    <message>
+        <source>Move the window to the selected bookmark</source>
+        <translation>Den Ausschnitt zum gewählten Lesezeichen bewegen</translation>
+    </message>
+    <message>
+        <source>Change the selected bookmark&apos;s name (F2)</source>
+        <translation>Den Namen des gewählten Lesezeichens ändern (F2)</translation>
+    </message>
+    <message>
+        <source>Delete the selected bookmark</source>
+        <translation>Das gewählte Lesezeichen löschen</translation>
+    </message>
+    <message>
+        <source>Bookmark %1</source>
+        <translation>Lesezeichen %1</translation>
+    </message>
+    <message>
+        <source>There is no bookmark yet</source>
+        <translation>Es gibt noch kein Lesezeichen</translation>
+    </message>
+    <message>
+        <source>The window alone</source>
+        <translation>Nur der Ausschnitt</translation>
     </message>
 </context>
 <context>
@@ -10351,20 +10355,20 @@
         <translation>Größe des Ausschnitts ändern</translation>
     </message>
     <message>
-        <source>The whole object. The pink window is what the detail view shows: drag inside it to move it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the detail. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window.</source>
-        <translation>Das ganze Objekt. Der rosa Ausschnitt ist, was die Detailansicht zeigt: Ziehen darin verschiebt ihn, Ziehen an den Rändern ändert seine Größe, Ziehen außerhalb zeichnet einen neuen. Das Rad wechselt das Detail. Tasten: Pfeile, Umschalt+Pfeile, + und -; Leertaste, Pfeile und Eingabe zeichnen einen Ausschnitt.</translation>
-    </message>
-    <message>
-        <source>Detail %1 of %2, window %3 wide, lower left corner at x %4, y %5</source>
-        <translation>Detail %1 von %2, Ausschnitt %3 breit, linke untere Ecke bei x %4, y %5</translation>
-    </message>
-    <message>
         <source>Drawing a window from x %1, y %2. Arrows carry the other corner, Enter ends, Escape returns</source>
         <translation>Ausschnitt ab x %1, y %2. Pfeile führen die andere Ecke, Eingabe beendet, Esc kehrt zurück</translation>
     </message>
     <message>
         <source>Overview</source>
         <translation>Übersicht</translation>
+    </message>
+    <message>
+        <source>The whole object. The pink window is what the detail view shows: drag inside it to move it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the resolution. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window.</source>
+        <translation>Das ganze Objekt. Der rosa Ausschnitt ist, was die Detailansicht zeigt: Ziehen darin verschiebt ihn, Ziehen an den Rändern ändert seine Größe, Ziehen außerhalb zeichnet einen neuen. Das Rad wechselt die Auflösung. Tasten: Pfeile, Umschalt+Pfeile, + und -; Leertaste, Pfeile und Eingabe zeichnen einen Ausschnitt.</translation>
+    </message>
+    <message>
+        <source>Resolution %1 of %2, window %3 wide, lower left corner at x %4, y %5</source>
+        <translation>Auflösung %1 von %2, Ausschnitt %3 breit, linke untere Ecke bei x %4, y %5</translation>
     </message>
 </context>
 <context>
@@ -10376,10 +10380,6 @@
     <message>
         <source>Smaller window</source>
         <translation>Kleineres Fenster</translation>
-    </message>
-    <message>
-        <source>Detail %1 → %2</source>
-        <translation>Detail %1 → %2</translation>
     </message>
     <message>
         <source>Whole object</source>
@@ -10400,6 +10400,10 @@
     <message>
         <source>Zoom</source>
         <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Resolution %1 → %2</source>
+        <translation>Auflösung %1 → %2</translation>
     </message>
 </context>
 <context>
@@ -10429,14 +10433,6 @@
         <translation>Breite und Höhe des rosa Ausschnitts</translation>
     </message>
     <message>
-        <source>&amp;Level</source>
-        <translation>&amp;Ebene</translation>
-    </message>
-    <message>
-        <source>Which detail feeds the window</source>
-        <translation>Welches Detail den Ausschnitt speist</translation>
-    </message>
-    <message>
         <source>Heights are multiplied by this; 1 is true to scale</source>
         <translation>Höhen werden damit vervielfacht; 1 ist maßstabsgetreu</translation>
     </message>
@@ -10449,14 +10445,6 @@
         <translation>Maßstab der Hand</translation>
     </message>
     <message>
-        <source>%1 of %2, level 0</source>
-        <translation>%1/%2, Ebene 0</translation>
-    </message>
-    <message>
-        <source>%1 of %2, level %3, σ %4</source>
-        <translation>%1/%2, Ebene %3, σ %4</translation>
-    </message>
-    <message>
         <source>Vertical exaggeration</source>
         <translation>Überhöhung</translation>
     </message>
@@ -10467,6 +10455,22 @@
     <message>
         <source>Hand scale 1 : %1</source>
         <translation>Maßstab der Hand 1 : %1</translation>
+    </message>
+    <message>
+        <source>%1/%2 (level 0)</source>
+        <translation>%1/%2 (Ebene 0)</translation>
+    </message>
+    <message>
+        <source>%1/%2 (level %3, σ %4)</source>
+        <translation>%1/%2 (Ebene %3, σ %4)</translation>
+    </message>
+    <message>
+        <source>Reso&amp;lution</source>
+        <translation>A&amp;uflösung</translation>
+    </message>
+    <message>
+        <source>Which level of the pyramid feeds the window</source>
+        <translation>Welche Ebene der Pyramide den Ausschnitt speist</translation>
     </message>
 </context>
 <context>
@@ -10697,12 +10701,12 @@
         <translation>Hier in der Aufzeichnung</translation>
     </message>
     <message>
-        <source>hand z %1 mm   proxy z %2 mm   force %3 N</source>
-        <translation>Hand z %1 mm   Proxy z %2 mm   Kraft %3 N</translation>
-    </message>
-    <message>
         <source>   |   since %1 s: %2</source>
         <translation>   |   seit %1 s: %2</translation>
+    </message>
+    <message>
+        <source>HIP z %1 mm   proxy z %2 mm   force %3 N</source>
+        <translation>HIP z %1 mm   Proxy z %2 mm   Kraft %3 N</translation>
     </message>
 </context>
 <context>
@@ -10710,10 +10714,6 @@
     <message>
         <source>Unsaved work</source>
         <translation>Nicht gespeicherte Arbeit</translation>
-    </message>
-    <message>
-        <source>Work on %1 is in no file yet: places, measurements, camera paths or settings.</source>
-        <translation>Arbeit an %1 steht noch in keiner Datei: Orte, Messungen, Kamerawege oder Einstellungen.</translation>
     </message>
     <message>
         <source>Save it as a project?</source>
@@ -10754,6 +10754,10 @@
     <message>
         <source>%1[*] – relievo</source>
         <translation>%1[*] – relievo</translation>
+    </message>
+    <message>
+        <source>Work on %1 is in no file yet: bookmarks, measurements, camera paths or settings.</source>
+        <translation>Arbeit an %1 steht noch in keiner Datei: Lesezeichen, Messungen, Kamerawege oder Einstellungen.</translation>
     </message>
 </context>
 <context>
@@ -11025,8 +11029,8 @@
         <translation>Noch nichts gemessen.</translation>
     </message>
     <message>
-        <source>At %1 s: hand %2 mm, proxy %3 mm, force %4 N</source>
-        <translation>Bei %1 s: Hand %2 mm, Proxy %3 mm, Kraft %4 N</translation>
+        <source>At %1 s: HIP %2 mm, proxy %3 mm, force %4 N</source>
+        <translation>Bei %1 s: HIP %2 mm, Proxy %3 mm, Kraft %4 N</translation>
     </message>
 </context>
 <context>
@@ -11296,10 +11300,6 @@
         <translation>Art der Oberfläche</translation>
     </message>
     <message>
-        <source>Detail</source>
-        <translation>Detail</translation>
-    </message>
-    <message>
         <source>Force</source>
         <translation>Kraft</translation>
     </message>
@@ -11334,6 +11334,10 @@
     <message>
         <source>Mouse</source>
         <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
     </message>
 </context>
 <context>
@@ -11934,10 +11938,6 @@
         <translation>Bedingungen</translation>
     </message>
     <message>
-        <source>Places with names, each with its detail and exaggeration. They are shown in random order, under letters</source>
-        <translation>Benannte Stellen, jede mit ihrem Detail und ihrer Überhöhung. Sie werden in zufälliger Reihenfolge unter Buchstaben gezeigt</translation>
-    </message>
-    <message>
         <source>How often each condition is shown</source>
         <translation>Wie oft jede Bedingung gezeigt wird</translation>
     </message>
@@ -11982,10 +11982,6 @@
         <translation>&amp;Ordner der Studie</translation>
     </message>
     <message>
-        <source>A study needs at least two places with names: Surface &gt; Name this place.</source>
-        <translation>Eine Studie braucht mindestens zwei benannte Stellen: Oberfläche &gt; Diese Stelle benennen.</translation>
-    </message>
-    <message>
         <source>The code has 1 to 32 letters, digits, - and _.</source>
         <translation>Der Code hat 1 bis 32 Buchstaben, Ziffern, - und _.</translation>
     </message>
@@ -12008,6 +12004,14 @@
     <message>
         <source>Choose a folder.</source>
         <translation>Wählen Sie einen Ordner.</translation>
+    </message>
+    <message>
+        <source>Bookmarks, each with its resolution and exaggeration. They are shown in random order, under letters</source>
+        <translation>Lesezeichen, jedes mit seiner Auflösung und seiner Überhöhung. Sie werden in zufälliger Reihenfolge unter Buchstaben gezeigt</translation>
+    </message>
+    <message>
+        <source>A study needs at least two bookmarks: Surface &gt; Add bookmark.</source>
+        <translation>Eine Studie braucht mindestens zwei Lesezeichen: Oberfläche &gt; Lesezeichen hinzufügen.</translation>
     </message>
 </context>
 <context>
@@ -12033,20 +12037,12 @@
         <translation>Vorgeschlagene Ausschnitte</translation>
     </message>
     <message>
-        <source>A click or Enter shows the window at its detail; undo goes back</source>
-        <translation>Ein Klick oder Eingabe zeigt den Ausschnitt mit seinem Detail; Rückgängig führt zurück</translation>
-    </message>
-    <message>
         <source>Frames with their ranks over the whole object</source>
         <translation>Rahmen mit ihren Rängen über dem ganzen Objekt</translation>
     </message>
     <message>
         <source>This map is read by tiles; windows are suggested on maps in memory.</source>
         <translation>Diese Karte wird kachelweise gelesen; Ausschnitte werden auf Karten im Speicher vorgeschlagen.</translation>
-    </message>
-    <message>
-        <source>%1. Detail %2 of %3, %4: %5 % felt, relief about %6 wide</source>
-        <translation>%1. Detail %2 von %3, %4: %5 % fühlbar, Relief etwa %6 breit</translation>
     </message>
     <message>
         <source>%1 % measured, %2 % steep</source>
@@ -12067,6 +12063,14 @@
     <message>
         <source>Cancelled. Nothing was suggested.</source>
         <translation>Abgebrochen. Nichts wurde vorgeschlagen.</translation>
+    </message>
+    <message>
+        <source>A click or Enter shows the window at its resolution; undo goes back</source>
+        <translation>Ein Klick oder Eingabe zeigt den Ausschnitt mit seiner Auflösung; Rückgängig führt zurück</translation>
+    </message>
+    <message>
+        <source>%1. Resolution %2 of %3, %4: %5 % felt, relief about %6 wide</source>
+        <translation>%1. Auflösung %2 von %3, %4: %5 % fühlbar, Relief etwa %6 breit</translation>
     </message>
 </context>
 <context>
@@ -12147,14 +12151,6 @@
         <translation>Unten</translation>
     </message>
     <message>
-        <source>Detail %1 of %2</source>
-        <translation>Detail %1 von %2</translation>
-    </message>
-    <message>
-        <source>This is the finest detail</source>
-        <translation>Das ist das feinste Detail</translation>
-    </message>
-    <message>
         <source>This is the whole object</source>
         <translation>Das ist das ganze Objekt</translation>
     </message>
@@ -12190,6 +12186,14 @@
     <message>
         <source>As opened</source>
         <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>Resolution %1 of %2</source>
+        <translation>Auflösung %1 von %2</translation>
+    </message>
+    <message>
+        <source>This is the finest resolution</source>
+        <translation>Das ist die feinste Auflösung</translation>
     </message>
 </context>
 <context>
@@ -12381,14 +12385,6 @@
         <translation>Ort und Höhe unter der Hand, und ob dort gemessen wurde.</translation>
     </message>
     <message>
-        <source>&amp;Detail and scale</source>
-        <translation>&amp;Detail und Maßstab</translation>
-    </message>
-    <message>
-        <source>Say detail, window and hand scale (Ctrl+Shift+I)</source>
-        <translation>Detail, Ausschnitt und Maßstab der Hand sagen (Strg+Umschalt+I)</translation>
-    </message>
-    <message>
         <source>How large the window is and what one millimetre of hand is.</source>
         <translation>Wie groß der Ausschnitt ist und was ein Millimeter der Hand ist.</translation>
     </message>
@@ -12419,10 +12415,6 @@
     <message>
         <source>Wh&amp;ere am I, in full</source>
         <translation>Wo bin ich, ausführ&amp;lich</translation>
-    </message>
-    <message>
-        <source>Say where the hand is, with edges, detail and scale (Ctrl+Alt+I)</source>
-        <translation>Sagt, wo die Hand ist, mit Rändern, Detail und Maßstab (Strg+Alt+I)</translation>
     </message>
     <message>
         <source>Also the distances from the object&apos;s edges, and how fine the shown samples are.</source>
@@ -12576,6 +12568,18 @@
         <source>Which way the grip is pushed to press into the relief. Forces go off first.</source>
         <translation>Wohin der Griff gedrückt wird, um ins Relief zu drücken. Vorher gehen die Kräfte aus.</translation>
     </message>
+    <message>
+        <source>Say where the hand is, with edges, resolution and scale (Ctrl+Alt+I)</source>
+        <translation>Sagt, wo die Hand ist, mit Rändern, Auflösung und Maßstab (Strg+Alt+I)</translation>
+    </message>
+    <message>
+        <source>Say resolution, window and hand scale (Ctrl+Shift+I)</source>
+        <translation>Auflösung, Ausschnitt und Maßstab der Hand sagen (Strg+Umschalt+I)</translation>
+    </message>
+    <message>
+        <source>Resolution an&amp;d scale</source>
+        <translation>Auflösung un&amp;d Maßstab</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TouchController</name>
@@ -12606,10 +12610,6 @@
     <message>
         <source>x %1  y %2  z %3 mm</source>
         <translation>x %1  y %2  z %3 mm</translation>
-    </message>
-    <message>
-        <source>%1, %2. Detail %3 of %4</source>
-        <translation>%1, %2. Detail %3 von %4</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -12676,8 +12676,12 @@
         <translation>Nichts ist geöffnet. Öffnen Sie einen Scan mit Strg+O.</translation>
     </message>
     <message>
-        <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
-        <translation>%1, %2 mal %3 mm, in %4 Details. Zum Fühlen die Hand eindrücken; F5 schaltet die Kräfte ein. Plus: feiner; Minus: gröber; beide zwei Sekunden lang: Hilfe.</translation>
+        <source>%1, %2. Resolution %3 of %4</source>
+        <translation>%1, %2. Auflösung %3 von %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 by %3 mm, in %4 resolutions. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
+        <translation>%1, %2 mal %3 mm, in %4 Auflösungen. Zum Fühlen die Hand eindrücken; F5 schaltet die Kräfte ein. Plus: feiner; Minus: gröber; beide zwei Sekunden lang: Hilfe.</translation>
     </message>
 </context>
 <context>
@@ -12690,16 +12694,16 @@
 <context>
     <name>relievo::TouchedSurface</name>
     <message>
-        <source>The ground is firm where it was measured.</source>
-        <translation>Der Grund ist fest, wo gemessen wurde.</translation>
-    </message>
-    <message>
         <source>Stiffness map: %1.</source>
         <translation>Steifigkeitskarte: %1.</translation>
     </message>
     <message>
         <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
         <translation>Steifigkeitskarte: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um sie zu fühlen.</translation>
+    </message>
+    <message>
+        <source>The surface is stiff where it was measured.</source>
+        <translation>Die Oberfläche ist steif, wo gemessen wurde.</translation>
     </message>
 </context>
 <context>
@@ -13173,16 +13177,8 @@
         <translation>Messen</translation>
     </message>
     <message>
-        <source>Places</source>
-        <translation>Stellen</translation>
-    </message>
-    <message>
         <source>Suggestions</source>
         <translation>Vorschläge</translation>
-    </message>
-    <message>
-        <source>DETAIL %1 of %2</source>
-        <translation>DETAIL %1 von %2</translation>
     </message>
     <message>
         <source>heights × %1   |   </source>
@@ -13207,6 +13203,14 @@
     <message>
         <source>SCAN</source>
         <translation>SCAN</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>Lesezeichen</translation>
+    </message>
+    <message>
+        <source>DETAIL   |   Resolution %1 of %2</source>
+        <translation>DETAIL   |   Auflösung %1 von %2</translation>
     </message>
 </context>
 </TS>

@@ -267,10 +267,6 @@
         <translation>परिवेशी अवरोधन</translation>
     </message>
     <message>
-        <source>hand</source>
-        <translation>हाथ</translation>
-    </message>
-    <message>
         <source>proxy</source>
         <translation>प्रॉक्सी</translation>
     </message>
@@ -330,6 +326,10 @@
         <source>Fetching the map</source>
         <translation>मानचित्र लाया जा रहा है</translation>
     </message>
+    <message>
+        <source>HIP</source>
+        <translation>HIP</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -340,14 +340,6 @@
     <message>
         <source>resumed after %1 ms</source>
         <translation>%1 ms बाद फिर शुरू</translation>
-    </message>
-    <message>
-        <source>new window of detail %2</source>
-        <translation>विवरण %2 की नई विंडो</translation>
-    </message>
-    <message>
-        <source>window of detail %2</source>
-        <translation>विवरण %2 की विंडो</translation>
     </message>
     <message>
         <source>stiffness %1 N/m</source>
@@ -412,6 +404,14 @@
     <message>
         <source>note: %1</source>
         <translation>टिप्पणी: %1</translation>
+    </message>
+    <message>
+        <source>new window at resolution %2</source>
+        <translation>रिज़ॉल्यूशन %2 की नई विंडो</translation>
+    </message>
+    <message>
+        <source>window at resolution %2</source>
+        <translation>रिज़ॉल्यूशन %2 की विंडो</translation>
     </message>
 </context>
 <context>
@@ -908,8 +908,8 @@
         <translation>गोला: प्रॉक्सी, सतह पर</translation>
     </message>
     <message>
-        <source>ring with a cross: hand</source>
-        <translation>क्रॉस वाला छल्ला: हाथ</translation>
+        <source>ring with a cross: HIP</source>
+        <translation>क्रॉस वाला छल्ला: HIP</translation>
     </message>
 </context>
 <context>
@@ -1163,10 +1163,6 @@
         <translation>दृश्य को पाठ के रूप में कॉपी करें (&amp;C)</translation>
     </message>
     <message>
-        <source>Place, level, gain, light, colours and turn, to be sent or pasted</source>
-        <translation>जगह, स्तर, गुणक, प्रकाश, रंग और घुमाव, भेजने या चिपकाने के लिए</translation>
-    </message>
-    <message>
         <source>Paste &amp;view</source>
         <translation>दृश्य चिपकाएँ (&amp;V)</translation>
     </message>
@@ -1323,10 +1319,6 @@
         <translation>रंग में ऊँचाई (&amp;H)</translation>
     </message>
     <message>
-        <source>Lit, with a colour for each height</source>
-        <translation>प्रकाशित, हर ऊँचाई का एक रंग</translation>
-    </message>
-    <message>
         <source>H&amp;illshade</source>
         <translation>पहाड़ी छाया (&amp;I)</translation>
     </message>
@@ -1389,14 +1381,6 @@
     <message>
         <source>Ridges and incisions of several widths, however the ground is tilted</source>
         <translation>अलग-अलग चौड़ाई की धारियाँ और खाँचे, ज़मीन चाहे जैसे झुकी हो</translation>
-    </message>
-    <message>
-        <source>Stone with &amp;ambient occlusion</source>
-        <translation>परिवेशी अवरोधन के साथ पत्थर (&amp;A)</translation>
-    </message>
-    <message>
-        <source>Lit, and darker in hollows and grooves</source>
-        <translation>प्रकाशित, और गड्ढों तथा खाँचों में गहरा</translation>
     </message>
     <message>
         <source>&amp;Natural colours</source>
@@ -1547,16 +1531,8 @@
         <translation>बारीक (&amp;F)</translation>
     </message>
     <message>
-        <source>Finer detail: a smaller window</source>
-        <translation>और बारीक विवरण: छोटी विंडो</translation>
-    </message>
-    <message>
         <source>&amp;Coarser</source>
         <translation>मोटा (&amp;C)</translation>
-    </message>
-    <message>
-        <source>Coarser detail: a larger window</source>
-        <translation>और मोटा विवरण: बड़ी विंडो</translation>
     </message>
     <message>
         <source>&amp;Whole object</source>
@@ -1605,30 +1581,6 @@
     <message>
         <source>Rank windows by how much of their relief a hand feels</source>
         <translation>विंडो को इससे क्रम दें कि उनके उभार का कितना भाग हाथ महसूस करता है</translation>
-    </message>
-    <message>
-        <source>Na&amp;me this place…</source>
-        <translation>इस जगह को नाम दें (&amp;M)…</translation>
-    </message>
-    <message>
-        <source>Give the window&apos;s place a name, to come back to it</source>
-        <translation>विंडो की जगह को नाम दें, ताकि लौट सकें</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt place</source>
-        <translation>अगली जगह (&amp;X)</translation>
-    </message>
-    <message>
-        <source>Go to the next place that has a name</source>
-        <translation>नाम वाली अगली जगह पर जाएँ</translation>
-    </message>
-    <message>
-        <source>Pre&amp;vious place</source>
-        <translation>पिछली जगह (&amp;V)</translation>
-    </message>
-    <message>
-        <source>Go to the place with a name before this one</source>
-        <translation>इससे पहले की नाम वाली जगह पर जाएँ</translation>
     </message>
     <message>
         <source>Prep&amp;are…</source>
@@ -1959,10 +1911,6 @@
         <translation>अध्ययन का सत्र शुरू करें… (&amp;I)</translation>
     </message>
     <message>
-        <source>Places as conditions in random order, under letters, for one participant</source>
-        <translation>एक प्रतिभागी के लिए, जगहें शर्तों के रूप में, यादृच्छिक क्रम में और अक्षरों के नाम से</translation>
-    </message>
-    <message>
         <source>Next con&amp;dition</source>
         <translation>अगली शर्त (&amp;D)</translation>
     </message>
@@ -1997,6 +1945,58 @@
     <message>
         <source>Make rel&amp;ief as the scan is seen</source>
         <translation>जैसा स्कैन दिखता है वैसा उभार बनाएँ (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Region, level, vertical exaggeration, light, colours and turn, to be sent or pasted</source>
+        <translation>क्षेत्र, स्तर, ऊर्ध्व अतिरंजन, प्रकाश, रंग और घुमाव, भेजने या चिपकाने के लिए</translation>
+    </message>
+    <message>
+        <source>Shaded, with a colour for each height</source>
+        <translation>छायांकित, हर ऊँचाई का एक रंग</translation>
+    </message>
+    <message>
+        <source>Shaded, with &amp;ambient occlusion</source>
+        <translation>छायांकित, परिवेशी अवरोधन के साथ (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Shaded, and darker in hollows and grooves</source>
+        <translation>छायांकित, और गड्ढों तथा खाँचों में गहरा</translation>
+    </message>
+    <message>
+        <source>Finer resolution: a smaller window</source>
+        <translation>और बारीक रिज़ॉल्यूशन: छोटी विंडो</translation>
+    </message>
+    <message>
+        <source>Coarser resolution: a larger window</source>
+        <translation>और मोटा रिज़ॉल्यूशन: बड़ी विंडो</translation>
+    </message>
+    <message>
+        <source>Add book&amp;mark…</source>
+        <translation>बुकमार्क जोड़ें (&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Keep the window under a name, to come back to it</source>
+        <translation>विंडो को नाम देकर रखें, ताकि उस पर लौट सकें</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt bookmark</source>
+        <translation>अगला बुकमार्क (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Go to the next bookmark or marker</source>
+        <translation>अगले बुकमार्क या चिह्न पर जाएँ</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious bookmark</source>
+        <translation>पिछला बुकमार्क (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Go to the bookmark or marker before this one</source>
+        <translation>इससे पहले के बुकमार्क या चिह्न पर जाएँ</translation>
+    </message>
+    <message>
+        <source>Bookmarks as conditions in random order, under letters, for one participant</source>
+        <translation>एक प्रतिभागी के लिए, बुकमार्क शर्तों के रूप में, यादृच्छिक क्रम में और अक्षरों के नाम से</translation>
     </message>
 </context>
 <context>
@@ -2048,14 +2048,6 @@
     <message>
         <source>scale millimetres metres inches</source>
         <translation>पैमाना मिलीमीटर मीटर इंच</translation>
-    </message>
-    <message>
-        <source>zoom in closer magnify level</source>
-        <translation>ज़ूम पास बड़ा स्तर</translation>
-    </message>
-    <message>
-        <source>zoom out farther level</source>
-        <translation>ज़ूम दूर छोटा स्तर</translation>
     </message>
     <message>
         <source>zoom all overview reset fit</source>
@@ -2148,6 +2140,22 @@
     <message>
         <source>align rotate orient projection view direction</source>
         <translation>संरेखित घुमाना प्रक्षेप दृश्य दिशा</translation>
+    </message>
+    <message>
+        <source>zoom in closer magnify level detail</source>
+        <translation>ज़ूम पास बड़ा स्तर विवरण</translation>
+    </message>
+    <message>
+        <source>zoom out farther level detail</source>
+        <translation>ज़ूम दूर छोटा स्तर विवरण</translation>
+    </message>
+    <message>
+        <source>place name save position favourite</source>
+        <translation>जगह नाम स्थान सहेजें पसंदीदा</translation>
+    </message>
+    <message>
+        <source>place position favourite</source>
+        <translation>जगह स्थान पसंदीदा</translation>
     </message>
 </context>
 <context>
@@ -2943,10 +2951,6 @@
         <translation>पूरा मानचित्र</translation>
     </message>
     <message>
-        <source>Whole map, detail %1 of %2</source>
-        <translation>पूरा मानचित्र, विवरण %2 में से %1</translation>
-    </message>
-    <message>
         <source>Window, 200 x 200 samples</source>
         <translation>विंडो, 200 x 200 नमूने</translation>
     </message>
@@ -2969,6 +2973,10 @@
     <message>
         <source>as long as its lines</source>
         <translation>अपनी रेखाओं जितना</translation>
+    </message>
+    <message>
+        <source>Whole map, resolution %1 of %2</source>
+        <translation>पूरा मानचित्र, रिज़ॉल्यूशन %2 में से %1</translation>
     </message>
 </context>
 <context>
@@ -3137,10 +3145,6 @@
         <translation>कठोरता जैसा स्तर सुझाए</translation>
     </message>
     <message>
-        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level&apos;s own.</source>
-        <translation>विवरण 1 और 2 पर 0.8 N/mm, 3 पर 0.6, बारीक पर 0.5। यहाँ रखा मान फिर दिखाए गए स्तर का अपना होता है।</translation>
-    </message>
-    <message>
         <source>Stiffness in newtons per millimetre</source>
         <translation>कठोरता न्यूटन प्रति मिलीमीटर में</translation>
     </message>
@@ -3173,10 +3177,6 @@
         <translation> N</translation>
     </message>
     <message>
-        <source>A faint tick on the way from measured ground to other ground, and back. 0: none.</source>
-        <translation>मापी जगह से दूसरी जगह और वापस जाते समय हल्का टिक। 0: कोई नहीं।</translation>
-    </message>
-    <message>
         <source>Texture of the next finer level, in micrometres of hand</source>
         <translation>अगले बारीक स्तर की बनावट, हाथ के माइक्रोमीटर में</translation>
     </message>
@@ -3193,16 +3193,24 @@
         <translation>स्पर्श का आवेग, अधिकतम न्यूटन में</translation>
     </message>
     <message>
-        <source>A short knock as hard as the hand comes. 0: none.</source>
-        <translation>हाथ जितनी ज़ोर से आए उतनी छोटी ठोकर। 0: कोई नहीं।</translation>
-    </message>
-    <message>
         <source>Pull toward the surface, in newtons at most</source>
         <translation>सतह की ओर खिंचाव, अधिकतम न्यूटन में</translation>
     </message>
     <message>
         <source>A gentle pull that begins 3 mm above the surface and ends on it. 0: none.</source>
         <translation>हल्का खिंचाव जो सतह से 3 mm ऊपर शुरू होकर उस पर समाप्त होता है। 0: कोई नहीं।</translation>
+    </message>
+    <message>
+        <source>0.8 N/mm at resolution 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level&apos;s own.</source>
+        <translation>रिज़ॉल्यूशन 1 और 2 पर 0.8 N/mm, 3 पर 0.6, बारीक पर 0.5। यहाँ रखा मान फिर दिखाए गए स्तर का अपना होता है।</translation>
+    </message>
+    <message>
+        <source>A faint cue on the way from measured ground to other ground, and back. 0: none.</source>
+        <translation>मापी जगह से दूसरी जगह और वापस जाते समय हल्का संकेत। 0: कोई नहीं।</translation>
+    </message>
+    <message>
+        <source>A short impulse as hard as the hand comes. 0: none.</source>
+        <translation>हाथ जितनी ज़ोर से आए उतना छोटा आवेग। 0: कोई नहीं।</translation>
     </message>
 </context>
 <context>
@@ -3366,10 +3374,6 @@
         <translation>वक्रता, कई पैमाने</translation>
     </message>
     <message>
-        <source>Stone with ambient occlusion</source>
-        <translation>परिवेशी अवरोधन के साथ पत्थर</translation>
-    </message>
-    <message>
         <source>Natural colours</source>
         <translation>प्राकृतिक रंग</translation>
     </message>
@@ -3460,10 +3464,6 @@
     <message>
         <source>Its colours are the scan&apos;s own</source>
         <translation>इसके रंग स्कैन के अपने हैं</translation>
-    </message>
-    <message>
-        <source>Stone and hillshades have no colours</source>
-        <translation>पत्थर और पहाड़ी छायाओं में रंग नहीं होते</translation>
     </message>
     <message>
         <source>Turn on &quot;Own ends of the colours&quot; first</source>
@@ -3801,36 +3801,24 @@
         <source>Turn on &quot;Own zero plane&quot; first</source>
         <translation>पहले “अपना शून्य तल” चालू करें</translation>
     </message>
+    <message>
+        <source>Shaded, with ambient occlusion</source>
+        <translation>छायांकित, परिवेशी अवरोधन के साथ</translation>
+    </message>
+    <message>
+        <source>Shaded reliefs and hillshades have no colours</source>
+        <translation>छायांकित उभारों और पहाड़ी छायाओं में रंग नहीं होते</translation>
+    </message>
 </context>
 <context>
     <name>relievo::FirmnessRow</name>
-    <message>
-        <source>What says where the ground is firm</source>
-        <translation>क्या बताता है कि जगह कहाँ ठोस है</translation>
-    </message>
     <message>
         <source>Choose…</source>
         <translation>चुनें…</translation>
     </message>
     <message>
-        <source>Choose a raster that says where the ground is firm</source>
-        <translation>ग्रिड चुनें जो बताए कि जगह कहाँ ठोस है</translation>
-    </message>
-    <message>
-        <source>A raster over the whole map: 1 where the ground is firm, 0 where it is as soft as set above. In place of where it was measured.</source>
-        <translation>पूरे मानचित्र पर ग्रिड: जहाँ जगह ठोस है वहाँ 1, जहाँ ऊपर तय की गई जितनी नरम है वहाँ 0। मापी जगह के बदले।</translation>
-    </message>
-    <message>
         <source>No&amp;ne</source>
         <translation>कोई नहीं (&amp;N)</translation>
-    </message>
-    <message>
-        <source>No raster: firm where it was measured</source>
-        <translation>ग्रिड नहीं: जहाँ मापा गया वहाँ ठोस</translation>
-    </message>
-    <message>
-        <source>The ground is firm where it was measured.</source>
-        <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
     </message>
     <message>
         <source>Stiffness &amp;map</source>
@@ -3851,6 +3839,26 @@
     <message>
         <source>%1 (not of this map)</source>
         <translation>%1 (इस मानचित्र का नहीं)</translation>
+    </message>
+    <message>
+        <source>Stiffness map in use</source>
+        <translation>उपयोग में कठोरता मानचित्र</translation>
+    </message>
+    <message>
+        <source>Choose a stiffness map</source>
+        <translation>कठोरता मानचित्र चुनें</translation>
+    </message>
+    <message>
+        <source>A raster over the whole map: 1 where the surface is stiff, 0 where it is as soft as set above. In place of where it was measured.</source>
+        <translation>पूरे मानचित्र पर ग्रिड: जहाँ सतह कठोर है वहाँ 1, जहाँ ऊपर तय की गई जितनी नरम है वहाँ 0। मापी जगह के बदले।</translation>
+    </message>
+    <message>
+        <source>No stiffness map: stiff where it was measured</source>
+        <translation>कठोरता मानचित्र नहीं: जहाँ मापा गया वहाँ कठोर</translation>
+    </message>
+    <message>
+        <source>The surface is stiff where it was measured.</source>
+        <translation>जहाँ मापा गया वहाँ सतह कठोर है।</translation>
     </message>
 </context>
 <context>
@@ -4685,14 +4693,6 @@
         <translation>वस्तु किस ओर से देखी जाती है (Alt+1 से Alt+6)</translation>
     </message>
     <message>
-        <source>Detail</source>
-        <translation>विवरण</translation>
-    </message>
-    <message>
-        <source>Which detail feeds the window</source>
-        <translation>विंडो में कौन-सा विवरण है</translation>
-    </message>
-    <message>
         <source>&amp;Clear this list</source>
         <translation>यह सूची खाली करें (&amp;C)</translation>
     </message>
@@ -4709,10 +4709,6 @@
         <translation>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;उभारों के स्कैन देखें और छुएँ: गहराई मानचित्र, उसका पिरामिड, और उस पर एक विंडो जो स्टीरियो में दिखती और महसूस होती है।&lt;br&gt;&lt;br&gt;BSD-3-Clause लाइसेंस।</translation>
     </message>
     <message>
-        <source>Detail %1 of %2</source>
-        <translation>विवरण %2 में से %1</translation>
-    </message>
-    <message>
         <source>Cancelled. Nothing was changed.</source>
         <translation>रद्द किया गया। कुछ नहीं बदला।</translation>
     </message>
@@ -4727,10 +4723,6 @@
     <message>
         <source>%1 Press F5 to switch forces on.</source>
         <translation>%1 बल चालू करने के लिए F5 दबाएँ।</translation>
-    </message>
-    <message>
-        <source>Detail %1/%2</source>
-        <translation>विवरण %1/%2</translation>
     </message>
     <message>
         <source>Only files on this computer can be opened. Nothing was opened.</source>
@@ -4771,6 +4763,22 @@
     <message>
         <source>Overview</source>
         <translation>अवलोकन</translation>
+    </message>
+    <message>
+        <source>Resolution %1 of %2</source>
+        <translation>रिज़ॉल्यूशन %2 में से %1</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>रिज़ॉल्यूशन</translation>
+    </message>
+    <message>
+        <source>Which level of the pyramid feeds the window</source>
+        <translation>विंडो में पिरामिड का कौन-सा स्तर है</translation>
+    </message>
+    <message>
+        <source>Resolution %1/%2</source>
+        <translation>रिज़ॉल्यूशन %1/%2</translation>
     </message>
 </context>
 <context>
@@ -5292,10 +5300,6 @@
         <translation>&apos;%1&apos; में %2 x %3 कोशिकाएँ हैं, पर मानचित्र %4 x %5 mm है: यह पूरे मानचित्र का रास्टर नहीं है और काम में नहीं लिया गया। इसे मानचित्र की रूपरेखा तक काटें।</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 where the ground is firm, 0 where it is softest.</source>
-        <translation>&apos;%1&apos; में 0 से 1 के बाहर के मान हैं, जैसे %2, और यह काम में नहीं लिया गया। उन्हें मापें: 1 जहाँ ज़मीन कठोर है, 0 जहाँ वह सबसे नरम है।</translation>
-    </message>
-    <message>
         <source>%1: a mesh&apos;s triangles cannot be read in blocks. Nothing was made. Leave out --memory, or save it without faces.</source>
         <translation>%1: जाल के त्रिभुज खंडों में नहीं पढ़े जा सकते। कुछ नहीं बना। --memory छोड़ें, या इसे फलकों के बिना सहेजें।</translation>
     </message>
@@ -5364,10 +5368,6 @@
         <translation>%1: देखे गए बिंदुओं में से कोई परिमित नहीं है। कुछ नहीं बना।</translation>
     </message>
     <message>
-        <source>Maps by tiles are made by the cpu engine. Nothing was made.</source>
-        <translation>टाइलों वाले मानचित्र cpu इंजन बनाता है। कुछ नहीं बना।</translation>
-    </message>
-    <message>
         <source>A raster is a height map already and is seen from the top only.</source>
         <translation>रास्टर पहले से ऊँचाई-मानचित्र है और केवल ऊपर से देखा जाता है।</translation>
     </message>
@@ -5420,16 +5420,12 @@
         <translation>%1 x %2 कोशिकाओं का मानचित्र बनाते समय %4 की डिस्क पर लगभग %3 MB चाहिए; %5 MB खाली हैं। कुछ नहीं बनाया गया। जगह खाली करें, या बड़ी कोशिकाएँ चुनें।</translation>
     </message>
     <message>
-        <source>Rules other than front are for point clouds in the cpu engine. Nothing was made.</source>
-        <translation>front के अलावा दूसरे नियम cpu इंजन में बिंदु-समूहों के लिए हैं। कुछ नहीं बना।</translation>
-    </message>
-    <message>
         <source>The relief image &apos;natural&apos; cannot be drawn: this surface has no colours. Choose another, for example &apos;lit&apos;.</source>
-        <translation>उभार-चित्र “प्राकृतिक रंग” नहीं बनाया जा सकता: इस सतह में रंग नहीं हैं। कोई दूसरा चुनें, जैसे प्रकाशित पत्थर।</translation>
+        <translation>उभार-चित्र “प्राकृतिक रंग” नहीं बनाया जा सकता: इस सतह में रंग नहीं हैं। कोई दूसरा चुनें, जैसे छायांकित उभार।</translation>
     </message>
     <message>
         <source>The relief image &apos;intensity&apos; cannot be drawn: this surface has no intensities. Choose another, for example &apos;lit&apos;.</source>
-        <translation>उभार-चित्र “तीव्रता” नहीं बनाया जा सकता: इस सतह में तीव्रताएँ नहीं हैं। कोई दूसरा चुनें, जैसे प्रकाशित पत्थर।</translation>
+        <translation>उभार-चित्र “तीव्रता” नहीं बनाया जा सकता: इस सतह में तीव्रताएँ नहीं हैं। कोई दूसरा चुनें, जैसे छायांकित उभार।</translation>
     </message>
     <message>
         <source>An angle needs three different points.</source>
@@ -5534,18 +5530,6 @@
     <message>
         <source>A region needs a finite position and a side above 0 mm.</source>
         <translation>विंडो को परिमित स्थान और 0 mm से बड़ी भुजा चाहिए।</translation>
-    </message>
-    <message>
-        <source>The height gain must be a finite number above 0; 1 is true to scale.</source>
-        <translation>ऊँचाई गुणक 0 से बड़ी परिमित संख्या होना चाहिए; 1 असली पैमाना है।</translation>
-    </message>
-    <message>
-        <source>The pyramid&apos;s factor M must be from 1.1 to 8. Nothing was made; 2 is the paper&apos;s.</source>
-        <translation>पिरामिड का गुणक M 1.1 से 8 तक होना चाहिए। कुछ नहीं बना; लेख का मान 2 है।</translation>
-    </message>
-    <message>
-        <source>The pyramid&apos;s factor M is so near to 1 that its levels do not fit into memory. Nothing was made; choose a larger one.</source>
-        <translation>पिरामिड का गुणक M 1 के इतना पास है कि उसके स्तर मेमोरी में नहीं समाते। कुछ नहीं बना; बड़ा गुणक चुनें।</translation>
     </message>
     <message>
         <source>The camera path &quot;%1&quot; needs at least two key views. Nothing was made.</source>
@@ -5960,10 +5944,6 @@
         <translation>रिकॉर्डिंग नहीं बताती कि उसका एक मानचित्र कैसे बना। कुछ नहीं दोहराया गया।</translation>
     </message>
     <message>
-        <source>The recording does not say where its raster of firm ground is. Nothing was replayed.</source>
-        <translation>रिकॉर्डिंग नहीं बताती कि उसका दृढ़ ज़मीन का रास्टर कहाँ है। कुछ नहीं दोहराया गया।</translation>
-    </message>
-    <message>
         <source>project new needs -o PROJECT.json.</source>
         <translation>project new को -o PROJECT.json चाहिए।</translation>
     </message>
@@ -5982,10 +5962,6 @@
     <message>
         <source>%1 belongs to project %2, not to %3. Nothing was done. Leave it out.</source>
         <translation>%1 project %2 के लिए है, %3 के लिए नहीं। कुछ नहीं किया गया। इसे छोड़ दें।</translation>
-    </message>
-    <message>
-        <source>--relief: lit stone has no values. Choose another, or &apos;relievo render&apos;.</source>
-        <translation>--relief: प्रकाशित पत्थर के मान नहीं होते। दूसरा चुनें, या &apos;relievo render&apos;।</translation>
     </message>
     <message>
         <source>--relief: &apos;%1&apos; has no values of the relief. Choose another, or &apos;relievo render&apos;; colours are written beside a map without --relief.</source>
@@ -6100,10 +6076,6 @@
         <translation>&apos;%1&apos; वह फ़ाइल नहीं है जिसके लिए %2 बना (चेकसम अलग, E501)। कुछ नहीं किया गया। इसे फिर भी काम में लेने के लिए फ़ाइल का नाम दें।</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not the raster of firm ground that was felt (checksum differs, E501). Nothing was replayed. Put the right one back, there or beside the recording.</source>
-        <translation>&apos;%1&apos; दृढ़ ज़मीन का वह रास्टर नहीं है जिसे छुआ गया (चेकसम अलग, E501)। कुछ नहीं दोहराया गया। सही रास्टर वहाँ या रिकॉर्डिंग के पास रखें।</translation>
-    </message>
-    <message>
         <source>Recording stopped: disk full. {1|%1 sample is|%1 samples are} saved and complete in &quot;%2&quot;.</source>
         <translation>रिकॉर्डिंग रुकी: डिस्क भर गई। {1|%1 नमूना &quot;%2&quot; में सहेजा गया और पूरा है|%1 नमूने &quot;%2&quot; में सहेजे गए और पूरे हैं}।</translation>
     </message>
@@ -6200,20 +6172,8 @@
         <translation>कुछ नहीं</translation>
     </message>
     <message>
-        <source>Finer detail</source>
-        <translation>बारीक विवरण</translation>
-    </message>
-    <message>
-        <source>Coarser detail</source>
-        <translation>मोटा विवरण</translation>
-    </message>
-    <message>
         <source>Whole object</source>
         <translation>पूरी वस्तु</translation>
-    </message>
-    <message>
-        <source>Detail and scale</source>
-        <translation>विवरण और पैमाना</translation>
     </message>
     <message>
         <source>Where am I</source>
@@ -6258,14 +6218,6 @@
     <message>
         <source>Down</source>
         <translation>नीचे</translation>
-    </message>
-    <message>
-        <source>Next place</source>
-        <translation>अगला स्थान</translation>
-    </message>
-    <message>
-        <source>Previous place</source>
-        <translation>पिछला स्थान</translation>
     </message>
     <message>
         <source>Help</source>
@@ -6726,10 +6678,6 @@
     <message>
         <source>The window&apos;s side is %1 mm; it must be greater than 0.</source>
         <translation>खिड़की की भुजा %1 mm है; वह 0 से अधिक होनी चाहिए।</translation>
-    </message>
-    <message>
-        <source>A map of firmness must hold 200 x 200 numbers from 0 to 1.</source>
-        <translation>दृढ़ता के मानचित्र में 0 से 1 तक की 200 x 200 संख्याएँ होनी चाहिए।</translation>
     </message>
     <message>
         <source>A texture has %1 heights; exactly 400 x 400 finite ones are needed.</source>
@@ -7196,10 +7144,6 @@
         <translation>छेदों पर झिल्लियों के लिए पूरा मानचित्र स्मृति में चाहिए। कुछ नहीं बना। छेदों के लिए दूसरा उपाय चुनें, या --memory छोड़ दें।</translation>
     </message>
     <message>
-        <source>The pyramid&apos;s factor M must be from 1.1 to 8.</source>
-        <translation>पिरामिड का गुणक M 1.1 से 8 तक होना चाहिए।</translation>
-    </message>
-    <message>
         <source>Points and heights that do not fit into memory cannot be kept in %1: %2. Nothing was made. Free some space there, write the result to another disk, or allow more memory.</source>
         <translation>जो बिंदु और ऊँचाइयाँ स्मृति में नहीं आतीं, वे %1 में नहीं रखी जा सकतीं: %2। कुछ नहीं बना। वहाँ जगह खाली करें, परिणाम दूसरी डिस्क पर लिखें, या अधिक स्मृति की अनुमति दें।</translation>
     </message>
@@ -7396,16 +7340,8 @@
         <translation>बनाने की सतह को कम से कम 2 x 2 नमूने और 0 से अधिक दूरी चाहिए।</translation>
     </message>
     <message>
-        <source>The graphics driver does not say how exact its depth buffer is. Use the CPU engine instead.</source>
-        <translation>ग्राफ़िक्स ड्राइवर नहीं बताता कि उसका गहराई बफ़र कितना सटीक है। इसके बदले CPU इंजन काम में लें।</translation>
-    </message>
-    <message>
         <source>A depth map needs at least one sample and a spacing above 0.</source>
         <translation>गहराई मानचित्र को कम से कम एक नमूना और 0 से अधिक दूरी चाहिए।</translation>
-    </message>
-    <message>
-        <source>The graphics driver returned an empty depth buffer. Use the CPU engine instead.</source>
-        <translation>ग्राफ़िक्स ड्राइवर ने खाली गहराई बफ़र लौटाया। इसके बदले CPU इंजन काम में लें।</translation>
     </message>
     <message>
         <source>A camera needs a rectangle with a width and a height above 0.</source>
@@ -7498,10 +7434,6 @@
     <message>
         <source>The part %1 of relievo cannot be loaded: %2. Nothing was written. Install relievo again.</source>
         <translation>relievo का भाग %1 लोड नहीं हो सकता: %2। कुछ नहीं लिखा गया। relievo फिर से इंस्टॉल करें।</translation>
-    </message>
-    <message>
-        <source>Gain, grip factor and number of windows must be above 0. Nothing was made.</source>
-        <translation>ऊँचाई-गुणक, पकड़-गुणक और खिड़कियों की संख्या 0 से ऊपर होनी चाहिए। कुछ नहीं बनाया गया।</translation>
     </message>
     <message>
         <source>Windows are suggested for maps that fit into memory; this one is read by tiles. Nothing was made. Give a level of it, or a map with larger cells.</source>
@@ -7848,10 +7780,6 @@
         <translation>आकृति के बाहर।</translation>
     </message>
     <message>
-        <source>Place: %1.</source>
-        <translation>स्थान: %1।</translation>
-    </message>
-    <message>
         <source>Measured here.</source>
         <translation>यहाँ मापा गया है।</translation>
     </message>
@@ -7878,14 +7806,6 @@
     <message>
         <source>%2 from the bottom edge.</source>
         <translation>निचले किनारे से %2।</translation>
-    </message>
-    <message>
-        <source>Detail %1 of %2, window %3.</source>
-        <translation>विवरण %2 में से %1, विंडो %3।</translation>
-    </message>
-    <message>
-        <source>Detail %1 of %2, %4 wide.</source>
-        <translation>विवरण %2 में से %1, चौड़ाई %4।</translation>
     </message>
     <message>
         <source>1 mm of hand is %1 of relief.</source>
@@ -8034,10 +7954,6 @@
     <message>
         <source>Now, for 20 seconds: Plus: louder. Minus: softer. Centre: say it again. Forward: back.</source>
         <translation>अब 20 सेकंड तक: प्लस: और तेज़। माइनस: और धीमा। बीच: फिर से कहें। आगे: वापस।</translation>
-    </message>
-    <message>
-        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces, say it again, louder, softer, help. Press again to take it. Hold for a second and a half: forces off.</source>
-        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला स्थान, पिछला स्थान, वापस, बल, फिर से कहें, और तेज़, और धीमा, सहायता। उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
     </message>
     <message>
         <source>The Haply device is not in use.</source>
@@ -8320,10 +8236,6 @@
         <translation>परिचय बंद है। उभार फिर से हाथ के नीचे है।</translation>
     </message>
     <message>
-        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done; long: guide along the outline. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
-        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला स्थान। माइनस: पिछला स्थान। आगे: पूरा; देर तक: रूपरेखा के साथ ले चलना। बीच: वापस; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
-    </message>
-    <message>
         <source>Gamepads that are no HID devices cannot be used: this program was built without the system&apos;s header linux/input.h.</source>
         <translation>जो गेमपैड HID उपकरण नहीं हैं, उनका उपयोग नहीं हो सकता: यह प्रोग्राम सिस्टम की हेडर फ़ाइल linux/input.h के बिना बनाया गया था।</translation>
     </message>
@@ -8382,10 +8294,6 @@
     <message>
         <source>Marker</source>
         <translation>चिह्न</translation>
-    </message>
-    <message>
-        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: marker. Centre: where am I; long: forces off or on. Plus and Minus: look or touch; for two seconds: help; for five: introduction.</source>
-        <translation>प्लस: बारीक; देर तक: विवरण और पैमाना। माइनस: मोटा; देर तक: पूरी वस्तु। आगे: खिसकाना; देर तक: चिह्न। बीच: मैं कहाँ हूँ; देर तक: बल बंद या चालू। प्लस और माइनस: देखना या स्पर्श; दो सेकंड: सहायता; पाँच: परिचय।</translation>
     </message>
     <message>
         <source>Edges: the hand reached %1 mm right, %2 left, %3 up, %4 down, %5 out and %6 in.</source>
@@ -8470,10 +8378,6 @@
     <message>
         <source>Coarser until the tiles are here.</source>
         <translation>टाइलें आने तक कम बारीक।</translation>
-    </message>
-    <message>
-        <source>Full detail.</source>
-        <translation>पूरा विवरण।</translation>
     </message>
     <message>
         <source>%1 gives no answer. What is here can be seen and felt; the rest is asked for again and again.</source>
@@ -8916,12 +8820,116 @@
         <translation>बल कम रखे जाते हैं, क्योंकि बाँह काँपती है।</translation>
     </message>
     <message>
-        <source>Detail %2 is on its way. Until it is here, detail %1 is shown and felt.</source>
-        <translation>विवरण %2 आ रहा है। उसके आने तक विवरण %1 दिखाया और महसूस किया जाता है।</translation>
+        <source>&apos;%1&apos; holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 where the surface is stiff, 0 where it is softest.</source>
+        <translation>&apos;%1&apos; में 0 से 1 के बाहर के मान हैं, जैसे %2, और यह काम में नहीं लिया गया। उन्हें मापें: 1 जहाँ सतह कठोर है, 0 जहाँ वह सबसे नरम है।</translation>
     </message>
     <message>
-        <source>Detail %1 is here.</source>
-        <translation>विवरण %1 आ गया है।</translation>
+        <source>Maps by tiles are made by the method CPU. Nothing was made.</source>
+        <translation>टाइलों वाले मानचित्र CPU विधि से बनते हैं। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>Heights other than front are for point clouds by the method CPU. Nothing was made.</source>
+        <translation>front के अलावा प्रति सेल दूसरी ऊँचाइयाँ CPU विधि में बिंदु-समूहों के लिए हैं। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>The vertical exaggeration must be a finite number above 0; 1 is true to scale.</source>
+        <translation>ऊर्ध्व अतिरंजन 0 से बड़ी परिमित संख्या होना चाहिए; 1 असली पैमाना है।</translation>
+    </message>
+    <message>
+        <source>The pyramid factor must be from 1.1 to 8. Nothing was made; 2 is the paper&apos;s.</source>
+        <translation>पिरामिड गुणक 1.1 से 8 तक होना चाहिए। कुछ नहीं बना; लेख का मान 2 है।</translation>
+    </message>
+    <message>
+        <source>The pyramid factor is so near to 1 that its levels do not fit into memory. Nothing was made; choose a larger one.</source>
+        <translation>पिरामिड गुणक 1 के इतना पास है कि उसके स्तर मेमोरी में नहीं समाते। कुछ नहीं बना; बड़ा गुणक चुनें।</translation>
+    </message>
+    <message>
+        <source>The recording does not say where its stiffness map is. Nothing was replayed.</source>
+        <translation>रिकॉर्डिंग नहीं बताती कि उसका कठोरता मानचित्र कहाँ है। कुछ नहीं दोहराया गया।</translation>
+    </message>
+    <message>
+        <source>--relief: shaded relief has no values. Choose another, or &apos;relievo render&apos;.</source>
+        <translation>--relief: छायांकित उभार के मान नहीं होते। दूसरा चुनें, या &apos;relievo render&apos;।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the stiffness map that was felt (checksum differs, E501). Nothing was replayed. Put the right one back, there or beside the recording.</source>
+        <translation>&apos;%1&apos; वह कठोरता मानचित्र नहीं है जिसे छुआ गया (चेकसम अलग, E501)। कुछ नहीं दोहराया गया। सही मानचित्र वहाँ या रिकॉर्डिंग के पास रखें।</translation>
+    </message>
+    <message>
+        <source>Exaggeration, grip factor and number of windows must be above 0. Nothing was made.</source>
+        <translation>ऊर्ध्व अतिरंजन, पकड़-गुणक और खिड़कियों की संख्या 0 से ऊपर होनी चाहिए। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>Bookmark: %1.</source>
+        <translation>बुकमार्क: %1।</translation>
+    </message>
+    <message>
+        <source>Resolution %1 of %2, window %3.</source>
+        <translation>रिज़ॉल्यूशन %2 में से %1, विंडो %3।</translation>
+    </message>
+    <message>
+        <source>Resolution %1 of %2, %4 wide.</source>
+        <translation>रिज़ॉल्यूशन %2 में से %1, चौड़ाई %4।</translation>
+    </message>
+    <message>
+        <source>Finer resolution</source>
+        <translation>बारीक रिज़ॉल्यूशन</translation>
+    </message>
+    <message>
+        <source>Coarser resolution</source>
+        <translation>मोटा रिज़ॉल्यूशन</translation>
+    </message>
+    <message>
+        <source>Resolution and scale</source>
+        <translation>रिज़ॉल्यूशन और पैमाना</translation>
+    </message>
+    <message>
+        <source>Next bookmark</source>
+        <translation>अगला बुकमार्क</translation>
+    </message>
+    <message>
+        <source>Previous bookmark</source>
+        <translation>पिछला बुकमार्क</translation>
+    </message>
+    <message>
+        <source>Plus: finer; long: resolution and scale. Minus: coarser; long: whole object. Forward: move; long: marker. Centre: where am I; long: forces off or on. Plus and Minus: look or touch; for two seconds: help; for five: introduction.</source>
+        <translation>प्लस: बारीक; देर तक: रिज़ॉल्यूशन और पैमाना। माइनस: मोटा; देर तक: पूरी वस्तु। आगे: खिसकाना; देर तक: चिह्न। बीच: मैं कहाँ हूँ; देर तक: बल बंद या चालू। प्लस और माइनस: देखना या स्पर्श; दो सेकंड: सहायता; पाँच: परिचय।</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Plus: next bookmark. Minus: previous bookmark. Forward: done; long: guide along the outline. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
+        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला बुकमार्क। माइनस: पिछला बुकमार्क। आगे: पूरा; देर तक: रूपरेखा के साथ ले चलना। बीच: वापस; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next bookmark, previous bookmark, back, forces, say it again, louder, softer, help. Press again to take it. Hold for a second and a half: forces off.</source>
+        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला बुकमार्क, पिछला बुकमार्क, वापस, बल, फिर से कहें, और तेज़, और धीमा, सहायता। उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
+    </message>
+    <message>
+        <source>A stiffness map must hold 200 x 200 numbers from 0 to 1.</source>
+        <translation>कठोरता मानचित्र में 0 से 1 तक की 200 x 200 संख्याएँ होनी चाहिए।</translation>
+    </message>
+    <message>
+        <source>The pyramid factor must be from 1.1 to 8.</source>
+        <translation>पिरामिड गुणक 1.1 से 8 तक होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>Resolution %2 is on its way. Until it is here, resolution %1 is shown and felt.</source>
+        <translation>रिज़ॉल्यूशन %2 आ रहा है। उसके आने तक रिज़ॉल्यूशन %1 दिखाया और महसूस किया जाता है।</translation>
+    </message>
+    <message>
+        <source>Resolution %1 is here.</source>
+        <translation>रिज़ॉल्यूशन %1 आ गया है।</translation>
+    </message>
+    <message>
+        <source>Full resolution.</source>
+        <translation>पूरा रिज़ॉल्यूशन।</translation>
+    </message>
+    <message>
+        <source>The graphics driver does not say how exact its depth buffer is. Use the method CPU instead.</source>
+        <translation>ग्राफ़िक्स ड्राइवर नहीं बताता कि उसका गहराई बफ़र कितना सटीक है। इसके बदले CPU विधि काम में लें।</translation>
+    </message>
+    <message>
+        <source>The graphics driver returned an empty depth buffer. Use the method CPU instead.</source>
+        <translation>ग्राफ़िक्स ड्राइवर ने खाली गहराई बफ़र लौटाया। इसके बदले CPU विधि काम में लें।</translation>
     </message>
 </context>
 <context>
@@ -9271,16 +9279,8 @@
         <translation>%1 लगाया गया।</translation>
     </message>
     <message>
-        <source>%1 lies on a finer detail than this map has. The window was not moved.</source>
-        <translation>%1 इस मानचित्र से बारीक विवरण पर है। विंडो नहीं खिसकाई गई।</translation>
-    </message>
-    <message>
         <source>Go to %1</source>
         <translation>%1 पर जाएँ</translation>
-    </message>
-    <message>
-        <source>%1. Detail %2 of %3</source>
-        <translation>%1। विवरण %3 में से %2</translation>
     </message>
     <message>
         <source>The view is copied as text</source>
@@ -9295,10 +9295,6 @@
         <translation>दृश्य चिपकाएँ</translation>
     </message>
     <message>
-        <source>The copied view is shown. Detail %1 of %2</source>
-        <translation>कॉपी किया गया दृश्य दिखाया गया। विवरण %2 में से %1</translation>
-    </message>
-    <message>
         <source>Marker %1</source>
         <translation>चिह्न %1</translation>
     </message>
@@ -9310,16 +9306,24 @@
         <source>%1 is in the window already.</source>
         <translation>%1 पहले से विंडो में है।</translation>
     </message>
+    <message>
+        <source>%1 has a finer resolution than this map. The window was not moved.</source>
+        <translation>%1 का रिज़ॉल्यूशन इस मानचित्र से बारीक है। विंडो नहीं खिसकाई गई।</translation>
+    </message>
+    <message>
+        <source>%1. Resolution %2 of %3</source>
+        <translation>%1। रिज़ॉल्यूशन %3 में से %2</translation>
+    </message>
+    <message>
+        <source>The copied view is shown. Resolution %1 of %2</source>
+        <translation>कॉपी किया गया दृश्य दिखाया गया। रिज़ॉल्यूशन %2 में से %1</translation>
+    </message>
 </context>
 <context>
     <name>relievo::PlacesPanel</name>
     <message>
         <source>With light and view</source>
         <translation>प्रकाश और दृश्य के साथ</translation>
-    </message>
-    <message>
-        <source>Name this place</source>
-        <translation>इस जगह को नाम दें</translation>
     </message>
     <message>
         <source>Go to</source>
@@ -9334,52 +9338,52 @@
         <translation>हटाएँ</translation>
     </message>
     <message>
-        <source>Named places</source>
-        <translation>नाम वाली जगहें</translation>
-    </message>
-    <message>
-        <source>Enter goes to a place, F2 renames it, Delete removes it</source>
-        <translation>Enter जगह पर जाता है, F2 नाम बदलता है, Delete हटाता है</translation>
-    </message>
-    <message>
-        <source>A new place also keeps light, relief image, stereo and the turn of the view</source>
-        <translation>नई जगह प्रकाश, उभार का चित्र, स्टीरियो और दृश्य का घुमाव भी रखती है</translation>
-    </message>
-    <message>
-        <source>Give the window&apos;s place a name (Ctrl+N)</source>
-        <translation>विंडो की जगह को नाम दें (Ctrl+N)</translation>
-    </message>
-    <message>
-        <source>Move the window to the selected place</source>
-        <translation>विंडो को चुनी हुई जगह पर ले जाएँ</translation>
-    </message>
-    <message>
-        <source>Change the selected place&apos;s name (F2)</source>
-        <translation>चुनी हुई जगह का नाम बदलें (F2)</translation>
-    </message>
-    <message>
-        <source>Forget the selected place</source>
-        <translation>चुनी हुई जगह भूल जाएँ</translation>
-    </message>
-    <message>
-        <source>Place %1</source>
-        <translation>जगह %1</translation>
-    </message>
-    <message>
-        <source>No place has a name yet</source>
-        <translation>अभी किसी जगह का नाम नहीं है</translation>
-    </message>
-    <message>
         <source>%1 is forgotten</source>
         <translation>%1 भुलाई गई</translation>
     </message>
     <message>
-        <source>The place alone</source>
-        <translation>केवल जगह</translation>
+        <source>Add bookmark</source>
+        <translation>बुकमार्क जोड़ें</translation>
     </message>
     <message>
-        <source>Places</source>
-        <translation>जगहें</translation>
+        <source>Bookmarks</source>
+        <translation>बुकमार्क</translation>
+    </message>
+    <message>
+        <source>Enter goes to a bookmark, F2 renames it, Delete removes it</source>
+        <translation>Enter बुकमार्क पर जाता है, F2 नाम बदलता है, Delete हटाता है</translation>
+    </message>
+    <message>
+        <source>A new bookmark also keeps light, relief image, stereo and the turn of the view</source>
+        <translation>नया बुकमार्क प्रकाश, उभार का चित्र, स्टीरियो और दृश्य का घुमाव भी रखता है</translation>
+    </message>
+    <message>
+        <source>Keep the window under a name (Ctrl+N)</source>
+        <translation>विंडो को नाम देकर रखें (Ctrl+N)</translation>
+    </message>
+    <message>
+        <source>Move the window to the selected bookmark</source>
+        <translation>विंडो को चुने हुए बुकमार्क पर ले जाएँ</translation>
+    </message>
+    <message>
+        <source>Change the selected bookmark&apos;s name (F2)</source>
+        <translation>चुने हुए बुकमार्क का नाम बदलें (F2)</translation>
+    </message>
+    <message>
+        <source>Delete the selected bookmark</source>
+        <translation>चुना हुआ बुकमार्क हटाएँ</translation>
+    </message>
+    <message>
+        <source>Bookmark %1</source>
+        <translation>बुकमार्क %1</translation>
+    </message>
+    <message>
+        <source>There is no bookmark yet</source>
+        <translation>अभी कोई बुकमार्क नहीं है</translation>
+    </message>
+    <message>
+        <source>The window alone</source>
+        <translation>केवल विंडो</translation>
     </message>
 </context>
 <context>
@@ -10351,20 +10355,20 @@
         <translation>विंडो का आकार बदलें</translation>
     </message>
     <message>
-        <source>The whole object. The pink window is what the detail view shows: drag inside it to move it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the detail. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window.</source>
-        <translation>पूरी वस्तु। गुलाबी विंडो वही है जो विवरण दृश्य दिखाता है: भीतर खींचने से खिसकती है, किनारे खींचने से आकार बदलता है, बाहर खींचने से नई बनती है। पहिया विवरण बदलता है। कुंजियाँ: तीर, Shift+तीर, + और -; Space, तीर और Enter विंडो बनाते हैं।</translation>
-    </message>
-    <message>
-        <source>Detail %1 of %2, window %3 wide, lower left corner at x %4, y %5</source>
-        <translation>विवरण %2 में से %1, विंडो %3 चौड़ी, निचला बायाँ कोना x %4, y %5 पर</translation>
-    </message>
-    <message>
         <source>Drawing a window from x %1, y %2. Arrows carry the other corner, Enter ends, Escape returns</source>
         <translation>x %1, y %2 से विंडो बन रही है। तीर दूसरा कोना ले जाते हैं, Enter पूरा करता है, Escape लौटाता है</translation>
     </message>
     <message>
         <source>Overview</source>
         <translation>अवलोकन</translation>
+    </message>
+    <message>
+        <source>The whole object. The pink window is what the detail view shows: drag inside it to move it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the resolution. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window.</source>
+        <translation>पूरी वस्तु। गुलाबी विंडो वही है जो विवरण दृश्य दिखाता है: भीतर खींचने से खिसकती है, किनारे खींचने से आकार बदलता है, बाहर खींचने से नई बनती है। पहिया रिज़ॉल्यूशन बदलता है। कुंजियाँ: तीर, Shift+तीर, + और -; Space, तीर और Enter विंडो बनाते हैं।</translation>
+    </message>
+    <message>
+        <source>Resolution %1 of %2, window %3 wide, lower left corner at x %4, y %5</source>
+        <translation>रिज़ॉल्यूशन %2 में से %1, विंडो %3 चौड़ी, निचला बायाँ कोना x %4, y %5 पर</translation>
     </message>
 </context>
 <context>
@@ -10376,10 +10380,6 @@
     <message>
         <source>Smaller window</source>
         <translation>छोटी खिड़की</translation>
-    </message>
-    <message>
-        <source>Detail %1 → %2</source>
-        <translation>विवरण %1 → %2</translation>
     </message>
     <message>
         <source>Whole object</source>
@@ -10400,6 +10400,10 @@
     <message>
         <source>Zoom</source>
         <translation>पास लाएँ</translation>
+    </message>
+    <message>
+        <source>Resolution %1 → %2</source>
+        <translation>रिज़ॉल्यूशन %1 → %2</translation>
     </message>
 </context>
 <context>
@@ -10429,14 +10433,6 @@
         <translation>गुलाबी विंडो की चौड़ाई और ऊँचाई</translation>
     </message>
     <message>
-        <source>&amp;Level</source>
-        <translation>स्तर (&amp;L)</translation>
-    </message>
-    <message>
-        <source>Which detail feeds the window</source>
-        <translation>विंडो में कौन-सा विवरण है</translation>
-    </message>
-    <message>
         <source>Heights are multiplied by this; 1 is true to scale</source>
         <translation>ऊँचाइयाँ इससे गुणा होती हैं; 1 वास्तविक पैमाना है</translation>
     </message>
@@ -10449,14 +10445,6 @@
         <translation>हाथ का पैमाना</translation>
     </message>
     <message>
-        <source>%1 of %2, level 0</source>
-        <translation>%2 में से %1, स्तर 0</translation>
-    </message>
-    <message>
-        <source>%1 of %2, level %3, σ %4</source>
-        <translation>%2 में से %1, स्तर %3, σ %4</translation>
-    </message>
-    <message>
         <source>Vertical exaggeration</source>
         <translation>ऊर्ध्व अतिरंजन</translation>
     </message>
@@ -10467,6 +10455,22 @@
     <message>
         <source>Hand scale 1 : %1</source>
         <translation>हाथ का पैमाना 1 : %1</translation>
+    </message>
+    <message>
+        <source>%1/%2 (level 0)</source>
+        <translation>%1/%2 (स्तर 0)</translation>
+    </message>
+    <message>
+        <source>%1/%2 (level %3, σ %4)</source>
+        <translation>%1/%2 (स्तर %3, σ %4)</translation>
+    </message>
+    <message>
+        <source>Reso&amp;lution</source>
+        <translation>रिज़ॉल्यूशन (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Which level of the pyramid feeds the window</source>
+        <translation>विंडो में पिरामिड का कौन-सा स्तर है</translation>
     </message>
 </context>
 <context>
@@ -10697,12 +10701,12 @@
         <translation>रिकॉर्डिंग में यहाँ</translation>
     </message>
     <message>
-        <source>hand z %1 mm   proxy z %2 mm   force %3 N</source>
-        <translation>हाथ z %1 mm   प्रॉक्सी z %2 mm   बल %3 N</translation>
-    </message>
-    <message>
         <source>   |   since %1 s: %2</source>
         <translation>   |   %1 s से: %2</translation>
+    </message>
+    <message>
+        <source>HIP z %1 mm   proxy z %2 mm   force %3 N</source>
+        <translation>HIP z %1 mm   प्रॉक्सी z %2 mm   बल %3 N</translation>
     </message>
 </context>
 <context>
@@ -10710,10 +10714,6 @@
     <message>
         <source>Unsaved work</source>
         <translation>सहेजा नहीं गया काम</translation>
-    </message>
-    <message>
-        <source>Work on %1 is in no file yet: places, measurements, camera paths or settings.</source>
-        <translation>%1 पर किया काम अभी किसी फ़ाइल में नहीं है: स्थान, माप, कैमरा पथ या सेटिंग।</translation>
     </message>
     <message>
         <source>Save it as a project?</source>
@@ -10754,6 +10754,10 @@
     <message>
         <source>%1[*] – relievo</source>
         <translation>%1[*] – relievo</translation>
+    </message>
+    <message>
+        <source>Work on %1 is in no file yet: bookmarks, measurements, camera paths or settings.</source>
+        <translation>%1 पर किया काम अभी किसी फ़ाइल में नहीं है: बुकमार्क, माप, कैमरा पथ या सेटिंग।</translation>
     </message>
 </context>
 <context>
@@ -11025,8 +11029,8 @@
         <translation>अभी कुछ नहीं मापा गया।</translation>
     </message>
     <message>
-        <source>At %1 s: hand %2 mm, proxy %3 mm, force %4 N</source>
-        <translation>%1 s पर: हाथ %2 mm, प्रॉक्सी %3 mm, बल %4 N</translation>
+        <source>At %1 s: HIP %2 mm, proxy %3 mm, force %4 N</source>
+        <translation>%1 s पर: HIP %2 mm, प्रॉक्सी %3 mm, बल %4 N</translation>
     </message>
 </context>
 <context>
@@ -11296,10 +11300,6 @@
         <translation>सतह का प्रकार</translation>
     </message>
     <message>
-        <source>Detail</source>
-        <translation>विवरण</translation>
-    </message>
-    <message>
         <source>Force</source>
         <translation>बल</translation>
     </message>
@@ -11334,6 +11334,10 @@
     <message>
         <source>Mouse</source>
         <translation>माउस</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>रिज़ॉल्यूशन</translation>
     </message>
 </context>
 <context>
@@ -11934,10 +11938,6 @@
         <translation>शर्तें</translation>
     </message>
     <message>
-        <source>Places with names, each with its detail and exaggeration. They are shown in random order, under letters</source>
-        <translation>नाम वाली जगहें, हर एक अपने विवरण और अतिरंजन के साथ। वे यादृच्छिक क्रम में, अक्षरों के नाम से दिखाई जाती हैं</translation>
-    </message>
-    <message>
         <source>How often each condition is shown</source>
         <translation>हर शर्त कितनी बार दिखाई जाती है</translation>
     </message>
@@ -11982,10 +11982,6 @@
         <translation>अध्ययन का फ़ोल्डर (&amp;F)</translation>
     </message>
     <message>
-        <source>A study needs at least two places with names: Surface &gt; Name this place.</source>
-        <translation>अध्ययन के लिए नाम वाली कम से कम दो जगहें चाहिए: सतह &gt; इस जगह को नाम दें।</translation>
-    </message>
-    <message>
         <source>The code has 1 to 32 letters, digits, - and _.</source>
         <translation>कोड में 1 से 32 अक्षर, अंक, - और _ होते हैं।</translation>
     </message>
@@ -12008,6 +12004,14 @@
     <message>
         <source>Choose a folder.</source>
         <translation>एक फ़ोल्डर चुनें।</translation>
+    </message>
+    <message>
+        <source>Bookmarks, each with its resolution and exaggeration. They are shown in random order, under letters</source>
+        <translation>बुकमार्क, हर एक अपने रिज़ॉल्यूशन और अतिरंजन के साथ। वे यादृच्छिक क्रम में, अक्षरों के नाम से दिखाए जाते हैं</translation>
+    </message>
+    <message>
+        <source>A study needs at least two bookmarks: Surface &gt; Add bookmark.</source>
+        <translation>अध्ययन के लिए कम से कम दो बुकमार्क चाहिए: सतह &gt; बुकमार्क जोड़ें।</translation>
     </message>
 </context>
 <context>
@@ -12033,20 +12037,12 @@
         <translation>सुझाई गई विंडो</translation>
     </message>
     <message>
-        <source>A click or Enter shows the window at its detail; undo goes back</source>
-        <translation>क्लिक या Enter विंडो को उसके विवरण में दिखाता है; पूर्ववत लौटाता है</translation>
-    </message>
-    <message>
         <source>Frames with their ranks over the whole object</source>
         <translation>पूरी वस्तु पर अपने क्रम के साथ चौखटे</translation>
     </message>
     <message>
         <source>This map is read by tiles; windows are suggested on maps in memory.</source>
         <translation>यह मानचित्र टुकड़ों में पढ़ा जाता है; विंडो स्मृति के मानचित्रों पर सुझाई जाती हैं।</translation>
-    </message>
-    <message>
-        <source>%1. Detail %2 of %3, %4: %5 % felt, relief about %6 wide</source>
-        <translation>%1. विवरण %2, कुल %3, %4: %5 % महसूस, उभार लगभग %6 चौड़ा</translation>
     </message>
     <message>
         <source>%1 % measured, %2 % steep</source>
@@ -12067,6 +12063,14 @@
     <message>
         <source>Cancelled. Nothing was suggested.</source>
         <translation>रद्द। कुछ सुझाया नहीं गया।</translation>
+    </message>
+    <message>
+        <source>A click or Enter shows the window at its resolution; undo goes back</source>
+        <translation>क्लिक या Enter विंडो को उसके रिज़ॉल्यूशन में दिखाता है; पूर्ववत लौटाता है</translation>
+    </message>
+    <message>
+        <source>%1. Resolution %2 of %3, %4: %5 % felt, relief about %6 wide</source>
+        <translation>%1. रिज़ॉल्यूशन %2, कुल %3, %4: %5 % महसूस, उभार लगभग %6 चौड़ा</translation>
     </message>
 </context>
 <context>
@@ -12147,14 +12151,6 @@
         <translation>नीचे</translation>
     </message>
     <message>
-        <source>Detail %1 of %2</source>
-        <translation>विवरण %2 में से %1</translation>
-    </message>
-    <message>
-        <source>This is the finest detail</source>
-        <translation>यह सबसे बारीक विवरण है</translation>
-    </message>
-    <message>
         <source>This is the whole object</source>
         <translation>यह पूरी वस्तु है</translation>
     </message>
@@ -12190,6 +12186,14 @@
     <message>
         <source>As opened</source>
         <translation>जैसा खोला गया</translation>
+    </message>
+    <message>
+        <source>Resolution %1 of %2</source>
+        <translation>रिज़ॉल्यूशन %2 में से %1</translation>
+    </message>
+    <message>
+        <source>This is the finest resolution</source>
+        <translation>यह सबसे बारीक रिज़ॉल्यूशन है</translation>
     </message>
 </context>
 <context>
@@ -12381,14 +12385,6 @@
         <translation>हाथ के नीचे की जगह और ऊँचाई, और वह मापी गई थी या नहीं।</translation>
     </message>
     <message>
-        <source>&amp;Detail and scale</source>
-        <translation>विवरण और पैमाना (&amp;D)</translation>
-    </message>
-    <message>
-        <source>Say detail, window and hand scale (Ctrl+Shift+I)</source>
-        <translation>विवरण, विंडो और हाथ का पैमाना बताएँ (Ctrl+Shift+I)</translation>
-    </message>
-    <message>
         <source>How large the window is and what one millimetre of hand is.</source>
         <translation>विंडो कितनी बड़ी है और हाथ का एक मिलीमीटर क्या है।</translation>
     </message>
@@ -12419,10 +12415,6 @@
     <message>
         <source>Wh&amp;ere am I, in full</source>
         <translation>मैं कहाँ हूँ, पूरे में (&amp;E)</translation>
-    </message>
-    <message>
-        <source>Say where the hand is, with edges, detail and scale (Ctrl+Alt+I)</source>
-        <translation>बताए कि हाथ कहाँ है, किनारों, विवरण और पैमाने सहित (Ctrl+Alt+I)</translation>
     </message>
     <message>
         <source>Also the distances from the object&apos;s edges, and how fine the shown samples are.</source>
@@ -12576,6 +12568,18 @@
         <source>Which way the grip is pushed to press into the relief. Forces go off first.</source>
         <translation>उभार में दबाने के लिए ग्रिप किधर धकेली जाती है। पहले बल बंद हो जाते हैं।</translation>
     </message>
+    <message>
+        <source>Say where the hand is, with edges, resolution and scale (Ctrl+Alt+I)</source>
+        <translation>बताए कि हाथ कहाँ है, किनारों, रिज़ॉल्यूशन और पैमाने सहित (Ctrl+Alt+I)</translation>
+    </message>
+    <message>
+        <source>Say resolution, window and hand scale (Ctrl+Shift+I)</source>
+        <translation>रिज़ॉल्यूशन, विंडो और हाथ का पैमाना बताएँ (Ctrl+Shift+I)</translation>
+    </message>
+    <message>
+        <source>Resolution an&amp;d scale</source>
+        <translation>रिज़ॉल्यूशन और पैमाना (&amp;D)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TouchController</name>
@@ -12606,10 +12610,6 @@
     <message>
         <source>x %1  y %2  z %3 mm</source>
         <translation>x %1  y %2  z %3 mm</translation>
-    </message>
-    <message>
-        <source>%1, %2. Detail %3 of %4</source>
-        <translation>%1, %2। विवरण %4 में से %3</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -12676,8 +12676,12 @@
         <translation>कुछ खुला नहीं है। Ctrl+O से स्कैन खोलें।</translation>
     </message>
     <message>
-        <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
-        <translation>%1, %2 गुणा %3 mm, %4 विवरणों में। छूने के लिए हाथ भीतर दबाएँ; F5 बल चालू करता है। प्लस: और बारीक; माइनस: और मोटा; दोनों दो सेकंड: सहायता।</translation>
+        <source>%1, %2. Resolution %3 of %4</source>
+        <translation>%1, %2। रिज़ॉल्यूशन %4 में से %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 by %3 mm, in %4 resolutions. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
+        <translation>%1, %2 गुणा %3 mm, %4 रिज़ॉल्यूशनों में। छूने के लिए हाथ भीतर दबाएँ; F5 बल चालू करता है। प्लस: और बारीक; माइनस: और मोटा; दोनों दो सेकंड: सहायता।</translation>
     </message>
 </context>
 <context>
@@ -12690,16 +12694,16 @@
 <context>
     <name>relievo::TouchedSurface</name>
     <message>
-        <source>The ground is firm where it was measured.</source>
-        <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
-    </message>
-    <message>
         <source>Stiffness map: %1.</source>
         <translation>कठोरता मानचित्र: %1।</translation>
     </message>
     <message>
         <source>Stiffness map: %1. Set Not measured below 100 % to feel it.</source>
         <translation>कठोरता मानचित्र: %1। इसे महसूस करने के लिए “मापा नहीं गया” को 100 % से कम रखें।</translation>
+    </message>
+    <message>
+        <source>The surface is stiff where it was measured.</source>
+        <translation>जहाँ मापा गया वहाँ सतह कठोर है।</translation>
     </message>
 </context>
 <context>
@@ -13173,16 +13177,8 @@
         <translation>माप</translation>
     </message>
     <message>
-        <source>Places</source>
-        <translation>जगहें</translation>
-    </message>
-    <message>
         <source>Suggestions</source>
         <translation>सुझाव</translation>
-    </message>
-    <message>
-        <source>DETAIL %1 of %2</source>
-        <translation>विवरण %2 में से %1</translation>
     </message>
     <message>
         <source>heights × %1   |   </source>
@@ -13207,6 +13203,14 @@
     <message>
         <source>SCAN</source>
         <translation>स्कैन</translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation>बुकमार्क</translation>
+    </message>
+    <message>
+        <source>DETAIL   |   Resolution %1 of %2</source>
+        <translation>विवरण   |   रिज़ॉल्यूशन %2 में से %1</translation>
     </message>
 </context>
 </TS>

@@ -65,7 +65,7 @@ void paste(const RgbaImage& part, const Box& box, RgbaImage& page) {
 
 std::string words(const TouchRow& row, double t_s, int levels) {
   std::array<char, 160> text{};
-  std::snprintf(text.data(), text.size(), "%.2f s   z %.2f mm   %.2f N   Detail %d of %d", t_s,
+  std::snprintf(text.data(), text.size(), "%.2f s   z %.2f mm   %.2f N   Resolution %d of %d", t_s,
                 row.proxy.z, norm(row.force), row.detail, levels);
   return text.data();
 }

@@ -93,10 +93,10 @@ ReferenceView::ReferenceView(Document& document, RenderScheduler& turns, QWidget
   setObjectName(QStringLiteral("reference_view"));
   setAccessibleName(tr("Overview"));
   setToolTip({});
-  setWhatsThis(
-      tr("The whole object. The pink window is what the detail view shows: drag inside it to move "
-         "it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the "
-         "detail. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window."));
+  setWhatsThis(tr(
+      "The whole object. The pink window is what the detail view shows: drag inside it to move "
+      "it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the "
+      "resolution. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window."));
   connect(&document_, &Document::surfaceChanged, this, &ReferenceView::showSurface);
   connect(&document_, &Document::windowChanged, this, &ReferenceView::showWindow);
   showSurface();
@@ -147,7 +147,7 @@ void ReferenceView::showWindow() {
   const Region& r = document_.project().region;
   setPink(RectMm{r.x_mm, r.y_mm, r.side_mm, r.side_mm});
   placePink();
-  setWhereAmI(tr("Detail %1 of %2, window %3 wide, lower left corner at x %4, y %5")
+  setWhereAmI(tr("Resolution %1 of %2, window %3 wide, lower left corner at x %4, y %5")
                   .arg(document_.detail())
                   .arg(document_.details())
                   .arg(lengthText(r.side_mm), lengthText(r.x_mm), lengthText(r.y_mm)));

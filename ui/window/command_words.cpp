@@ -12,7 +12,7 @@ struct OtherWords {
   const char* words;
 };
 
-constexpr std::array<OtherWords, 40> kWords{
+constexpr std::array<OtherWords, 43> kWords{
     {{"open", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import file read")},
      {"open_folder", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import directory images")},
      {"save_project", QT_TRANSLATE_NOOP("relievo::CommandWords", "store keep session")},
@@ -33,12 +33,16 @@ constexpr std::array<OtherWords, 40> kWords{
                                      "align rotate orient resolution grid holes fill rasterize "
                                      "crop clean")},
      {"units", QT_TRANSLATE_NOOP("relievo::CommandWords", "scale millimetres metres inches")},
-     {"finer", QT_TRANSLATE_NOOP("relievo::CommandWords", "zoom in closer magnify level")},
-     {"coarser", QT_TRANSLATE_NOOP("relievo::CommandWords", "zoom out farther level")},
+     {"finer", QT_TRANSLATE_NOOP("relievo::CommandWords", "zoom in closer magnify level detail")},
+     {"coarser", QT_TRANSLATE_NOOP("relievo::CommandWords", "zoom out farther level detail")},
      {"whole", QT_TRANSLATE_NOOP("relievo::CommandWords", "zoom all overview reset fit")},
      {"fit", QT_TRANSLATE_NOOP("relievo::CommandWords", "zoom reset home straighten camera")},
      {"type_window",
       QT_TRANSLATE_NOOP("relievo::CommandWords", "crop region coordinates selection go to")},
+     {"name_place",
+      QT_TRANSLATE_NOOP("relievo::CommandWords", "place name save position favourite")},
+     {"next_place", QT_TRANSLATE_NOOP("relievo::CommandWords", "place position favourite")},
+     {"previous_place", QT_TRANSLATE_NOOP("relievo::CommandWords", "place position favourite")},
      {"suggest_windows",
       QT_TRANSLATE_NOOP("relievo::CommandWords", "best feel where find interesting places")},
      {"keep_view",

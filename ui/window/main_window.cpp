@@ -222,11 +222,11 @@ void MainWindow::showWindow() {
   if (detail_choice_->count() != details) {
     detail_choice_->clear();
     for (int d = 1; d <= details; ++d) {
-      detail_choice_->addItem(tr("Detail %1 of %2").arg(d).arg(details), d);
+      detail_choice_->addItem(tr("Resolution %1 of %2").arg(d).arg(details), d);
     }
   }
   detail_choice_->setCurrentIndex(detail - 1);
-  messages_->set(StatusField::detail, tr("Detail %1/%2").arg(detail).arg(details),
+  messages_->set(StatusField::detail, tr("Resolution %1/%2").arg(detail).arg(details),
                  levelTip(document_.surface()->ladder, window->region.level));
 }
 

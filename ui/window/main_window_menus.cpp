@@ -188,10 +188,10 @@ void MainWindow::makeScanSwitch() {
 void MainWindow::makeDetailChoice() {
   detail_choice_ = new QComboBox;
   // It is filled later; nothing beside it jumps then.
-  detail_choice_->setMinimumContentsLength(tr("Detail %1 of %2").arg(9).arg(9).size() - 2);
+  detail_choice_->setMinimumContentsLength(tr("Resolution %1 of %2").arg(9).arg(9).size() - 2);
   detail_choice_->setObjectName(QStringLiteral("detail_choice"));
-  detail_choice_->setAccessibleName(tr("Detail"));
-  detail_choice_->setToolTip(tr("Which detail feeds the window"));
+  detail_choice_->setAccessibleName(tr("Resolution"));
+  detail_choice_->setToolTip(tr("Which level of the pyramid feeds the window"));
   connect(detail_choice_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
     document_.region().setLevel({document_.details() - 1 - index});
     detail_choice_->setCurrentIndex(document_.detail() - 1);

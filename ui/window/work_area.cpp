@@ -132,7 +132,7 @@ void WorkArea::makePanels(Document& document) {
   panels_.all->add(tr("Measure"), panels_.measure);
   panels_.all->keepPlaceHere();
   panels_.all->add(tr("Stereo"), panels_.stereo);
-  panels_.all->add(tr("Places"), panels_.places);
+  panels_.all->add(tr("Bookmarks"), panels_.places);
   panels_.all->add(tr("Suggestions"), panels_.suggestions);
 }
 
@@ -149,7 +149,8 @@ void WorkArea::showMapTitle() {
 void WorkArea::showWindowTitle() {
   const auto window = document_.window();
   const double side = window->region.side_mm;
-  detail_title_->setText(tr("DETAIL %1 of %2").arg(document_.detail()).arg(document_.details()));
+  detail_title_->setText(
+      tr("DETAIL   |   Resolution %1 of %2").arg(document_.detail()).arg(document_.details()));
   const double scale = handMapping(*window).objectMmPerHandMm();
   const QString scale_text = mmText(scale, scale / 10);
   QString note = QStringLiteral("%1   |   %2")

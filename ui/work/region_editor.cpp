@@ -18,7 +18,7 @@ QString detailName(int from, int to, bool grows) {
   if (from == to) {
     return grows ? RegionEditor::tr("Larger window") : RegionEditor::tr("Smaller window");
   }
-  return RegionEditor::tr("Detail %1 \u2192 %2").arg(from).arg(to);
+  return RegionEditor::tr("Resolution %1 \u2192 %2").arg(from).arg(to);
 }
 
 }  // namespace

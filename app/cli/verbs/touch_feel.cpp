@@ -122,7 +122,7 @@ void addFeelOptions(CLI::App& verb, TouchArguments& arguments) {
   takes(verb.add_option("--stiffness", arguments.stiffness_n_per_mm, "N per mm of hand"),
         {.low = 1e-3, .high = 100, .unit = "N/mm"});
   takes(verb.add_option("--level-stiffness", arguments.detail_stiffness_n_per_mm,
-                        "N per mm of hand for Detail 1, 2, 3 and all finer ones"),
+                        "N per mm of hand for resolution 1, 2, 3 and all finer ones"),
         {.low = 1e-3, .high = 100, .unit = "N/mm"})
       .delimiter(',')
       ->expected(1, 4);
@@ -140,16 +140,18 @@ void addFeelOptions(CLI::App& verb, TouchArguments& arguments) {
       {.low = kLeastSoftPart, .high = 1});
   verb.add_option(
       "--firmness", arguments.firmness,
-      "Raster of numbers from 0 (as soft as --soft says) to 1, laid over the whole map; "
+      "Stiffness map: raster of numbers from 0 (as soft as --soft says) to 1, laid over the "
+      "whole map; "
       "instead of where it was measured");
-  takes(verb.add_option("--tick", arguments.crossing_n,
-                        "N, on the way from measured ground to other ground and back; 0 is off"),
+  takes(verb.add_option(
+            "--tick", arguments.crossing_n,
+            "Edge cue: N, on the way from measured ground to other ground and back; 0 is off"),
         {.low = 0, .high = kMostCrossingN, .unit = "N"});
   takes(verb.add_option("--texture", arguments.texture_mm,
                         "Largest rise of the next finer level that is felt, mm of hand; 0 is off"),
         {.low = 0, .high = kMostTextureMm, .unit = "mm"});
   takes(verb.add_option("--knock", arguments.contact_n,
-                        "Largest N of the knock of a new contact; 0 is off"),
+                        "Contact impulse: largest N of a new contact; 0 is off"),
         {.low = 0, .high = kMostContactN, .unit = "N"});
   takes(verb.add_option("--magnet", arguments.magnet_n,
                         "Largest N of a pull toward the surface; 0 is off"),

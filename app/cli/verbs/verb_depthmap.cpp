@@ -119,7 +119,7 @@ CommandResult runDepthmap(const DepthmapArguments& a, const Task& task) {
   Surface surface = loadForVerb(a.map, task);
   if (a.quality && surface.quality.empty()) {
     surface.not_done.emplace_back(
-        "Points and spread per cell are known for point clouds in the cpu engine only; no quality "
+        "Points and spread per cell are known for point clouds by the method CPU only; no quality "
         "map was written.");
     tell(surface.not_done.back());
   }
@@ -164,7 +164,7 @@ CommandResult runDepthmap(const DepthmapArguments& a, const Task& task) {
       .json = reportText(json),
       .lines = {a.out + ": " + std::to_string(frame.size.cols) + " x " +
                     std::to_string(frame.size.rows) + " cells of " + shortNumber(frame.spacing_mm) +
-                    " mm, view " + surface.view_name + ", engine " + surface.engine,
+                    " mm, view " + surface.view_name + ", method " + methodName(surface.engine),
                 "heights: " + shortNumber(range.min_mm) + " to " + shortNumber(range.max_mm) +
                     " mm, " + surface.rule,
                 "cells: " + sharesText(originShares(surface.map)), lossesText(surface.losses)},

@@ -268,7 +268,7 @@ void checkOutput(const ReplayArguments& a, const LogTable& log, const Task& task
   } else {
     const TouchArguments touch = argumentsOf(commandOf(log, a.log));
     files.reads(a.input.empty() ? touch.map.file : a.input);
-    files.reads(touch.firmness, "the raster of firm ground that is read");
+    files.reads(touch.firmness, "the stiffness map that is read");
   }
   check(files);
 }

@@ -30,10 +30,11 @@ std::string lineOf(std::size_t place, const FeelableWindow& window, const Detail
   const Region& r = window.region;
   return std::to_string(place) + ". --region " + shortNumber(r.x_mm) + ',' + shortNumber(r.y_mm) +
          ',' + shortNumber(r.side_mm) + ',' + shortNumber(r.side_mm) + " --level " +
-         std::to_string(r.level.value) + " (Detail " + std::to_string(ladder.detailOf(r.level)) +
-         " of " + std::to_string(ladder.levels()) + "): " + percent(window.felt_share) +
-         " felt, most clearly relief about " + shortNumber(window.width_mm, 2) + " mm wide; " +
-         percent(window.measured_share) + " measured, " + percent(window.steep_share) + " steep";
+         std::to_string(r.level.value) + " (Resolution " +
+         std::to_string(ladder.detailOf(r.level)) + " of " + std::to_string(ladder.levels()) +
+         "): " + percent(window.felt_share) + " felt, most clearly relief about " +
+         shortNumber(window.width_mm, 2) + " mm wide; " + percent(window.measured_share) +
+         " measured, " + percent(window.steep_share) + " steep";
 }
 
 CommandResult runSuggest(const SuggestArguments& a, const Task& task) {
@@ -71,7 +72,7 @@ Verb suggestVerb() {
                 takes(verb.add_option("--most", arguments->feel.most, "How many windows; 10"),
                       {.low = 1, .high = 1000});
                 takes(verb.add_option("--gain", arguments->feel.gain,
-                                      "Heights are multiplied by it under the hand; 1"),
+                                      "Vertical exaggeration under the hand; 1"),
                       {.low = 0.01, .high = 100});
                 takes(verb.add_option("--grip-factor", arguments->feel.grip_factor,
                                       "How much higher relief must be for a hand on a grip than "

@@ -489,7 +489,7 @@ VerbFiles filesOf(const TouchArguments& a) {
   VerbFiles files;
   files.reads(a.map.file);
   files.reads(a.stroke, "the stroke that is read");
-  files.reads(a.firmness, "the raster of firm ground that is read");
+  files.reads(a.firmness, "the stiffness map that is read");
   if (isGuideFile(a.guide)) files.reads(a.guide, "the way that the hand is led along");
   files.writes(a.out);
   files.writes(a.plot);

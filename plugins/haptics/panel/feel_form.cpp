@@ -75,9 +75,9 @@ void FeelForm::buildSurface() {
                  tr("Against the speed of pressing in."), 0, kMmPerM * kMostDamping, 0.1, 1});
   by_detail_ = named(new QCheckBox(tr("as the &level suggests")), "stiffnessByDetail",
                      tr("Stiffness as the level suggests"));
-  by_detail_->setToolTip(
-      tr("0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the "
-         "shown level's own."));
+  by_detail_->setToolTip(tr(
+      "0.8 N/mm at resolution 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the "
+      "shown level's own."));
   stiffness_ = named(new QDoubleSpinBox, "stiffness", tr("Stiffness in newtons per millimetre"));
   stiffness_->setRange(kLeastStiffness, kMostStiffness);
   stiffness_->setSingleStep(0.05);
@@ -94,7 +94,7 @@ void FeelForm::buildSurface() {
 void FeelForm::buildCues() {
   edge_ = numberBox({"crossingTick", tr("Edge cue at the border of measured ground, in newtons"),
                      tr(" N"),
-                     tr("A faint tick on the way from measured ground to other ground, and "
+                     tr("A faint cue on the way from measured ground to other ground, and "
                         "back. 0: none."),
                      0, kMostCrossingN, 0.02, 2});
   texture_ = numberBox({"texture", tr("Texture of the next finer level, in micrometres of hand"),
@@ -103,7 +103,7 @@ void FeelForm::buildCues() {
                            "that is touched. 0: none."),
                         0, kUmPerMm * kMostTextureMm, 5, 0});
   contact_ = numberBox({"contactKnock", tr("Contact impulse, in newtons at most"), tr(" N"),
-                        tr("A short knock as hard as the hand comes. 0: none."), 0, kMostContactN,
+                        tr("A short impulse as hard as the hand comes. 0: none."), 0, kMostContactN,
                         0.05, 2});
   magnet_ =
       numberBox({"magnet", tr("Pull toward the surface, in newtons at most"), tr(" N"),

@@ -15,15 +15,14 @@
 namespace relievo {
 
 FirmnessRow::FirmnessRow(QWidget* panel) : QObject(panel), panel_(panel) {
-  name_ = readout("firmnessName", tr("What says where the ground is firm"));
-  choose_ = named(new QPushButton(tr("Choose…")), "firmnessChoose",
-                  tr("Choose a raster that says where the ground is firm"));
+  name_ = readout("firmnessName", tr("Stiffness map in use"));
+  choose_ = named(new QPushButton(tr("Choose…")), "firmnessChoose", tr("Choose a stiffness map"));
   choose_->setToolTip(
-      tr("A raster over the whole map: 1 where the ground is firm, 0 where it is as soft as set "
+      tr("A raster over the whole map: 1 where the surface is stiff, 0 where it is as soft as set "
          "above. In place of where it was measured."));
   none_ = named(new QPushButton(tr("No&ne")), "firmnessNone",
-                tr("No raster: firm where it was measured"));
-  none_->setToolTip(tr("The ground is firm where it was measured."));
+                tr("No stiffness map: stiff where it was measured"));
+  none_->setToolTip(tr("The surface is stiff where it was measured."));
   connect(choose_, &QPushButton::clicked, this, &FirmnessRow::ask);
   connect(none_, &QPushButton::clicked, this, [this] { Q_EMIT asked({}); });
 }

@@ -203,7 +203,7 @@ void ScopeView::moveCursor(int by) {
 QString ScopeView::cursorText() const {
   if (shown_.empty()) return tr("Nothing measured yet.");
   const ForcePoint& s = shown_[cursor_];
-  return tr("At %1 s: hand %2 mm, proxy %3 mm, force %4 N")
+  return tr("At %1 s: HIP %2 mm, proxy %3 mm, force %4 N")
       .arg(s.t_s, 0, 'f', 3)
       .arg(s.hip_z_mm, 0, 'f', 3)
       .arg(s.proxy_z_mm, 0, 'f', 3)

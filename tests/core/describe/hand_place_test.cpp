@@ -37,16 +37,16 @@ std::vector<std::string> spoken(const std::vector<Message>& words) {
 
 TEST(HandPlace, InShortItIsPlaceHeightAndName) {
   EXPECT_THAT(spoken(shortWords(onTheDome())),
-              ElementsAre("Touching: middle left, 3 centimetres high.", "Place: Dome."));
+              ElementsAre("Touching: middle left, 3 centimetres high.", "Bookmark: Dome."));
   EXPECT_EQ(englishText(shortWords(onTheDome()).front()), "Touching: middle left, height 30 mm.");
 }
 
 TEST(HandPlace, InFullItIsAlsoTheEdgesTheDetailAndTheScale) {
   EXPECT_THAT(
       spoken(longWords(onTheDome())),
-      ElementsAre("Touching: middle left, 3 centimetres high.", "Place: Dome.",
+      ElementsAre("Touching: middle left, 3 centimetres high.", "Bookmark: Dome.",
                   "9 centimetres from the left edge.", "10 centimetres from the bottom edge.",
-                  "Measured here.", "Detail 1 of 4, 30 centimetres wide.",
+                  "Measured here.", "Resolution 1 of 4, 30 centimetres wide.",
                   "One centimetre of hand: nearly 4 centimetres of relief.",
                   "Samples are 2 millimetres apart."));
 }

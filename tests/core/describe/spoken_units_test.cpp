@@ -46,7 +46,7 @@ TEST(SpokenUnits, EachLanguageHasItsOwn) {
 
 TEST(SpokenUnits, WhatIsNoQuantityStays) {
   for (const char* text :
-       {"", "Detail 2 of 4", "relief 30 mm.ply is saved", "scan3 m", "F5 switches", "Room 3N",
+       {"", "Resolution 2 of 4", "relief 30 mm.ply is saved", "scan3 m", "F5 switches", "Room 3N",
         "Ctrl+1", "5 mmx", "version 1.2.3 m", "2 samples", "mm", "%", "100 %1", "20 Meter"}) {
     EXPECT_EQ(english(text), text);
   }

@@ -42,10 +42,11 @@ TEST(Caption, SaysEverythingThatDecidesThePicture) {
   facts.paper_mm_per_mm = 0.5;
   const std::string text = captionOf(p, surface, window, facts);
   for (const char* part :
-       {"coin.ply", "mm (unit mm, assumed)", "view ", "engine cpu", "1 enclosed hole of ",
-        "on the base plane", "Detail 1 of 1 (level 0, M = 2)", "heights \u00d7 2",
-        "light from 315\u00b0, 45\u00b0", "turned by 10\u00b0", "Dubois red-cyan anaglyph, 4\u00b0",
-        "1 pixel is 0.25 mm", "Scale 1:2", "% measured", "% outside the object", "input SHA-256"}) {
+       {"coin.ply", "mm (unit mm, assumed)", "view ", "method CPU", "1 enclosed hole of ",
+        "on the base plane", "Resolution 1 of 1 (level 0, pyramid factor 2)",
+        "vertical exaggeration \u00d7 2", "light from 315\u00b0, 45\u00b0", "turned by 10\u00b0",
+        "Dubois red-cyan anaglyph, 4\u00b0", "1 pixel is 0.25 mm", "Scale 1:2", "% measured",
+        "% outside the object", "input SHA-256"}) {
     EXPECT_THAT(text, HasSubstr(part));
   }
   EXPECT_THAT(text, HasSubstr(sha256OfText("coin")));

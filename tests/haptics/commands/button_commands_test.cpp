@@ -299,17 +299,17 @@ TEST_F(Buttons, HelpNamesEveryPressOfItsMode) {
     }
   };
   all(englishText(buttons_.help(now_)),
-      {"Plus: finer; long: detail and scale.", "Minus: coarser; long: whole",
+      {"Plus: finer; long: resolution and scale.", "Minus: coarser; long: whole",
        "Forward: move; long: marker.", "Centre: where am I; long: forces off or",
        "Plus and Minus: look or touch; for two seconds: help; for five: introduction."});
   buttons_.toggleMoving();
   all(englishText(buttons_.help(now_)),
-      {"Plus: next place.", "Minus: previous place.",
+      {"Plus: next bookmark.", "Minus: previous bookmark.",
        "Forward: done; long: guide along the outline.", "Centre: back; long: forces off or on.",
        "Plus and Minus for two seconds"});
   buttons_.setOptions({.one_button = true});
   all(englishText(buttons_.help(now_)),
-      {"next place, previous place", "Hold for a second and a half: forces off."});
+      {"next bookmark, previous bookmark", "Hold for a second and a half: forces off."});
 }
 
 TEST_F(Buttons, EveryCommandHasANameAndWords) {

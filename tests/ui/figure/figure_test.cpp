@@ -440,7 +440,7 @@ TEST_F(FigureTest, TheCaptionNamesWhatTheFigureRestsOn) {
   const std::string caption = draw().facts.caption;
   for (const char* word :
        {"relief.ply", "unit mm", "top", "cells, 0.5 mm apart", "measured", "enclosed hole",
-        "Detail", "M = 2", "light from 315", "Scale 1:", "SHA-256", "level 0"}) {
+        "Resolution", "pyramid factor 2", "light from 315", "Scale 1:", "SHA-256", "level 0"}) {
     EXPECT_NE(caption.find(word), std::string::npos) << word << " in: " << caption;
   }
 }

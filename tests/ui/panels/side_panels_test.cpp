@@ -27,7 +27,7 @@ class SidePanelsTest : public GuiTest {
 
 TEST_F(SidePanelsTest, WhatEverybodyNeedsIsFirstAndOpen) {
   EXPECT_EQ(panels().titles(), QStringList({"Scan", "View", "Window", "Light", "Measure", "Stereo",
-                                            "Places", "Suggestions"}));
+                                            "Bookmarks", "Suggestions"}));
   for (const char* panel :
        {"surface_panel", "view_panel", "region_panel", "light_panel", "measure_panel"}) {
     EXPECT_TRUE(isOpen(panel)) << panel;
@@ -82,6 +82,25 @@ TEST_F(SidePanelsTest, TheyFitAWindowOf900Pixels) {
   EXPECT_EQ(panels().verticalScrollBar()->maximum(), 0)
       << panels().widget()->sizeHint().height() << " of " << panels().viewport()->height();
   EXPECT_EQ(panels().horizontalScrollBar()->maximum(), 0);
+}
+
+TEST_F(SidePanelsTest, NoLabelTouchesItsFieldInALowWindow) {
+  constexpr int kLeastGap = 6;  // Pixels; less reads as one word with the number.
+  window().resize(1440, 852);
+  openRelief();
+  QApplication::processEvents();
+  int looked_at = 0;
+  for (const QLabel* label : child<QWidget>("region_panel")->findChildren<QLabel*>()) {
+    const QWidget* field = label->buddy();
+    if (field == nullptr) continue;
+    ++looked_at;
+    const int text = label->fontMetrics().horizontalAdvance(label->text().remove('&'));
+    EXPECT_GE(label->width(), text) << label->text().toStdString();
+    EXPECT_GE(field->x() - (label->x() + text), kLeastGap) << label->text().toStdString();
+    EXPECT_LE(field->geometry().right(), field->parentWidget()->width()) << "it is whole";
+  }
+  EXPECT_GE(looked_at, 5);
+  EXPECT_EQ(panels().horizontalScrollBar()->maximum(), 0) << "nothing is beyond the edge";
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST_F(SuggestPanelTest, ListsWhatTheCommandLineRanksAndSaysHow) {
   for (std::size_t i = 0; i < ranked.size(); ++i) {
     EXPECT_EQ(panel().windows()[i].region, ranked[i].region) << i;
   }
-  EXPECT_TRUE(list().item(0)->text().startsWith("1. Detail "));
+  EXPECT_TRUE(list().item(0)->text().startsWith("1. Resolution "));
   EXPECT_TRUE(child<QLabel>("suggest_method")->text().contains("Louw"));
   EXPECT_TRUE(child<QLabel>("suggest_method")->text().contains("estimate"));
 }

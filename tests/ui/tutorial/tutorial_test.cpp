@@ -252,7 +252,7 @@ void TutorialTest::chooseWindow() {
   EXPECT_FALSE(document().region().inGesture());
   EXPECT_NE(region(), before);
 
-  page_.says("**Ctrl+Plus** and **Ctrl+Minus** step through the details about the hand.");
+  page_.says("**Ctrl+Plus** and **Ctrl+Minus** step through the resolutions about the hand.");
   document().region().whole();
   detail().setFocus();
   key("Ctrl+Plus");
@@ -271,7 +271,7 @@ void TutorialTest::chooseWindow() {
 
 void TutorialTest::namePlaces() {
   page_.says(
-      "A place worth coming back to gets a name with **Ctrl+N**; **Ctrl+Page Down** goes to "
+      "A window worth coming back to gets a bookmark with **Ctrl+N**; **Ctrl+Page Down** goes to "
       "the next one.");
   const Region named = region();
   key("Ctrl+N");

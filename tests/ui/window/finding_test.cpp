@@ -42,15 +42,17 @@ class FindingTest : public GuiTest {
 };
 
 TEST_F(FindingTest, WordsOfOtherProgramsFindTheCommand) {
-  const std::array<std::pair<const char*, const char*>, 9> asked{{{"export", "Export"},
-                                                                  {"crop", "Prepare"},
-                                                                  {"clean", "Prepare"},
-                                                                  {"align", "Prepare"},
-                                                                  {"zoom in", "Finer"},
-                                                                  {"rotate", "Turn left"},
-                                                                  {"screenshot", "Image"},
-                                                                  {"handbook", "Manual"},
-                                                                  {"STL", "Export"}}};
+  const std::array<std::pair<const char*, const char*>, 11> asked{{{"export", "Export"},
+                                                                   {"crop", "Prepare"},
+                                                                   {"clean", "Prepare"},
+                                                                   {"align", "Prepare"},
+                                                                   {"zoom in", "Finer"},
+                                                                   {"rotate", "Turn left"},
+                                                                   {"screenshot", "Image"},
+                                                                   {"handbook", "Manual"},
+                                                                   {"STL", "Export"},
+                                                                   {"detail", "Finer"},
+                                                                   {"place name", "Add bookmark"}}};
   for (const auto& [words, wanted] : asked) {
     EXPECT_TRUE(allFor(words).contains(wanted))
         << words << " finds " << allFor(words).join(", ").toStdString();

@@ -81,7 +81,8 @@ void SaveController::whenNothingIsUnsaved(const std::function<void()>& then) {
   const QString name = shownName(project.isEmpty() ? document_.file() : project);
   auto* box = new QMessageBox(
       QMessageBox::Warning, tr("Unsaved work"),
-      tr("Work on %1 is in no file yet: places, measurements, camera paths or settings.").arg(name),
+      tr("Work on %1 is in no file yet: bookmarks, measurements, camera paths or settings.")
+          .arg(name),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
   box->setObjectName(QStringLiteral("unsaved_dialog"));
   box->setTextFormat(Qt::PlainText);

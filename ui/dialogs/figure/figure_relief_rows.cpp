@@ -27,7 +27,7 @@ constexpr std::array<const char*, kReliefKindNames.size()> kReliefs{
     QT_TRANSLATE_NOOP("relievo::FigureForm", "Openness"),
     QT_TRANSLATE_NOOP("relievo::FigureForm", "Deviation, several scales"),
     QT_TRANSLATE_NOOP("relievo::FigureForm", "Curvature, several scales"),
-    QT_TRANSLATE_NOOP("relievo::FigureForm", "Stone with ambient occlusion"),
+    QT_TRANSLATE_NOOP("relievo::FigureForm", "Shaded, with ambient occlusion"),
     QT_TRANSLATE_NOOP("relievo::FigureForm", "Natural colours"),
     QT_TRANSLATE_NOOP("relievo::FigureForm", "Intensity")};
 
@@ -128,8 +128,9 @@ void FigureReliefRows::writeTo(FigureRequest& f) const {
 void FigureReliefRows::limit() {
   const auto kind = static_cast<ReliefKind>(relief_->currentIndex());
   const bool own_colours = showsOwnColours(kind);
-  const QString stone = own_colours ? FigureForm::tr("Its colours are the scan's own")
-                                    : FigureForm::tr("Stone and hillshades have no colours");
+  const QString stone = own_colours
+                            ? FigureForm::tr("Its colours are the scan's own")
+                            : FigureForm::tr("Shaded reliefs and hillshades have no colours");
   setUsable(colours_, hasLegend(kind), stone);
   setUsable(own_range_, hasLegend(kind), stone);
   const bool own = own_range_->isChecked();

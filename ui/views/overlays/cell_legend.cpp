@@ -36,7 +36,7 @@ void CellLegend::show(const std::vector<CellStatus>* origins, bool hand, StereoP
   if (origins != nullptr) addCells(*origins);
   if (hand) {
     rows_.push_back({Sign::proxy, tr("ball: proxy, on the surface")});
-    rows_.push_back({Sign::hip, tr("ring with a cross: hand")});
+    rows_.push_back({Sign::hip, tr("ring with a cross: HIP")});
   }
   QStringList texts;
   for (const Row& row : rows_) texts << row.text;
