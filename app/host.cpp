@@ -16,6 +16,7 @@
 #include "core/message/message.h"
 #include "core/provenance/provenance.h"
 #include "core/provenance/sha256.h"
+#include "core/region/carry.h"
 #include "core/region/edges.h"
 #include "core/region/window.h"
 #include "core/session/finer_heights.h"
@@ -27,6 +28,11 @@
 #include "ui/work/file_names.h"
 
 namespace relievo {
+namespace {
+
+constexpr int kMergePushes = 201;  // Beside the document's own ids and those of the look.
+
+}  // namespace
 
 WindowHost::WindowHost(MainWindow& window) : window_(window) {
   connect(&window_, &MainWindow::windowShown, this, &ShownWindow::windowShown);
@@ -254,6 +260,17 @@ std::uint8_t WindowHost::edges() const {
 
 void WindowHost::turnView(double azimuth_deg, double elevation_deg) {
   if (window_.document().isOpen()) window_.detailView().turnBy(azimuth_deg, elevation_deg);
+}
+
+void WindowHost::pushView(const ViewPush& push) {
+  Document& document = window_.document();
+  if (!document.isOpen() || document.region().inGesture()) return;
+  const Region& from = document.project().region;
+  const Region to = carried(document.surface()->ladder, from,
+                            {.right = push.right, .up = push.up, .nearer = push.nearer});
+  if (to == from) return;
+  document.edit(
+      tr("Move and zoom"), [&to](Project& project) { project.region = to; }, kMergePushes);
 }
 
 QString WindowHost::recordingHeader(const QString& file) const {

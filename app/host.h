@@ -51,6 +51,7 @@ class WindowHost : public ShownWindow,
   bool showRegion(const Region& region) override;
   std::uint8_t edges() const override;
   void turnView(double azimuth_deg, double elevation_deg) override;
+  void pushView(const ViewPush& push) override;
   QString recordingHeader(const QString& file) const override;
   QString scanName() const override;
   QString recordingEnding() const override;

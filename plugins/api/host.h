@@ -50,6 +50,13 @@ struct ObjectPlace {
   QString name = {};                   ///< That somebody gave the place; empty: nobody did.
 };
 
+/// A push of what is shown: the relief goes right and up, in parts of the window's side, and comes
+/// nearer, as many times larger (> 0).
+struct ViewPush {
+  double right = 0, up = 0;
+  double nearer = 1;
+};
+
 /// The window of the surface that is shown in detail, and what more is known of its place.
 class ShownWindow : public QObject {
   Q_OBJECT
@@ -66,6 +73,9 @@ class ShownWindow : public QObject {
   virtual bool showRegion(const Region& region) = 0;
   /// Turns the detail view, as the commands "turn_left" and "turn_up" do in steps.
   virtual void turnView(double azimuth_deg, double elevation_deg) = 0;
+  /// Moves the window as dragging and the wheel do, about its centre. Pushes that follow each
+  /// other are one step of the history; within a gesture of the mouse they do nothing.
+  virtual void pushView(const ViewPush& push) = 0;
   /// What the next finer level says about a shown window, 400 x 400 heights with its gain
   /// (core/session/finer_heights.h). Empty: nothing; or it is read from disk, off the GUI thread,
   /// and finerHeightsRead() answers, unless a newer call took the place of this one.

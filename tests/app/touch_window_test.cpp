@@ -249,6 +249,29 @@ TEST_F(TouchWindowTest, APictureOfTheDetailViewIsDrawnAgainFromTheCommandLine) {
   EXPECT_FALSE(QFileInfo::exists(path("no.png")));
 }
 
+TEST_F(TouchWindowTest, PushesOfTheViewAreOneStepAndNoneWithinAGesture) {
+  openRelief();
+  WindowHost host(window());
+  document().region().setRect({40, 40, 60, 60});
+  const Region before = document().project().region;
+  for (int i = 0; i < 10; ++i) host.pushView({.right = 0.01, .up = -0.02});
+  const Region moved = document().project().region;
+  EXPECT_NEAR(moved.x_mm, before.x_mm - 0.1 * before.side_mm, 1e-9) << "the relief goes right";
+  EXPECT_NEAR(moved.y_mm, before.y_mm + 0.2 * before.side_mm, 1e-9);
+  EXPECT_EQ(moved.level, before.level);
+  host.pushView({.nearer = 1.5});
+  EXPECT_NEAR(document().project().region.side_mm, before.side_mm / 1.5, 1e-9);
+  document().history().undo();
+  EXPECT_EQ(document().project().region, before);
+  document().region().preview(moved);
+  host.pushView({.right = 0.1});
+  EXPECT_EQ(document().project().region, moved) << "the mouse moves it";
+  document().region().revert();
+  const int steps = document().history().count();
+  host.pushView({});
+  EXPECT_EQ(document().history().count(), steps) << "at rest";
+}
+
 TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   useOwnHome();
   LoadedPlugins plugins(window());

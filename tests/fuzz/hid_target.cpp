@@ -13,15 +13,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t split = std::min<std::size_t>(data[0], bytes.size());
   const auto fields = hid::buttonFields(bytes.first(split));
   fuzz::require(fields.size() <= 64, "a damaged descriptor ends");
+  hid::CapMotion cap;
   for (auto rest = bytes.subspan(split); !rest.empty();) {
     const auto report = rest.first(std::min<std::size_t>(16, rest.size()));
     rest = rest.subspan(report.size());
     if (hid::buttonsOf(report, fields)) fuzz::require(!fields.empty(), "buttons have a field");
     hid::capButtons(report);
-    if (const auto cap = hid::capMotion(report)) {
-      for (const double push : {cap->right, cap->up, cap->toward}) {
-        fuzz::require(std::abs(push) <= 1.5, "a cap has its limits");
-      }
+    if (const auto now = hid::capMotion(report, cap)) cap = *now;
+    const hid::CapMotion moved = hid::beyondRest(cap);
+    for (const double push : {moved.right, moved.up, moved.toward, moved.about_right,
+                              moved.about_up, moved.about_toward}) {
+      fuzz::require(std::abs(push) <= 1.55, "a cap has its limits");
     }
   }
   return 0;

@@ -298,13 +298,38 @@ TEST_F(SpaceMousePluginTest, OrTheViewIfThatIsChosen) {
   ASSERT_NE(choice, nullptr);
   choice->setCurrentIndex(1);
   const double from = host_.probes.back().hip.x;
-  pushRight();
+  hid_.send(0, {2, 0x5e, 0x01, 0, 0, 0xa2, 0xfe});  // Top toward the user, near side to the right.
   EXPECT_TRUE(eventually([this] { return host_.turned_az_deg < -20; }))
       << "the near side follows the cap, as with the command turn_right";
+  EXPECT_DOUBLE_EQ(host_.turned_el_deg, -host_.turned_az_deg);
+  hid_.send(0, {2, 0, 0, 0, 0, 0, 0});
+  EXPECT_EQ(host_.pushed.right, 0) << "turns alone move nothing";
+  hid_.send(0, {1, 0x5e, 0x01, 0xaf, 0, 0xa2, 0xfe});  // Right, half toward the user, up.
+  EXPECT_TRUE(eventually([this] { return host_.pushed.right > 0.2; }));
+  EXPECT_DOUBLE_EQ(host_.pushed.up, host_.pushed.right);
+  EXPECT_GT(host_.pushed.nearer, 1);
   letGo();
-  EXPECT_EQ(host_.turned_el_deg, 0);
   EXPECT_NEAR(host_.probes.back().hip.x, from, 1e-6) << "the hand stays";
   EXPECT_TRUE(plugin_->saveState().contains(R"("space_mouse":"view")"));
+}
+
+TEST_F(SpaceMousePluginTest, ItsTurnsDoNothingWhileItMovesTheHandAndNothingAtAllAtRest) {
+  const double from = host_.probes.back().hip.x;
+  hid_.send(0, {2, 0x5e, 0x01, 0, 0, 0xa2, 0xfe});
+  pushRight();
+  EXPECT_TRUE(eventually([&] { return host_.probes.back().hip.x > from + 5; }));
+  EXPECT_EQ(host_.turned_az_deg, 0);
+  EXPECT_EQ(host_.turned_el_deg, 0);
+  // Let go of, and not quite centred: 14 counts of 350.
+  hid_.send(0, {2, 0x0e, 0, 0, 0, 0xf2, 0xff});
+  hid_.send(0, {1, 0x0e, 0, 0, 0, 0xf2, 0xff});
+  inPanel<QComboBox>("spaceMouse", "Buttons")->setCurrentIndex(1);
+  hid_.send(0, {3, 2, 0});
+  hid_.send(0, {3, 0, 0});
+  ASSERT_TRUE(eventually([this] { return host_.commands.contains("finer"); })) << "it was asked";
+  EXPECT_EQ(host_.turned_az_deg, 0);
+  EXPECT_EQ(host_.pushed.right, 0);
+  EXPECT_EQ(host_.pushed.nearer, 1);
 }
 
 TEST_F(SpaceMousePluginTest, OneThatMayNotBeOpenedIsSaidOnceWithWhatHelps) {

@@ -103,6 +103,11 @@ class TestHost : public ShownWindow,
     turned_az_deg += azimuth_deg;
     turned_el_deg += elevation_deg;
   }
+  void pushView(const ViewPush& push) override {
+    pushed.right += push.right;
+    pushed.up += push.up;
+    pushed.nearer *= push.nearer;
+  }
   QString recordingHeader(const QString& /*file*/) const override {
     return QStringLiteral("input relief.ply\nunit mm");
   }
@@ -142,6 +147,7 @@ class TestHost : public ShownWindow,
   QString folder;  ///< Of recordings; empty: relievo in the documents folder.
   std::uint8_t at_edges = 0;
   double turned_az_deg = 0, turned_el_deg = 0;
+  ViewPush pushed;
   std::shared_ptr<const RegionWindow> window;
   ObjectPlace object{.width_mm = 90, .height_mm = 60, .spacing_mm = 0.5};
   std::vector<SaidBecause> because;  ///< Of what was said in sentences of the catalogue.

@@ -845,10 +845,6 @@
         <translation>Was eine SpaceMouse bewegt</translation>
     </message>
     <message>
-        <source>What pushing the cap of a 3Dconnexion SpaceMouse moves.</source>
-        <translation>Was sich bewegt, wenn man die Kappe einer SpaceMouse von 3Dconnexion drückt.</translation>
-    </message>
-    <message>
         <source>The hand</source>
         <translation>Die Hand</translation>
     </message>
@@ -875,6 +871,10 @@
     <message>
         <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. It is a cue: it has no direction and is no force.</source>
         <translation>Ein Klopfen, wenn die Hand die Oberfläche trifft, und ein leises Brummen am Rand des Ausschnitts. Es ist ein Hinweis: Er hat keine Richtung und ist keine Kraft.</translation>
+    </message>
+    <message>
+        <source>What the cap of a 3Dconnexion SpaceMouse moves. The hand follows pushes only. In the view the relief follows the cap: pushed to a side, up or down it moves, toward you it comes nearer; tilted forward or back, or twisted, it turns.</source>
+        <translation>Was die Kappe einer SpaceMouse von 3Dconnexion bewegt. Die Hand folgt nur dem Drücken. In der Ansicht folgt das Relief der Kappe: Zur Seite, nach oben oder unten gedrückt, verschiebt es sich, zu Ihnen hin kommt es näher; nach vorn oder hinten gekippt oder gedreht, dreht es sich.</translation>
     </message>
 </context>
 <context>
@@ -13149,6 +13149,10 @@
     <message>
         <source>%1 is too large for the memory and was not used. Make it coarser; it is laid over the whole map.</source>
         <translation>%1 ist zu groß für den Speicher und wurde nicht verwendet. Machen Sie es gröber; es wird über die ganze Karte gelegt.</translation>
+    </message>
+    <message>
+        <source>Move and zoom</source>
+        <translation>Verschieben und vergrößern</translation>
     </message>
 </context>
 <context>

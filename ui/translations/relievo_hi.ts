@@ -845,10 +845,6 @@
         <translation>SpaceMouse क्या चलाए</translation>
     </message>
     <message>
-        <source>What pushing the cap of a 3Dconnexion SpaceMouse moves.</source>
-        <translation>3Dconnexion SpaceMouse की टोपी धकेलने से क्या चले।</translation>
-    </message>
-    <message>
         <source>The hand</source>
         <translation>हाथ</translation>
     </message>
@@ -875,6 +871,10 @@
     <message>
         <source>A knock when the hand meets the surface, and a soft hum at the edge of the window. It is a cue: it has no direction and is no force.</source>
         <translation>हाथ के सतह से मिलने पर एक ठोकर, और विंडो के किनारे पर हल्की गूँज। यह एक संकेत है: इसकी कोई दिशा नहीं और यह बल नहीं है।</translation>
+    </message>
+    <message>
+        <source>What the cap of a 3Dconnexion SpaceMouse moves. The hand follows pushes only. In the view the relief follows the cap: pushed to a side, up or down it moves, toward you it comes nearer; tilted forward or back, or twisted, it turns.</source>
+        <translation>3Dconnexion SpaceMouse की टोपी क्या चलाए। हाथ केवल धकेलने के साथ चलता है। दृश्य में उभार टोपी के साथ चलता है: किनारे, ऊपर या नीचे धकेलने पर खिसकता है, आपकी ओर खींचने पर पास आता है; आगे-पीछे झुकाने या मरोड़ने पर घूमता है।</translation>
     </message>
 </context>
 <context>
@@ -13149,6 +13149,10 @@
     <message>
         <source>%1 is too large for the memory and was not used. Make it coarser; it is laid over the whole map.</source>
         <translation>%1 स्मृति के लिए बहुत बड़ा है और काम में नहीं लिया गया। इसे मोटा करें; यह पूरे मानचित्र पर बिछाया जाता है।</translation>
+    </message>
+    <message>
+        <source>Move and zoom</source>
+        <translation>खिसकाएँ और पास लाएँ</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include "core/region/carry.h"
 #include "core/session/colours/surface_colours.h"
 
 namespace relievo {
@@ -19,7 +20,6 @@ constexpr double kMostDepthMm = 10;
 constexpr double kTurnDegPerPixel = 0.4;
 constexpr double kZoomPixels = 20;  // Of dragging upwards, for one notch of the wheel.
 constexpr double kBallOfSide = 0.017;
-constexpr double kLeastCells = 8;  // Side of the smallest window, in finest cells.
 constexpr double kDeg = 3.14159265358979323846 / 180;
 
 std::shared_ptr<const HeldGrid> gridOf(const Surface& surface, const RegionWindow& window) {
@@ -356,18 +356,14 @@ void DetailView::wheelEvent(QWheelEvent* event) {
 
 void DetailView::zoomAbout(const QPointF& point, int notches) {
   const DetailLadder& ladder = document_.surface()->ladder;
-  const Region& from = document_.project().region;
   const ViewMm p = onSurface(point);
-  const double least = std::min(kLeastCells * ladder.spacings_mm.front(), from.side_mm);
-  const double side = std::max(from.side_mm * std::pow(kZoomStep, -notches), least);
-  if (side >= ladder.sideMm(1)) {
+  const Region next =
+      zoomed(ladder, document_.project().region, {std::pow(kZoomStep, notches), p.x, p.y});
+  if (next == wholeRegion(ladder)) {
     document_.region().whole();
-    return;
+  } else {
+    document_.region().zoomTo(next);
   }
-  const double keep = side / from.side_mm;
-  const Region wanted = regionFromRect(
-      ladder, {p.x - (p.x - from.x_mm) * keep, p.y - (p.y - from.y_mm) * keep, side, side});
-  document_.region().zoomTo(moved(ladder, wanted, 0, 0).value_or(wanted));
 }
 
 bool DetailView::moveHandByKey(int key, double cells) {

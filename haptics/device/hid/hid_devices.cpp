@@ -215,7 +215,7 @@ bool HidDevices::Impl::read(OpenDevice& device, HidEvents& news) {
     const std::span<const std::uint8_t> report(bytes.data(), static_cast<std::size_t>(size));
     std::optional<std::uint32_t> raw;
     if (device.space_mouse) {
-      if (const auto motion = capMotion(report)) device.motion = *motion;
+      if (const auto motion = capMotion(report, device.motion)) device.motion = *motion;
       raw = capButtons(report);
     } else {
       raw = buttonsOf(report, device.fields);
@@ -235,7 +235,8 @@ void HidDevices::poll(HidEvents& news) {
   }
   for (auto device = impl_->devices.begin(); device != impl_->devices.end();) {
     if (Impl::read(*device, news)) {
-      if (device->space_mouse) news.motion = device->motion;
+      const CapMotion motion = beyondRest(device->motion);
+      if (motion != CapMotion{}) news.motion = motion;  // A second one may be at rest.
       ++device;
       continue;
     }

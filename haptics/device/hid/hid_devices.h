@@ -18,7 +18,7 @@ struct ButtonEdge {
 
 struct HidEvents {
   std::vector<ButtonEdge> edges;
-  CapMotion motion;                        ///< Of the SpaceMouse now; zero at rest.
+  CapMotion motion;                        ///< Of the SpaceMouse now, beyondRest().
   std::vector<std::string> arrived, left;  ///< Names, for people.
   /// Came, and this account may not open it: told once, at the second look, because the system
   /// hands out access a moment after the plug. The hint is falcon::udevRule().

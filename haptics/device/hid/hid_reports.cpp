@@ -2,6 +2,7 @@
 #include "haptics/device/hid/hid_reports.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace relievo::hid {
 
@@ -173,14 +174,36 @@ std::optional<std::uint32_t> buttonsOf(std::span<const std::uint8_t> report,
   return buttons;
 }
 
-std::optional<CapMotion> capMotion(std::span<const std::uint8_t> report) {
-  constexpr std::size_t kBytes = 7;  // Id, three axes; wireless ones append the rotations.
-  if (report.size() < kBytes || report[0] != 1) return std::nullopt;
+std::optional<CapMotion> capMotion(std::span<const std::uint8_t> report, const CapMotion& before) {
+  constexpr std::size_t kThreeAxes = 7, kSixAxes = 13;  // With the id.
+  if (report.size() < kThreeAxes || report[0] < 1 || report[0] > 2) return std::nullopt;
   const auto axis = [&report](std::size_t i) {
     return std::clamp(signedAt(report, 1 + 2 * i) / kFullDeflection, -1.5, 1.5);
   };
-  // The device counts right, toward the user, down.
-  return CapMotion{axis(0), -axis(2), axis(1)};
+  // The device counts right, toward the user, down, and turns by the right-hand rule about these
+  // (HID Usage Tables, 4.2).
+  CapMotion now = before;
+  const bool pushes = report[0] == 1;
+  if (pushes) {
+    now.right = axis(0);
+    now.up = -axis(2);
+    now.toward = axis(1);
+  }
+  if (pushes && report.size() < kSixAxes) return now;
+  const std::size_t first = pushes ? 3 : 0;
+  now.about_right = axis(first);
+  now.about_up = -axis(first + 2);
+  now.about_toward = axis(first + 1);
+  return now;
+}
+
+CapMotion beyondRest(const CapMotion& motion) {
+  constexpr double kRest = 0.04;  // 14 counts of 350.
+  const auto beyond = [](double push) {
+    return std::copysign(std::max(std::abs(push) - kRest, 0.0) / (1 - kRest), push);
+  };
+  return {beyond(motion.right),       beyond(motion.up),       beyond(motion.toward),
+          beyond(motion.about_right), beyond(motion.about_up), beyond(motion.about_toward)};
 }
 
 std::optional<std::uint32_t> capButtons(std::span<const std::uint8_t> report) {

@@ -28,13 +28,23 @@ std::vector<ButtonField> buttonFields(std::span<const std::uint8_t> descriptor);
 std::optional<std::uint32_t> buttonsOf(std::span<const std::uint8_t> report,
                                        std::span<const ButtonField> fields);
 
-/// 3Dconnexion: how far the cap is pushed, full deflection about 1.
+/// 3Dconnexion: how far the cap is pushed and turned, as the user sees it; full deflection about 1,
+/// at most 1.5.
 struct CapMotion {
-  double right = 0, up = 0, toward = 0;  ///< As the user sees it: toward the user.
+  double right = 0, up = 0, toward = 0;  ///< Pushed: toward the user.
+  /// Turned about these three, by the right-hand rule: its top toward the user, its near side to
+  /// the right, its right side up.
+  double about_right = 0, about_up = 0, about_toward = 0;
+  friend bool operator==(const CapMotion&, const CapMotion&) = default;
 };
 
-/// From report 1 of a SpaceMouse, wired or wireless. Nothing: another report.
-std::optional<CapMotion> capMotion(std::span<const std::uint8_t> report);
+/// What report 1 (pushes; of wireless and newer ones the turns as well) or 2 (turns) of a
+/// SpaceMouse changes of the motion before. Axes that a report has not, or not whole, stay.
+/// Nothing: another report, or too short for any.
+std::optional<CapMotion> capMotion(std::span<const std::uint8_t> report, const CapMotion& before);
+/// Of a motion, what goes beyond 4 % of full deflection on each axis, so that a cap at rest that
+/// is not quite centred moves nothing. Full deflection stays 1.
+CapMotion beyondRest(const CapMotion& motion);
 /// From report 3. Bit i: button i is down.
 std::optional<std::uint32_t> capButtons(std::span<const std::uint8_t> report);
 

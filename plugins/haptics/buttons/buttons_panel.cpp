@@ -29,7 +29,10 @@ ButtonsPanel::ButtonsPanel(QWidget* parent) : QWidget(parent) {
   space_mouse_ = new QComboBox;
   space_mouse_->setObjectName(QStringLiteral("spaceMouse"));
   space_mouse_->setAccessibleName(tr("What a SpaceMouse moves"));
-  space_mouse_->setToolTip(tr("What pushing the cap of a 3Dconnexion SpaceMouse moves."));
+  space_mouse_->setToolTip(tr(
+      "What the cap of a 3Dconnexion SpaceMouse moves. The hand follows pushes only. In the view "
+      "the relief follows the cap: pushed to a side, up or down it moves, toward you it comes "
+      "nearer; tilted forward or back, or twisted, it turns."));
   space_mouse_->addItems({tr("The hand"), tr("The view")});
   rumble_ = new QCheckBox(tr("Gamepads r&umble (a cue)"));
   rumble_->setObjectName(QStringLiteral("rumble"));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "core/base/failure.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr double kRescanSeconds = 1;
 // At full deflection of the cap: of the hand, or of the view.
 constexpr double kFullPushMmPerS = 60, kFullTurnDegPerS = 60;
+constexpr double kFullPushSidesPerS = 0.6, kFullPushTimesNearerPerS = 2.5;
 }  // namespace
 
 DeviceButtons::DeviceButtons(Host& host, std::unique_ptr<hid::HidDevices> hid,
@@ -90,16 +92,29 @@ void DeviceButtons::readHid(double now_s) {
 
 void DeviceButtons::pushCap(const hid::CapMotion& motion, double dt_s) {
   if (settings_.space_mouse == SpaceMouseMoves::view) {
-    const double deg = kFullTurnDegPerS * dt_s;
-    // As the turning commands: the near side goes where the cap goes.
-    if (motion.right != 0 || motion.up != 0) {
-      host_.view.turnView(-deg * motion.right, -deg * motion.up);
-    }
+    pushView(motion, dt_s);
     return;
   }
+  // A cap that is pushed is always tilted a little, too: its turns do nothing to the view that the
+  // hand is seen in, and the hand has none.
   const double mm = kFullPushMmPerS * dt_s;
   const DeviceMm by{mm * motion.right, mm * motion.up, mm * motion.toward};
   if (by != DeviceMm{}) Q_EMIT handPushed(by);
+}
+
+/// The relief does what the cap does. The view has no third angle: a cap that is tilted to a side
+/// turns nothing.
+void DeviceButtons::pushView(const hid::CapMotion& motion, double dt_s) {
+  const double deg = kFullTurnDegPerS * dt_s;
+  if (motion.about_right != 0 || motion.about_up != 0) {
+    host_.view.turnView(-deg * motion.about_up, deg * motion.about_right);
+  }
+  const double sides = kFullPushSidesPerS * dt_s;
+  if (motion.right != 0 || motion.up != 0 || motion.toward != 0) {
+    host_.view.pushView({.right = sides * motion.right,
+                         .up = sides * motion.up,
+                         .nearer = std::pow(kFullPushTimesNearerPerS, motion.toward * dt_s)});
+  }
 }
 
 void DeviceButtons::setSettings(const ButtonSettings& settings) {

@@ -66,6 +66,7 @@ class DeviceButtons : public QObject {
   void readPads(double now_s);
   void tellPlugs(const std::vector<std::string>& arrived, const std::vector<std::string>& left);
   void pushCap(const hid::CapMotion& motion, double dt_s);
+  void pushView(const hid::CapMotion& motion, double dt_s);
   void takeOutcomes(double now_s);
   bool takenByWindow(ButtonCommand command);
   void carryOut(ButtonCommand command);

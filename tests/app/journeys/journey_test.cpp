@@ -411,6 +411,15 @@ void JourneyTest::steerBySpaceMouse() {
   hid_.send(0, {3, 0, 0});
   EXPECT_TRUE(eventually([&] { return document().detail() == before + 1; })) << "its button";
   picture("8_space_mouse");
+  auto* moves = child<QComboBox>("spaceMouse");
+  moves->setCurrentIndex(1);
+  hid_.send(0, {2, 0x5e, 0x01, 0, 0, 0x5e, 0x01});  // Its top toward the user, and twisted right.
+  EXPECT_TRUE(eventually([this] { return document().project().azimuth_deg > 10; }));
+  EXPECT_GT(document().project().elevation_deg, 5);
+  hid_.send(0, {2, 0, 0, 0, 0, 0, 0});
+  picture("8_space_mouse_turned");
+  moves->setCurrentIndex(0);
+  window().detailView().straighten();
   hid_.unplug(0);
   EXPECT_TRUE(eventually([this] { return said().contains("SpaceMouse"); })) << "is missed";
   shortcut(Qt::Key_Z);

@@ -54,20 +54,80 @@ TEST(HidDescriptor, RandomBytesAreReadWithoutHarm) {
   }
 }
 
+/// Motion after these reports of a cap that was at rest.
+CapMotion after(const std::vector<std::vector<std::uint8_t>>& reports) {
+  CapMotion motion;
+  for (const std::vector<std::uint8_t>& report : reports) {
+    motion = capMotion(report, motion).value_or(motion);
+  }
+  return motion;
+}
+
 TEST(SpaceMouse, PushingTheCapMovesAsTheUserSees) {
   // x +350, y -350, z +175 as the device counts: right, away, down.
-  const std::vector<std::uint8_t> report{1, 0x5e, 0x01, 0xa2, 0xfe, 0xaf, 0x00};
-  const auto motion = capMotion(report);
-  ASSERT_TRUE(motion);
-  EXPECT_DOUBLE_EQ(motion->right, 1);
-  EXPECT_DOUBLE_EQ(motion->toward, -1);
-  EXPECT_DOUBLE_EQ(motion->up, -0.5);
-  EXPECT_TRUE(capMotion(std::vector<std::uint8_t>{1, 0, 0, 0, 0, 0, 0, 9, 9, 9, 9, 9, 9}))
-      << "wireless ones append rotations";
-  EXPECT_FALSE(capMotion(std::vector<std::uint8_t>{2, 0, 0, 0, 0, 0, 0}));
-  EXPECT_FALSE(capMotion(std::vector<std::uint8_t>{1, 0, 0}));
+  const CapMotion motion = after({{1, 0x5e, 0x01, 0xa2, 0xfe, 0xaf, 0x00}});
+  EXPECT_EQ(motion, (CapMotion{.right = 1, .up = -0.5, .toward = -1}));
   EXPECT_EQ(capButtons(std::vector<std::uint8_t>{3, 2, 0}), 2U);
   EXPECT_FALSE(capButtons(std::vector<std::uint8_t>{3}));
+}
+
+TEST(SpaceMouse, AWiredOneTellsItsTurnsInAReportOfTheirOwn) {
+  // As a SpaceMouse Compact sends them in turn while it is tilted and twisted a little.
+  const CapMotion motion =
+      after({{2, 0x20, 0x00, 0x00, 0x00, 0x17, 0x00}, {1, 0x12, 0x00, 0x00, 0x00, 0xf8, 0x00}});
+  EXPECT_EQ(motion, (CapMotion{.right = 18 / 350.0,
+                               .up = -248 / 350.0,
+                               .about_right = 32 / 350.0,
+                               .about_up = -23 / 350.0}))
+      << "its top toward the user, clockwise from above, and pushed down: neither report ends the "
+         "other's axes";
+  EXPECT_EQ(after({{2, 0, 0, 0x5e, 0x01, 0, 0}}), (CapMotion{.about_toward = 1}))
+      << "the device's second axis points toward the user";
+  EXPECT_EQ(after({{2, 0x20, 0, 0, 0, 0x17, 0}, {1, 0, 0, 0, 0, 0, 0}, {2, 0, 0, 0, 0, 0, 0}}),
+            CapMotion{})
+      << "let go of";
+}
+
+TEST(SpaceMouse, AWirelessOneTellsAllSixInOneReport) {
+  // x, y, z, then the turns about them: 350, -350, 175, 70, 35, -140.
+  const std::vector<std::uint8_t> report{1,    0x5e, 0x01, 0xa2, 0xfe, 0xaf, 0x00,
+                                         0x46, 0x00, 0x23, 0x00, 0x74, 0xff};
+  EXPECT_EQ(after({report}), (CapMotion{.right = 1,
+                                        .up = -0.5,
+                                        .toward = -1,
+                                        .about_right = 0.2,
+                                        .about_up = 0.4,
+                                        .about_toward = 0.1}));
+  std::vector<std::uint8_t> rest(13, 0);
+  rest[0] = 1;
+  EXPECT_EQ(after({report, rest}), CapMotion{});
+}
+
+TEST(SpaceMouse, WhatIsNotWholeInAReportStays) {
+  const CapMotion before{.right = 0.5, .about_up = 0.25};
+  for (std::size_t size = 0; size <= 13; ++size) {
+    for (std::uint8_t id = 0; id < 4; ++id) {
+      std::vector<std::uint8_t> report(size, 0);
+      if (size > 0) report[0] = id;
+      const auto motion = capMotion(report, before);
+      const bool is_motion = size >= 7 && (id == 1 || id == 2);
+      ASSERT_EQ(motion.has_value(), is_motion) << "report " << int{id} << " of " << size;
+      if (!is_motion) continue;
+      EXPECT_EQ(motion->right, id == 1 ? 0 : 0.5);
+      EXPECT_EQ(motion->about_up, id == 2 || size == 13 ? 0 : 0.25);
+    }
+  }
+}
+
+TEST(SpaceMouse, ACapThatIsNotQuiteCentredIsAtRest) {
+  const CapMotion drift{0.04, -0.04, 0.02, -0.02, 0.01, 0.04};
+  EXPECT_EQ(beyondRest(drift), CapMotion{});
+  EXPECT_EQ(beyondRest({1, -1, 1, -1, 1, -1}), (CapMotion{1, -1, 1, -1, 1, -1}))
+      << "full deflection is as much as before";
+  const CapMotion little = beyondRest({.right = 0.05, .about_up = -0.05});
+  EXPECT_GT(little.right, 0);
+  EXPECT_LT(little.right, 0.02) << "it begins without a jump";
+  EXPECT_DOUBLE_EQ(little.about_up, -little.right);
 }
 
 TEST(SpaceMouse, IsKnownByItsIds) {
