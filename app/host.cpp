@@ -280,7 +280,7 @@ QString WindowHost::recordingHeader(const QString& file) const {
 QString WindowHost::scanName() const {
   const StudyController& study = window_.controllers().study;
   if (study.running()) return study.recordingName();
-  return QFileInfo(window_.document().file()).completeBaseName();
+  return stemOf(window_.document().file(), {});
 }
 
 QString WindowHost::recordingEnding() const {

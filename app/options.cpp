@@ -137,6 +137,7 @@ std::string windowHelp() {
   std::string text =
       "relievo [FILE]   opens the window; VERB ... works without one (relievo VERB --help)\n"
       "relievo FILE...  several scans of one object, or a folder of them: to be joined\n"
+      "relievo ADDRESS  a map that was published on the web\n"
       "\n";
   constexpr std::size_t kColumn = 48;
   for (const WindowOptionRow& row : windowOptionRows()) {

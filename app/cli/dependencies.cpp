@@ -7,6 +7,7 @@
 #include "app/cli/json.h"
 #include "app/cli/state.h"
 #include "app/cli/verbs/replay_command.h"
+#include "core/io/web/web_link.h"
 #include "core/project/embedded_state.h"
 #include "core/recording/log_table.h"
 #include "core/tiles/tiled_map.h"
@@ -24,6 +25,7 @@ InputFile atPlace(const fs::path& recording, const fs::path& named, const std::s
 
 void addScan(std::vector<InputFile>& all, const fs::path& recording, const Project& scan,
              const Task& task) {
+  if (isWebAddress(scan.file)) return;  // Only what was looked at of it is here.
   all.push_back(atPlace(recording, scan.file, scan.sha256, task));
   if (!TiledMap::isOne(all.back().file)) return;
   for (const fs::path& level : TiledMap(all.back().file).otherFiles()) {

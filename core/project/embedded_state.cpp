@@ -54,7 +54,7 @@ std::optional<Project> embeddedProject(const std::filesystem::path& host_file,
   if (!project) return std::nullopt;
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::absolute(host_file, error).parent_path();
-  project->file = (folder / project->file).lexically_normal().generic_string();
+  project->file = namedFrom(folder, project->file);
   return project;
 }
 

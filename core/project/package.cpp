@@ -20,6 +20,7 @@
 #include "core/project/zip_target.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
+#include "core/tiles/published/published_tiles.h"
 #include "core/tiles/tiled_map.h"
 
 namespace relievo {
@@ -169,11 +170,19 @@ std::vector<InputFile> dependenciesOf(const Project& project, const PackageConte
   return all;
 }
 
-std::string readmeText(const Project& project, bool with_input) {
+/// Empty: it is no map from the web.
+std::string addressOf(const std::string& file) {
+  return isWebAddress(file) ? file : addressOfKeptMap(file);
+}
+
+/// @param packed  names its input as the package does
+std::string readmeText(const Project& packed, bool with_input) {
+  const std::string object =
+      isWebAddress(packed.file)
+          ? printable(packed.file)
+          : escapedName(std::filesystem::path(packed.file).filename().string());
   return "Package for citation, made by relievo " + std::string(programVersion()) + " (" +
-         std::string(programCommit()) +
-         ")\n\nObject: " + escapedName(std::filesystem::path(project.file).filename().string()) +
-         ", SHA-256 " + project.sha256 +
+         std::string(programCommit()) + ")\n\nObject: " + object + ", SHA-256 " + packed.sha256 +
          (with_input ? ", in input/" : ", not included; needed to make the figures again") +
          "\n\nproject.json         the work: views, regions, measurements; open it with relievo\n"
          "recordings/          what was felt, one row per millisecond, and files it needs\n"
@@ -290,7 +299,8 @@ void checkNames(const Project& project, const std::map<std::string, std::string>
     check.problems.push_back("The project names a file outside of the package ('" + name + "').");
   };
   const std::filesystem::path input = project.file;
-  if (!manifest.contains(project.file) && input != input.filename()) refuse(project.file);
+  const bool is_outside = input != input.filename() && !isWebAddress(project.file);
+  if (!manifest.contains(project.file) && is_outside) refuse(project.file);
   for (const InputFile& recording : project.recordings) {
     if (!manifest.contains(recording.file)) refuse(recording.file);
   }
@@ -327,14 +337,17 @@ void writePackage(const std::filesystem::path& target, const Project& project,
   requireNotAnInput(target, packs);
   Project packed = project;
   std::vector<FileCheck> checks = checkFiles(project, task);
-  if (!contents.with_input) checks.erase(checks.begin());
+  // Of a map from the web only what was looked at is here: its address is packed.
+  const std::string address = addressOf(project.file);
+  const bool with_input = contents.with_input && address.empty();
+  if (!with_input) checks.erase(checks.begin());
   for (const FileCheck& check : checks) requireAsBefore(check);
   const std::vector<InputFile> dependencies = dependenciesOf(project, contents, task);
   std::vector<std::string> figure_sums;
   for (const auto& figure : contents.figures) figure_sums.push_back(sha256OfFile(figure, task));
 
   std::vector<std::pair<std::filesystem::path, std::string>> levels;
-  if (contents.with_input && TiledMap::isOne(project.file)) {
+  if (with_input && TiledMap::isOne(project.file)) {
     for (const auto& file : TiledMap(project.file).otherFiles()) {
       levels.emplace_back(file, sha256OfFile(file, task));
     }
@@ -342,8 +355,9 @@ void writePackage(const std::filesystem::path& target, const Project& project,
 
   PackageWriter writer(target);
   packed.figures.clear();
-  packed.file = contents.with_input ? writer.addFile("input", project.file, project.sha256)
-                                    : std::filesystem::path(project.file).filename().string();
+  packed.file = with_input        ? writer.addFile("input", project.file, project.sha256)
+                : address.empty() ? std::filesystem::path(project.file).filename().string()
+                                  : address;
   for (const auto& [level, sha256] : levels) writer.addFile("input", level, sha256);
   for (InputFile& recording : packed.recordings) {
     recording.file = writer.addFile("recordings", recording.file, recording.sha256);
@@ -353,7 +367,7 @@ void writePackage(const std::filesystem::path& target, const Project& project,
     packed.figures.push_back(writer.addFile("figures", contents.figures[i], figure_sums[i]));
   }
   writer.addText(kProject, projectJson(packed));
-  writer.addText(kReadme, readmeText(project, contents.with_input));
+  writer.addText(kReadme, readmeText(packed, with_input));
   writer.close(task);
 }
 

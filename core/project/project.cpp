@@ -420,9 +420,7 @@ Project readProject(const std::filesystem::path& source) {
       projectFromJson(readTextFile(source, kMostProjectBytes), source.filename().string());
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::absolute(source, error).parent_path();
-  forEachFile(project, [&](std::string& file) {
-    file = (folder / file).lexically_normal().generic_string();
-  });
+  forEachFile(project, [&](std::string& file) { file = namedFrom(folder, file); });
   return project;
 }
 

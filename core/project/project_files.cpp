@@ -13,12 +13,15 @@ namespace {
 
 FileState stateOf(const InputFile& file, const Task& task) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file.file, error)) return FileState::missing;
+  // Of an address what was opened before is looked at: nobody is asked.
+  std::filesystem::path there = file.file;
+  if (isWebAddress(file.file)) there = keptMap(file.file).value_or(std::filesystem::path());
+  if (!std::filesystem::is_regular_file(there, error)) return FileState::missing;
   // 0: not known.
-  if (file.bytes != 0 && std::filesystem::file_size(file.file, error) != file.bytes) {
+  if (file.bytes != 0 && std::filesystem::file_size(there, error) != file.bytes) {
     return FileState::changed;
   }
-  return sha256OfFile(file.file, task) == file.sha256 ? FileState::as_before : FileState::changed;
+  return sha256OfFile(there, task) == file.sha256 ? FileState::as_before : FileState::changed;
 }
 
 /// Does the file carry a state of the project's very input, as what relievo made of it does?
@@ -52,6 +55,7 @@ std::filesystem::path foundInput(const std::filesystem::path& host_file,
   // themselves.
   if (isWebAddress(stored.string())) {
     if (const auto kept = keptMap(stored.string())) return *kept;
+    throw failure<MessageId::input_is_not_there>(host_file.filename(), stored);
   }
   const std::filesystem::path folder = std::filesystem::absolute(host_file, error).parent_path();
   for (const std::filesystem::path& candidate :

@@ -39,11 +39,19 @@ std::string sha256OfFile(const std::filesystem::path& file, const Task& task) {
 
 std::string relativePath(const std::filesystem::path& file, const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
+  // Of a map from the web it is its address that others know.
+  if (isWebAddress(file.string())) return file.string();
+  if (std::string address = addressOfKeptMap(file); !address.empty()) return address;
   std::error_code error;
   const fs::path to = fs::weakly_canonical(fs::absolute(file), error);
   const fs::path start = fs::weakly_canonical(fs::absolute(folder), error);
   const fs::path relative = to.lexically_relative(start);
   return (relative.empty() ? to : relative).generic_string();
+}
+
+std::string namedFrom(const std::filesystem::path& folder, const std::string& name) {
+  if (isWebAddress(name)) return name;
+  return (folder / name).lexically_normal().generic_string();
 }
 
 InputFile inputFile(const std::filesystem::path& file, const std::filesystem::path& from,
@@ -52,7 +60,6 @@ InputFile inputFile(const std::filesystem::path& file, const std::filesystem::pa
                   .sha256 = sha256OfFile(file, task),
                   .bytes = std::filesystem::file_size(file)};
   if (!from.empty()) input.file = relativePath(file, from);
-  // Of a map from the web it is its address that others know.
   if (const std::string address = addressOfKeptMap(file); !address.empty()) input.file = address;
   return input;
 }

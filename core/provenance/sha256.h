@@ -16,8 +16,10 @@ namespace relievo {
 std::string sha256OfFile(const std::filesystem::path& file, const Task& task = {});
 
 /// How `file` is found from `folder`, "/" between names; links are followed. Its absolute path
-/// where there is no relative one.
+/// where there is no relative one. Of a published map its address, wherever its map.json is kept.
 std::string relativePath(const std::filesystem::path& file, const std::filesystem::path& folder);
+/// The other way round: where a file is that a file in `folder` names. An address stays one.
+std::string namedFrom(const std::filesystem::path& folder, const std::string& name);
 
 /// Which file something was made from.
 struct InputFile {

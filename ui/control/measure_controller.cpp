@@ -79,8 +79,7 @@ void MeasureController::show() {
 }
 
 void MeasureController::save() {
-  const QFileInfo input(document_.file());
-  auto* dialog = new QFileDialog(&window_, tr("Save measurements"), input.absolutePath());
+  auto* dialog = new QFileDialog(&window_, tr("Save measurements"), folderFor(document_.file()));
   dialog->setObjectName(QStringLiteral("measure_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -127,8 +126,7 @@ void MeasureController::showProfileCursor() {
 
 void MeasureController::saveProfile() {
   if (profile_.isEmpty()) return;
-  const QFileInfo input(document_.file());
-  auto* dialog = new QFileDialog(&window_, tr("Save profile"), input.absolutePath());
+  auto* dialog = new QFileDialog(&window_, tr("Save profile"), folderFor(document_.file()));
   dialog->setObjectName(QStringLiteral("profile_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);

@@ -12,8 +12,10 @@
 
 #include "core/base/error.h"
 #include "core/io/input_facts.h"
+#include "core/io/web/web_link.h"
 #include "core/project/embedded_state.h"
 #include "core/project/project_files.h"
+#include "core/tiles/published/published_tiles.h"
 #include "ui/control/output/package_controller.h"
 #include "ui/control/output/save_controller.h"
 #include "ui/frame/start_page.h"
@@ -116,7 +118,12 @@ ForeignFiles::HostFile OpenController::hostFileOf(const QString& from) const {
 
 void OpenController::restore(const Project& project, const QString& from) {
   Project found = project;
-  if (!from.isEmpty() && !QFileInfo::exists(pathFromBytes(project.file))) {
+  if (isWebAddress(project.file)) {
+    // Whoever wrote the state does not decide which server is asked (docs/adr/0200).
+    const auto kept = keptMap(project.file);
+    if (!kept) return offerAddress(project, from);
+    found.file = kept->string();
+  } else if (!from.isEmpty() && !QFileInfo::exists(pathFromBytes(project.file))) {
     try {  // Moved together with what carries the state, or in a package.
       found.file = foundInput(pathOf(from), project.file).string();
     } catch (const FileError&) {  // Said below.
@@ -133,6 +140,16 @@ void OpenController::restore(const Project& project, const QString& from) {
   });
 }
 
+void OpenController::offerAddress(const Project& project, const QString& from) {
+  const QString address = pathFromBytes(project.file);
+  messages_.show(
+      tr("%1 shows the map at %2, which was not opened on this computer yet. Nothing "
+         "was changed. To open it asks that server.")
+          .arg(from.isEmpty() ? tr("The work that was kept") : shownName(from), shownPath(address)),
+      {{tr("&Open the map"), [this, project, from] { restoreOnChosen(project, from); }},
+       {tr("&Choose another\u2026"), [this] { choose(); }}});
+}
+
 void OpenController::restoreOnChosen(const Project& project, const QString& from) {
   Project others = project;
   others.file.clear();
@@ -147,7 +164,7 @@ void OpenController::restoreNow(const Project& project, const QString& from) {
   request.file = pathFromBytes(project.file);
   request.project = project;
   request.project_file = endsIn(from, {".json"}) ? from : pathFromBytes(project.saved_as);
-  if (!QFileInfo::exists(request.file)) {
+  if (!isAddress(request.file) && !QFileInfo::exists(request.file)) {
     messages_.show(
         tr("%1 needs %2, which has moved. Nothing was changed. Find it, or choose another "
            "file. (E501)")
@@ -237,7 +254,7 @@ void OpenController::open(const QString& file, bool keeps_view) {
     packages_.cancelUnpacking();  // Else its project would take the place of what is opened now.
     forgetState();                // What is opened now does not hold that work.
     Q_EMIT begun();
-    if (restoreFromFile(QFileInfo(file).absoluteFilePath())) return;
+    if (!isAddress(file) && restoreFromFile(QFileInfo(file).absoluteFilePath())) return;
     OpenRequest request;
     request.file = file;
     request.keeps_view = keeps_view || commands_[Command::keep_view].isChecked();
@@ -248,7 +265,7 @@ void OpenController::open(const QString& file, bool keeps_view) {
 void OpenController::open(const OpenRequest& request) {
   messages_.close();
   OpenRequest asked = request;
-  asked.file = QFileInfo(request.file).absoluteFilePath();
+  if (!isAddress(asked.file)) asked.file = QFileInfo(request.file).absoluteFilePath();
   // Only a file that is opened for a state brings it back.
   if (request.project) {
     restoring_ = asked;
@@ -265,6 +282,13 @@ void OpenController::open(const OpenRequest& request) {
 
 void OpenController::showFailure(const QString& message, const QString& code, const QString& file) {
   std::vector<MessageStrip::Button> buttons;
+  if (isAddress(file)) {
+    OpenRequest again;
+    if (restoring_) again = *restoring_;
+    again.file = file;
+    buttons = {{tr("&Try again"), [this, again] { open(again); }},
+               {tr("Another &address\u2026"), [this, file] { Q_EMIT addressAsked(file); }}};
+  }
   if (code == QLatin1String("E101") && !file.isEmpty()) {
     buttons.push_back({tr("&Load what is there"), [this, file] {
                          OpenRequest request;
@@ -386,6 +410,12 @@ void OpenController::openPaths(const QStringList& paths, bool keeps_view) {
 void OpenController::openTogether(const QStringList& files) {
   if (files.size() == 1) {
     open(files.front());
+    return;
+  }
+  if (std::any_of(files.begin(), files.end(), isAddress)) {
+    messages_.show(
+        tr("A map is opened by its address alone, without other files. Nothing was "
+           "opened."));
     return;
   }
   if (files.size() > static_cast<int>(kMostScans)) {

@@ -21,6 +21,7 @@ class OpenController : public Controller {
   OpenController(const ControllerParts& parts, SaveController& saving, ForeignFiles& foreign,
                  PackageController& packages);
 
+  /// A file, or the address of a published map.
   void open(const OpenRequest& request);
   /// @param keeps_view  as OpenRequest, whatever the command says; of a state there is none to keep
   void open(const QString& file, bool keeps_view = false);
@@ -47,6 +48,7 @@ class OpenController : public Controller {
  Q_SIGNALS:
   void recordingChosen(const QString& file);  ///< It brings its state along.
   void begun();                               ///< Another file will be opened.
+  void addressAsked(const QString& begun);    ///< Another address than this.
 
  private:
   void chooseFolder();
@@ -54,6 +56,8 @@ class OpenController : public Controller {
   /// @param then  with the file that was prepared
   void showPrepare(const PrepareStart& start, const std::function<void(const QString&)>& then);
   void relink(const Project& project, const QString& from);
+  /// The state's map is on the web, and nothing of it is kept here.
+  void offerAddress(const Project& project, const QString& from);
   /// As restore(), of a state in which the user chose the scan: all else is asked about as ever.
   void restoreOnChosen(const Project& project, const QString& from);
   void restoreNow(const Project& project, const QString& from);

@@ -49,7 +49,8 @@ QString recordingHeader(const Document& document, const QString& file) {
   const auto exact = [](double v) { return QString::number(v, 'g', 17); };
   QStringList matrix;
   for (const double v : s.view_from_file.m) matrix << exact(v);
-  const Region& r = state.region;
+  // Coarser than wanted while tiles are on their way from the web.
+  const Region& r = document.window() ? document.window()->region : state.region;
   return QStringList{
       QLatin1String("# application: relievo ") + QStringLiteral(RELIEVO_VERSION_STRING),
       QLatin1String("# input: ") + wholeName(document.file()),

@@ -38,6 +38,14 @@ QPushButton* button(const QString& text, const char* name, const QString& tip) {
   return made;
 }
 
+void packByAddress(QCheckBox& input, const QString& map) {
+  input.setText(PackageDialog::tr("The map %1, by its address").arg(shownInMenu(map)));
+  input.setToolTip(
+      PackageDialog::tr("Of a map on the web only what was looked at is on this computer"));
+  input.setChecked(false);
+  input.setEnabled(false);
+}
+
 }  // namespace
 
 PackageDialog::PackageDialog(const Offer& offer, QWidget* parent) : QDialog(parent) {
@@ -58,6 +66,7 @@ PackageDialog::PackageDialog(const Offer& offer, QWidget* parent) : QDialog(pare
   with_input_->setAccessibleName(tr("The scan %1").arg(shownName(offer.input)));
   with_input_->setToolTip(tr("Off: only its name and checksum, if it may not be given away"));
   with_input_->setChecked(true);
+  if (isAddress(addressOrPath(offer.input))) packByAddress(*with_input_, offer.input);
   column->addWidget(with_input_);
   auto* title = new QLabel(tr("Recordings and &figures"));
   column->addWidget(title);

@@ -64,6 +64,7 @@ QString captionOf(const QFileInfo& file) {
 
 /// Its name, and below it its folder, short for home: two files may have one name.
 QString nameAndFolder(const QFileInfo& file) {
+  if (isAddress(file.filePath())) return shownName(file.filePath()) + '\n' + file.filePath();
   QString folder = shownPath(file.absolutePath());
   const QString home = shownPath(QDir::homePath());
   if (folder == home || folder.startsWith(home + '/')) folder.replace(0, home.size(), '~');

@@ -293,6 +293,12 @@ void MeasurePanel::showReadings() {
 void MeasurePanel::addPlace(double x_mm, double y_mm) {
   if (!making_) return;
   try {
+    if (!readings_->isHere({x_mm, y_mm})) {
+      readings_->fetch({x_mm, y_mm});
+      return Q_EMIT said(
+          tr("The finest resolution of this place is on its way. Choose the place again in a "
+             "moment."));
+    }
     if (!readings_->pointAt({x_mm, y_mm})) return Q_EMIT said(tr("There is no surface here"));
   } catch (const FileError& error) {
     return Q_EMIT said(spokenError(error));

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/session/map_facts.h"
+#include "core/tiles/tiled_map.h"
 #include "ui/language/error_text.h"
 
 namespace relievo {
@@ -16,10 +17,19 @@ bool readsTheSame(const Measurement& a, const Measurement& b) {
          a.normal == b.normal;
 }
 
+/// Of the finest level around a place: all that its height is read from is within.
+Region placeAbout(const Surface& surface, const PlaceMm& place) {
+  constexpr double kCells = 6;
+  const double side = kCells * surface.ladder.spacings_mm.front();
+  return {
+      .x_mm = place.x - 0.5 * side, .y_mm = place.y - 0.5 * side, .side_mm = side, .level = {0}};
+}
+
 /// Of a larger map an area may take longer than the window may be held up.
 constexpr std::size_t kMostCellsAtOnce = 1'000'000;
 
 bool atOnce(const Surface& surface, MeasureKind kind) {
+  if (surface.tiles && surface.tiles->isRemote()) return false;  // It may have to be fetched.
   switch (kind) {
     case MeasureKind::section:
       return false;
@@ -80,7 +90,28 @@ void MeasureReadings::keepOnly(const std::vector<Measurement>& list) {
   });
 }
 
+bool MeasureReadings::isHere(const PlaceMm& place) const {
+  const Surface& surface = *document_.surface();
+  if (!surface.tiles || !surface.tiles->isRemote()) return true;
+  return surface.tiles->levelAtHand(placeAbout(surface, place)) == Level{0};
+}
+
+void MeasureReadings::fetch(const PlaceMm& place) {
+  const auto surface = document_.surface();
+  fetcher_.start(
+      [surface, region = placeAbout(*surface, place)](const Task& task) {
+        try {
+          for (const TileName& tile : surface->tiles->tilesUnder(region)) {
+            surface->tiles->tile({tile.level}, tile.part, tile.number, task);
+          }
+        } catch (const Error&) {  // Whoever asks again is told that it is not here.
+        }
+      },
+      [] {});
+}
+
 std::optional<SurfacePoint> MeasureReadings::pointAt(const PlaceMm& place) const {
+  if (!isHere(place)) return std::nullopt;
   return surfacePoint(mapCells(*document_.surface()), place);
 }
 

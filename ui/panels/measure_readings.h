@@ -16,8 +16,8 @@ namespace relievo {
 
 /// What measurements read on the document's map, each read once. What may take long is read by a
 /// worker: sections, which always cross it all, areas of a map of more than a million cells, and of
-/// a map by tiles all profiles and areas, which may cross all of its files. The rest is read at
-/// once. [GUI thread]
+/// a map by tiles all profiles and areas, which may cross all of its files; of a map from the web
+/// all. The rest is read at once. [GUI thread]
 class MeasureReadings : public QObject {
   Q_OBJECT
  public:
@@ -33,7 +33,13 @@ class MeasureReadings : public QObject {
   std::shared_ptr<const Entry> of(const Measurement& m);
   /// Forgets what others read.
   void keepOnly(const std::vector<Measurement>& list);
-  /// The surface at a place, as MeasureReadings reads it. @pre document is open @throw FileError
+  /// Can pointAt() say something? Of a map from the web the place may have to be fetched first.
+  /// @pre document is open
+  bool isHere(const PlaceMm& place) const;
+  /// Begins that, in a worker. @pre !isHere(place)
+  void fetch(const PlaceMm& place);
+  /// The surface at a place, as MeasureReadings reads it; nothing where it is not here.
+  /// @pre document is open @throw FileError
   std::optional<SurfacePoint> pointAt(const PlaceMm& place) const;
 
  Q_SIGNALS:
@@ -46,8 +52,10 @@ class MeasureReadings : public QObject {
 
   Document& document_;
   std::vector<Known> known_;
-  bool asked_ = false;   ///< readMissing() comes when control returns to the event loop.
-  LatestWorker worker_;  ///< Last: its job ends before anything else goes.
+  bool asked_ = false;  ///< readMissing() comes when control returns to the event loop.
+  // Last: their jobs end before anything else goes.
+  LatestWorker fetcher_;
+  LatestWorker worker_;
 };
 
 }  // namespace relievo

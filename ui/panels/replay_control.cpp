@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/web/web_link.h"
 #include "core/provenance/sha256.h"
+#include "core/tiles/published/published_tiles.h"
 #include "ui/language/error_text.h"
 #include "ui/panels/replay_events.h"
 #include "ui/panels/replay_panel.h"
@@ -163,11 +165,18 @@ void ReplayControl::findInput(const QStringList& others) {
   if (!waiting_) return;
   std::vector<std::filesystem::path> places;
   const std::filesystem::path beside = pathOf(QFileInfo(waiting_file_).absolutePath());
-  if (!waiting_->input.empty()) {
+  const auto add = [&places](const std::string& name) {
+    // Of a map from the web, what was opened before.
+    if (!isWebAddress(name)) return places.emplace_back(name), void();
+    if (const auto kept = keptMap(name)) places.push_back(*kept);
+  };
+  if (isWebAddress(waiting_->input)) {
+    add(waiting_->input);
+  } else if (!waiting_->input.empty()) {
     places.push_back((beside / waiting_->input).lexically_normal());
     places.push_back(beside / std::filesystem::path(waiting_->input).filename());
   }
-  for (const QString& other : others) places.push_back(pathOf(other));
+  for (const QString& other : others) add(bytesOfPath(other));
   auto found = std::make_shared<QString>();
   worker_.start(
       [places, found, wanted = waiting_->input_sha256](const Task& task) {

@@ -800,6 +800,33 @@
     </message>
 </context>
 <context>
+    <name>relievo::AddressDialog</name>
+    <message>
+        <source>Open web address</source>
+        <translation>Webadresse öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Address of a published map</source>
+        <translation>&amp;Adresse einer veröffentlichten Karte</translation>
+    </message>
+    <message>
+        <source>Address of a published map</source>
+        <translation>Adresse einer veröffentlichten Karte</translation>
+    </message>
+    <message>
+        <source>Of the folder that relievo publish made, or of its map.json</source>
+        <translation>Des Ordners, den „relievo publish“ angelegt hat, oder seiner map.json</translation>
+    </message>
+    <message>
+        <source>The server is asked when you open it.</source>
+        <translation>Der Server wird gefragt, wenn Sie sie öffnen.</translation>
+    </message>
+    <message>
+        <source>An address begins with https://, http:// or s3://.</source>
+        <translation>Eine Adresse beginnt mit https://, http:// oder s3://.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ButtonControl</name>
     <message>
         <source>Buttons</source>
@@ -1998,6 +2025,14 @@
         <source>Bookmarks as conditions in random order, under letters, for one participant</source>
         <translation>Lesezeichen als Bedingungen in zufälliger Reihenfolge, unter Buchstaben, für eine teilnehmende Person</translation>
     </message>
+    <message>
+        <source>Open &amp;web address…</source>
+        <translation>&amp;Webadresse öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a map that was published on the web, by its address</source>
+        <translation>Eine im Netz veröffentlichte Karte über ihre Adresse öffnen</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2156,6 +2191,10 @@
     <message>
         <source>place position favourite</source>
         <translation>Stelle Ort Position Favorit</translation>
+    </message>
+    <message>
+        <source>internet network URL link online server remote https</source>
+        <translation>Internet Netz URL Link online Server entfernt https</translation>
     </message>
 </context>
 <context>
@@ -4725,10 +4764,6 @@
         <translation>%1 F5 schaltet die Kräfte ein.</translation>
     </message>
     <message>
-        <source>Only files on this computer can be opened. Nothing was opened.</source>
-        <translation>Nur Dateien auf diesem Rechner lassen sich öffnen. Nichts wurde geöffnet.</translation>
-    </message>
-    <message>
         <source>the haptics plugin was not found.</source>
         <translation>das Haptik-Plugin wurde nicht gefunden.</translation>
     </message>
@@ -4779,6 +4814,14 @@
     <message>
         <source>Resolution %1/%2</source>
         <translation>Auflösung %1/%2</translation>
+    </message>
+    <message>
+        <source>Only files on this computer, or one address of a published map, can be opened. Nothing was opened.</source>
+        <translation>Nur Dateien auf diesem Rechner oder eine einzige Adresse einer veröffentlichten Karte können geöffnet werden. Nichts wurde geöffnet.</translation>
+    </message>
+    <message>
+        <source>Resolution %1/%2, %3 on its way</source>
+        <translation>Auflösung %1/%2, %3 kommt</translation>
     </message>
 </context>
 <context>
@@ -4991,6 +5034,10 @@
     <message>
         <source>F after one place: the contour at its height; after two: an upright cut through both. Three places: the plane through them.</source>
         <translation>F nach einer Stelle: die Höhenlinie dort; nach zweien: ein aufrechter Schnitt durch beide. Drei Stellen: die Ebene durch sie.</translation>
+    </message>
+    <message>
+        <source>The finest resolution of this place is on its way. Choose the place again in a moment.</source>
+        <translation>Die feinste Auflösung dieser Stelle ist unterwegs. Wählen Sie die Stelle gleich noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -9087,6 +9134,30 @@
         <source>&amp;Load one point in %1</source>
         <translation>&amp;Einen von %1 Punkten laden</translation>
     </message>
+    <message>
+        <source>%1 shows the map at %2, which was not opened on this computer yet. Nothing was changed. To open it asks that server.</source>
+        <translation>%1 zeigt die Karte unter %2, die auf diesem Rechner noch nicht geöffnet wurde. Nichts wurde geändert. Wird sie geöffnet, wird dieser Server gefragt.</translation>
+    </message>
+    <message>
+        <source>The work that was kept</source>
+        <translation>Die aufbewahrte Arbeit</translation>
+    </message>
+    <message>
+        <source>&amp;Open the map</source>
+        <translation>Karte ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>&amp;Noch einmal</translation>
+    </message>
+    <message>
+        <source>Another &amp;address…</source>
+        <translation>Andere &amp;Adresse…</translation>
+    </message>
+    <message>
+        <source>A map is opened by its address alone, without other files. Nothing was opened.</source>
+        <translation>Eine Karte wird über ihre Adresse allein geöffnet, ohne andere Dateien. Nichts wurde geöffnet.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::OverviewInset</name>
@@ -9213,6 +9284,14 @@
     <message>
         <source>Export archive package</source>
         <translation>Archivpaket exportieren</translation>
+    </message>
+    <message>
+        <source>The map %1, by its address</source>
+        <translation>Die Karte %1, mit ihrer Adresse</translation>
+    </message>
+    <message>
+        <source>Of a map on the web only what was looked at is on this computer</source>
+        <translation>Von einer Karte im Netz ist auf diesem Rechner nur, was angesehen wurde</translation>
     </message>
 </context>
 <context>

@@ -800,6 +800,33 @@
     </message>
 </context>
 <context>
+    <name>relievo::AddressDialog</name>
+    <message>
+        <source>Open web address</source>
+        <translation>वेब पता खोलें</translation>
+    </message>
+    <message>
+        <source>&amp;Address of a published map</source>
+        <translation>प्रकाशित मानचित्र का पता (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Address of a published map</source>
+        <translation>प्रकाशित मानचित्र का पता</translation>
+    </message>
+    <message>
+        <source>Of the folder that relievo publish made, or of its map.json</source>
+        <translation>उस फ़ोल्डर का जो relievo publish ने बनाया, या उसकी map.json का</translation>
+    </message>
+    <message>
+        <source>The server is asked when you open it.</source>
+        <translation>खोलने पर सर्वर से पूछा जाता है।</translation>
+    </message>
+    <message>
+        <source>An address begins with https://, http:// or s3://.</source>
+        <translation>पता https://, http:// या s3:// से शुरू होता है।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ButtonControl</name>
     <message>
         <source>Buttons</source>
@@ -1998,6 +2025,14 @@
         <source>Bookmarks as conditions in random order, under letters, for one participant</source>
         <translation>एक प्रतिभागी के लिए, बुकमार्क शर्तों के रूप में, यादृच्छिक क्रम में और अक्षरों के नाम से</translation>
     </message>
+    <message>
+        <source>Open &amp;web address…</source>
+        <translation>वेब पता खोलें (&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Open a map that was published on the web, by its address</source>
+        <translation>वेब पर प्रकाशित मानचित्र को उसके पते से खोलें</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2156,6 +2191,10 @@
     <message>
         <source>place position favourite</source>
         <translation>जगह स्थान पसंदीदा</translation>
+    </message>
+    <message>
+        <source>internet network URL link online server remote https</source>
+        <translation>इंटरनेट नेटवर्क URL लिंक ऑनलाइन सर्वर दूर https</translation>
     </message>
 </context>
 <context>
@@ -4725,10 +4764,6 @@
         <translation>%1 बल चालू करने के लिए F5 दबाएँ।</translation>
     </message>
     <message>
-        <source>Only files on this computer can be opened. Nothing was opened.</source>
-        <translation>केवल इस कंप्यूटर की फ़ाइलें खोली जा सकती हैं। कुछ नहीं खोला गया।</translation>
-    </message>
-    <message>
         <source>the haptics plugin was not found.</source>
         <translation>हैप्टिक प्लगइन नहीं मिला।</translation>
     </message>
@@ -4779,6 +4814,14 @@
     <message>
         <source>Resolution %1/%2</source>
         <translation>रिज़ॉल्यूशन %1/%2</translation>
+    </message>
+    <message>
+        <source>Only files on this computer, or one address of a published map, can be opened. Nothing was opened.</source>
+        <translation>केवल इस कंप्यूटर की फ़ाइलें, या प्रकाशित मानचित्र का एक ही पता, खोला जा सकता है। कुछ नहीं खोला गया।</translation>
+    </message>
+    <message>
+        <source>Resolution %1/%2, %3 on its way</source>
+        <translation>रिज़ॉल्यूशन %1/%2, %3 आ रहा है</translation>
     </message>
 </context>
 <context>
@@ -4991,6 +5034,10 @@
     <message>
         <source>F after one place: the contour at its height; after two: an upright cut through both. Three places: the plane through them.</source>
         <translation>एक जगह के बाद F: उसकी ऊँचाई की समोच्च रेखा; दो के बाद: दोनों से होकर खड़ी काट। तीन जगहें: उनसे होकर समतल।</translation>
+    </message>
+    <message>
+        <source>The finest resolution of this place is on its way. Choose the place again in a moment.</source>
+        <translation>इस जगह का सबसे बारीक रिज़ॉल्यूशन आ रहा है। थोड़ी देर में यह जगह फिर चुनें।</translation>
     </message>
 </context>
 <context>
@@ -9087,6 +9134,30 @@
         <source>&amp;Load one point in %1</source>
         <translation>%1 में से एक बिंदु लोड करें (&amp;L)</translation>
     </message>
+    <message>
+        <source>%1 shows the map at %2, which was not opened on this computer yet. Nothing was changed. To open it asks that server.</source>
+        <translation>%1 में %2 का मानचित्र है, जो इस कंप्यूटर पर अभी तक नहीं खोला गया। कुछ नहीं बदला गया। खोलने पर उस सर्वर से पूछा जाएगा।</translation>
+    </message>
+    <message>
+        <source>The work that was kept</source>
+        <translation>रखा गया काम</translation>
+    </message>
+    <message>
+        <source>&amp;Open the map</source>
+        <translation>मानचित्र खोलें (&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Try again</source>
+        <translation>फिर कोशिश (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Another &amp;address…</source>
+        <translation>दूसरा पता (&amp;A)…</translation>
+    </message>
+    <message>
+        <source>A map is opened by its address alone, without other files. Nothing was opened.</source>
+        <translation>मानचित्र अपने पते से अकेले खोला जाता है, दूसरी फ़ाइलों के बिना। कुछ नहीं खोला गया।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::OverviewInset</name>
@@ -9213,6 +9284,14 @@
     <message>
         <source>Export archive package</source>
         <translation>संग्रह पैकेज निर्यात</translation>
+    </message>
+    <message>
+        <source>The map %1, by its address</source>
+        <translation>मानचित्र %1, उसके पते से</translation>
+    </message>
+    <message>
+        <source>Of a map on the web only what was looked at is on this computer</source>
+        <translation>वेब के मानचित्र का केवल वही भाग इस कंप्यूटर पर है जो देखा गया</translation>
     </message>
 </context>
 <context>

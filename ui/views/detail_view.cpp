@@ -9,6 +9,7 @@
 
 #include "core/region/carry.h"
 #include "core/session/colours/surface_colours.h"
+#include "core/tiles/tiled_map.h"
 
 namespace relievo {
 namespace {
@@ -31,7 +32,9 @@ std::shared_ptr<const HeldGrid> gridOf(const Surface& surface, const RegionWindo
                  window.region.y_mm + 0.5 * step};
   grid->heights_mm = window.heights_mm;
   grid->origins = window.origins;
-  grid->own = windowColours(surface, window);
+  // Colours of a map from the web follow.
+  const bool are_here = !surface.tiles || surface.tiles->coloursAtHand(window.region);
+  if (are_here || !surface.tiles->isRemote()) grid->own = windowColours(surface, window);
   return grid;
 }
 
@@ -59,8 +62,11 @@ void DetailView::showWindow() {
     return;
   }
   setGrid(gridOf(*document_.surface(), *window));
-  if (camera_region_ != window->region) fitCamera();
-  camera_region_ = window->region;
+  // What comes finer from the web is at the same place.
+  Region place = window->region;
+  place.level = document_.project().region.level;
+  if (camera_region_ != place) fitCamera();
+  camera_region_ = place;
   clearProbe();
   if (inside_ && drag_ == Drag::none) keepHand();
 }

@@ -22,6 +22,7 @@ enum class Command {
   // File
   open,
   open_folder,
+  open_address,
   save_project,
   save_project_as,
   figure,

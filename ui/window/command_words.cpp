@@ -12,9 +12,11 @@ struct OtherWords {
   const char* words;
 };
 
-constexpr std::array<OtherWords, 43> kWords{
+constexpr std::array<OtherWords, 44> kWords{
     {{"open", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import file read")},
      {"open_folder", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import directory images")},
+     {"open_address", QT_TRANSLATE_NOOP("relievo::CommandWords",
+                                        "internet network URL link online server remote https")},
      {"save_project", QT_TRANSLATE_NOOP("relievo::CommandWords", "store keep session")},
      {"figure", QT_TRANSLATE_NOOP("relievo::CommandWords",
                                   "export publish print paper PDF SVG TIFF screenshot")},

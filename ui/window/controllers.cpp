@@ -33,7 +33,8 @@ Controllers::Controllers(const ControllerParts& parts, WorkArea& area)
       questions(parts),
       pointer(parts, area.detail()),
       surface(parts, area.detail(), area.scan(), touch),
-      study(parts, look) {
+      study(parts, look),
+      web(parts, opening) {
   saving.watch({pictures, packages, exports, videos});
   QObject::connect(&opening, &OpenController::recordingChosen, &replays, &ReplayController::open);
   QObject::connect(&opening, &OpenController::begun, &replays.control(),

@@ -18,6 +18,7 @@
 #include "ui/control/study_controller.h"
 #include "ui/control/surface_controller.h"
 #include "ui/control/touch_controller.h"
+#include "ui/control/web_controller.h"
 
 namespace relievo {
 
@@ -44,6 +45,7 @@ struct Controllers {
   PointerController pointer;
   SurfaceController surface;
   StudyController study;
+  WebController web;
 };
 
 }  // namespace relievo

@@ -226,8 +226,13 @@ void MainWindow::showWindow() {
     }
   }
   detail_choice_->setCurrentIndex(detail - 1);
-  messages_->set(StatusField::detail, tr("Resolution %1/%2").arg(detail).arg(details),
-                 levelTip(document_.surface()->ladder, window->region.level));
+  const DetailLadder& ladder = document_.surface()->ladder;
+  const int shown = ladder.detailOf(window->region.level);
+  messages_->set(StatusField::detail,
+                 shown < detail
+                     ? tr("Resolution %1/%2, %3 on its way").arg(shown).arg(details).arg(detail)
+                     : tr("Resolution %1/%2").arg(detail).arg(details),
+                 levelTip(ladder, window->region.level));
 }
 
 void MainWindow::closeDocument(const QString& read) {
@@ -277,11 +282,20 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+  const QMimeData& dropped = *event->mimeData();
+  if (dropped.hasUrls() || isAddress(dropped.text().trimmed())) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
+  // A link, or a text that is an address.
+  const QString link = urls.size() == 1 ? urls.front().toString(QUrl::FullyEncoded)
+                                        : event->mimeData()->text().trimmed();
+  if (urls.size() < 2 && isAddress(link)) {
+    event->acceptProposedAction();
+    controllers_->opening.open(link);
+    return;
+  }
   if (urls.isEmpty()) return;
   event->acceptProposedAction();
   QStringList files;
@@ -289,7 +303,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (url.isLocalFile()) files << droppedPath(url);
   }
   if (files.size() < urls.size()) {
-    messages_->show(tr("Only files on this computer can be opened. Nothing was opened."));
+    messages_->show(
+        tr("Only files on this computer, or one address of a published map, can be "
+           "opened. Nothing was opened."));
   } else {
     const bool keeps_view = event->keyboardModifiers().testFlag(Qt::ControlModifier);
     controllers_->opening.openPaths(files, keeps_view);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <QFileInfo>
 
+#include "core/message/catalogue.h"
 #include "core/provenance/program.h"
 #include "core/session/colours/surface_colours.h"
 #include "core/session/large/tiled_surface.h"
@@ -13,6 +14,7 @@
 #include "ui/work/file_names.h"
 #include "ui/work/opened_state.h"
 #include "ui/work/state_command.h"
+#include "ui/work/tiles_ahead.h"
 
 namespace relievo {
 namespace {
@@ -180,10 +182,25 @@ void Document::showOpened(const LoadJob& job) {
   if (next.surface->tiles && !windowFor(next)) return;  // What was shown stays.
   history_.clear();
   saved_.forget();
-  ahead_ = next.surface->tiles ? std::make_unique<TilePrefetcher>(next.surface->tiles) : nullptr;
+  lookAhead(*next.surface);
   if (!restoreSteps(job, next)) return;
   saved_.noteSaved(job.open.project_file);
   Q_EMIT opened(file());
+  if (job.from_before) {
+    Q_EMIT toldOfWeb(said<MessageId::web_map_from_before>(state_.surface->tiles->place()));
+  }
+}
+
+void Document::lookAhead(const Surface& surface) {
+  ahead_.reset();
+  if (!surface.tiles) return;
+  ahead_ = std::make_unique<TilesAhead>(surface.tiles);
+  connect(ahead_.get(), &TilesAhead::said, this, &Document::toldOfWeb);
+  connect(ahead_.get(), &TilesAhead::better, this,
+          [this](const std::shared_ptr<const RegionWindow>& window) {
+            window_ = window;
+            Q_EMIT windowChanged();
+          });
 }
 
 // Each step began where its record says, and ended where the next one began.
@@ -300,8 +317,9 @@ bool Document::showPlace(const Region& region, double gain) {
 
 std::shared_ptr<const RegionWindow> Document::windowFor(const DocumentState& state) {
   try {
-    return std::make_shared<const RegionWindow>(
-        windowOf(*state.surface, state.project.region, state.project.gain));
+    const Project& p = state.project;
+    if (state.surface->tiles) return TilesAhead::now(*state.surface->tiles, p.region, p.gain);
+    return std::make_shared<const RegionWindow>(windowOf(*state.surface, p.region, p.gain));
   } catch (const Error& error) {
     Q_EMIT failed(spokenError(error), {}, {});
     return nullptr;
@@ -329,7 +347,7 @@ bool Document::show(DocumentState next) {
   const bool other_file = next.source != state_.source;
   const DocumentState before = std::exchange(state_, std::move(next));
   if (other_file) Q_EMIT fileChanged(file());
-  if (ahead_ && other_window) ahead_->around(state_.project.region);
+  if (ahead_ && other_window) ahead_->around(state_.project.region, *window_);
   if (other_surface) Q_EMIT surfaceChanged();
   if (other_window) Q_EMIT windowChanged();
   tell(before.project);

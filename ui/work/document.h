@@ -20,7 +20,8 @@
 
 namespace relievo {
 
-class TilePrefetcher;  // core/tiles/tiled_map.h
+struct Message;
+class TilesAhead;  // ui/work/tiles_ahead.h
 
 /// How far the detail view is turned up or down, at most: beyond, its upright would be undefined.
 inline constexpr double kMostTiltDeg = 85;
@@ -59,6 +60,7 @@ class Document : public QObject {
   const Project& project() const { return state_.project; }
   const DocumentState& state() const { return state_; }
   std::shared_ptr<const Surface> surface() const { return state_.surface; }
+  /// Of a map from the web it may be coarser than project().region says, until its tiles are here.
   std::shared_ptr<const RegionWindow> window() const { return window_; }
   /// What the surface was made from; nothing while nothing is open.
   const OpenedInput& source() const;
@@ -113,6 +115,7 @@ class Document : public QObject {
   void fileChanged(const QString& file);
   void surfaceChanged();
   void windowChanged();  ///< Region, level, gain or surface: `window()` is another one.
+  void toldOfWeb(const relievo::Message& message);  ///< What comes of the map, or does not.
   // A part of project() is another one.
   void lookChanged();
   void stereoChanged();
@@ -129,6 +132,7 @@ class Document : public QObject {
  private:
   void takeMade(const LoadJob& job);
   void showOpened(const LoadJob& job);
+  void lookAhead(const Surface& surface);
   /// False, and told by failed(), if its window cannot be read.
   bool restoreSteps(const LoadJob& job, DocumentState now);
   /// Null, and told by failed(), if it cannot be read from a map by tiles.
@@ -151,7 +155,7 @@ class Document : public QObject {
   QUndoStack history_;
   std::vector<std::string> earlier_steps_;  ///< Of earlier runs, beyond undoing.
   bool steps_come_back_ = false;            ///< Steps enter the history without being shown.
-  std::unique_ptr<TilePrefetcher> ahead_;   ///< While the surface is one by tiles.
+  std::unique_ptr<TilesAhead> ahead_;       ///< While the surface is one by tiles.
 
   RegionEditor region_;
   SurfaceChoices choices_;

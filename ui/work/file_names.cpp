@@ -9,7 +9,10 @@
 #include <QTextDocument>
 #include <QUrl>
 
+#include "core/io/web/published_map.h"
+#include "core/io/web/web_link.h"
 #include "core/provenance/name_text.h"
+#include "core/tiles/published/published_tiles.h"
 
 namespace relievo {
 namespace {
@@ -68,6 +71,12 @@ QString escaped(const QString& name) {
   return QString::fromStdString(escapedName(bytesOfPath(name)));
 }
 
+/// All of an address but its scheme: several have the same last name.
+QString nameIn(const QString& path) {
+  const QString place = addressOrPath(path);
+  return isAddress(place) ? place.section(QLatin1String("://"), 1) : QFileInfo(path).fileName();
+}
+
 /// A name without a blank widens what shows it, so that a long one misses its middle.
 QString shown(const QString& name) {
   constexpr int kMostCharacters = 80, kAtEnd = 25;
@@ -97,22 +106,38 @@ QString droppedPath(const QUrl& url) {
       QByteArray::fromPercentEncoding(url.path(QUrl::FullyEncoded).toLatin1()));
 }
 
-QString shownName(const QString& path) {
-  return shown(QFileInfo(path).fileName());
+bool isAddress(const QString& name) {
+  return isWebAddress(bytesOfPath(name));
 }
 
-QString shownPath(const QString& path) {
+QString addressOrPath(const QString& path) {
+  // Few files have the name; only of these their place is looked at.
+  if (!path.endsWith(QLatin1String(kPublishedName)) || isAddress(path)) return path;
+  const std::string address = addressOfKeptMap(bytesOfPath(path));
+  return address.empty() ? path : pathFromBytes(address);
+}
+
+QString folderFor(const QString& path) {
+  return isAddress(addressOrPath(path)) ? QDir::homePath() : QFileInfo(path).absolutePath();
+}
+
+QString shownName(const QString& path) {
+  return shown(nameIn(path));
+}
+
+QString shownPath(const QString& file) {
+  const QString path = addressOrPath(file);
   QStringList names = QDir::toNativeSeparators(path).split(QDir::separator());
   for (QString& name : names) name = shown(name);
   return names.join(QDir::separator());
 }
 
 QString wholeName(const QString& path) {
-  return escaped(QFileInfo(path).fileName());
+  return escaped(nameIn(path));
 }
 
 QString shownAsTip(const QString& path) {
-  const QString text = escaped(QDir::toNativeSeparators(path));
+  const QString text = escaped(QDir::toNativeSeparators(addressOrPath(path)));
   return Qt::mightBeRichText(text) ? Qt::convertFromPlainText(text) : text;
 }
 
@@ -121,7 +146,11 @@ QString shownInMenu(const QString& path) {
 }
 
 QString stemOf(const QString& path, const QString& more) {
-  QString stem = QFileInfo(path).completeBaseName();
+  const QString place = addressOrPath(path);
+  // An address has no ending, and its ":" stands in no name of other systems.
+  QString stem = isAddress(place)
+                     ? place.section('/', -1, -1, QString::SectionSkipEmpty).replace(':', '-')
+                     : QFileInfo(path).completeBaseName();
   const int room = kMostNameBytes - QFile::encodeName(more).size();
   while (!stem.isEmpty() && QFile::encodeName(stem).size() > room) stem.chop(1);
   if (!stem.isEmpty() && stem.at(stem.size() - 1).isHighSurrogate()) stem.chop(1);

@@ -23,8 +23,16 @@ QString pathFromBytes(std::string_view bytes);
 /// The path of a file that was dropped; a URL may have bytes that are no UTF-8.
 QString droppedPath(const QUrl& url);
 
+/// Is this the address of a map on the web, and no path?
+bool isAddress(const QString& name);
+/// Of a map from the web, whose map.json is kept among the program's own files, its address; all
+/// other paths as they are.
+QString addressOrPath(const QString& path);
+/// Where what is made of a file is offered a place: beside it; of a map from the web, at home.
+QString folderFor(const QString& path);
+
 /// Last name of a path, and all of it, for people: see core's escapedName(). Long names are
-/// shortened.
+/// shortened. Of a map from the web it is its address.
 QString shownName(const QString& path);
 QString shownPath(const QString& path);
 /// Last name as a line of a file keeps it: as above, never shortened.

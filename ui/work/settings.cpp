@@ -6,6 +6,8 @@
 #include <QUrl>
 #include <utility>
 
+#include "ui/work/file_names.h"
+
 namespace relievo {
 namespace {
 
@@ -41,7 +43,8 @@ QStringList Settings::recentFiles() const {
 
 void Settings::addRecentFile(const QString& file) {
   if (safe_) return;
-  const QString path = QFileInfo(file).absoluteFilePath();
+  const QString place = addressOrPath(file);
+  const QString path = isAddress(place) ? place : QFileInfo(file).absoluteFilePath();
   QStringList files = recentFiles();
   files.removeAll(path);
   files.prepend(path);

@@ -23,7 +23,7 @@ class Settings {
   explicit Settings(Mode mode = Mode::remembered);
 
   QStringList recentFiles() const;
-  void addRecentFile(const QString& file);
+  void addRecentFile(const QString& file);  ///< Of a map from the web, its address.
   void clearRecentFiles();
 
   /// The unit said for the files of one folder.

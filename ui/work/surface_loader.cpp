@@ -6,6 +6,8 @@
 #include "core/io/import.h"
 #include "core/provenance/sha256.h"
 #include "core/session/source/unit_guess.h"
+#include "core/tiles/published/published_tiles.h"
+#include "ui/work/file_names.h"
 #include "ui/work/pictures/depth_map_picture.h"
 #include "ui/work/pictures/relief_picture.h"
 
@@ -45,6 +47,7 @@ void SurfaceLoader::start(LoadJob job) {
       [this, shared, import = importOf(*shared), least = first_view_from_](const Task& task) {
         LoadJob& j = *shared;
         j.outcome = outcomeOf([&] {
+          if (j.reads) find(j, task);
           if (j.reads) showFirstViews(shared, import, least, task);
           if (j.reads) read(j, import, task);
           task.check();
@@ -55,6 +58,14 @@ void SurfaceLoader::start(LoadJob job) {
         });
       },
       [this, shared] { finish(*shared); });
+}
+
+void SurfaceLoader::find(LoadJob& job, const Task& task) {
+  if (!isAddress(job.open.file)) return;
+  task.report("Fetching the map", 0);
+  const WebMap map = webMap(bytesOfPath(job.open.file), task);
+  job.open.file = pathFromBytes(map.manifest.native());
+  job.from_before = map.from_before;
 }
 
 void SurfaceLoader::cancel() {
@@ -105,7 +116,7 @@ void SurfaceLoader::finish(const LoadJob& job) {
   }
   if (!job.outcome.surface) {
     offered_every_ = job.outcome.every;
-    Q_EMIT failed(job.outcome.error, job.outcome.code, job.open.file);
+    Q_EMIT failed(job.outcome.error, job.outcome.code, addressOrPath(job.open.file));
     return;
   }
   Q_EMIT made(job);

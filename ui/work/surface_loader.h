@@ -17,8 +17,9 @@ namespace relievo {
 
 /// A surface to be made, of a file or of what is in memory; and what came of it.
 struct LoadJob {
-  bool reads = false;  ///< Reads `open.file`; otherwise works on `source`.
-  OpenRequest open = {};
+  bool reads = false;        ///< Reads `open.file`; otherwise works on `source`.
+  OpenRequest open = {};     ///< Of an address, once it is found, the map.json that is kept of it.
+  bool from_before = false;  ///< The server gave no answer: what is kept of its map was opened.
   std::optional<Project> kept = {};  ///< Whose view this file is shown with.
   OpenedInput source = {};
   SurfaceOptions options = {};
@@ -66,6 +67,8 @@ class SurfaceLoader : public QObject {
 
  private:
   ImportOptions importOf(const LoadJob& job) const;
+  /// An address becomes a file (docs/adr/0200). [worker] @throw as webMap
+  static void find(LoadJob& job, const Task& task);
   /// Both read as `import` says. [worker]
   void read(LoadJob& job, const ImportOptions& import, const Task& task);
   /// Tells of first views while this is the job in hand.

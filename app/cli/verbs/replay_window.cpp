@@ -10,6 +10,7 @@
 #include "app/cli/state.h"
 #include "app/cli/verbs/packed_file.h"
 #include "core/base/failure.h"
+#include "core/io/web/web_link.h"
 #include "core/project/embedded_state.h"
 #include "core/provenance/sha256.h"
 #include "core/session/finer_heights.h"
@@ -83,7 +84,7 @@ class Scenes {
     }
     if (project->sha256 == header_.sha256) {  // Found already, wherever it is now.
       project->file = header_.file;
-    } else if (package_folder_.empty()) {
+    } else if (package_folder_.empty() || isWebAddress(project->file)) {
       findInput(*project, recording_, {.given = {}, .outside = outside_files_}, task_);
     } else {
       const auto packed =

@@ -62,9 +62,12 @@ PackageController::PackageController(const ControllerParts& parts, const Foreign
 void PackageController::choose() {
   if (!document_.isOpen() || document_.loader().busy() || work_.busy()) return;
   const QString& project = document_.saved().projectFile();
-  const QFileInfo near(project.isEmpty() ? document_.file() : project);
+  const QString& near = project.isEmpty() ? document_.file() : project;
   const QString more = QStringLiteral("-package.zip");
-  const QString stem = stemOf(near.fileName().section('.', 0, 0) + '.', more);
+  const QString name = isAddress(addressOrPath(near))
+                           ? stemOf(near, more)
+                           : QFileInfo(near).fileName().section('.', 0, 0);
+  const QString stem = stemOf(name + '.', more);
   QStringList figures;
   for (const std::string& figure : document_.project().figures) {
     if (foreign_.isWithheld(figure)) continue;
@@ -76,7 +79,7 @@ void PackageController::choose() {
     if (!foreign_.isWithheld(recording.file)) recordings << pathFromBytes(recording.file);
   }
   auto* dialog = new PackageDialog(
-      {document_.file(), recordings, figures, near.absoluteDir().filePath(stem + more)}, &window_);
+      {document_.file(), recordings, figures, folderFor(near) + '/' + stem + more}, &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] { write(dialog->choice()); });
   dialog->open();

@@ -104,6 +104,8 @@ PictureOrder PictureController::order(ImageSource source, const QSize& pixels,
                     .grabbed = {},
                     .description = recordingHeader(document_, file).toStdString(),
                     .file = file};
+  // What is on its way from the web is not in the picture yet.
+  if (made.window) made.project.region.level = made.window->region.level;
   PictureChoice picture{
       .width_px = pixels.width(), .height_px = pixels.height(), .scale_bar = true};
   switch (source) {

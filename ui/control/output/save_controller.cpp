@@ -112,7 +112,7 @@ void SaveController::restartWhenNothingIsUnsaved() {
 // The new one reads the settings, so it speaks the language that was chosen.
 void SaveController::restart() {
   const QString& project = document_.saved().projectFile();
-  const QString shown = project.isEmpty() ? document_.file() : project;
+  const QString shown = project.isEmpty() ? addressOrPath(document_.file()) : project;
   if (!QProcess::startDetached(QCoreApplication::applicationFilePath(),
                                shown.isEmpty() ? QStringList() : QStringList{shown})) {
     messages_.show(
@@ -177,8 +177,7 @@ void SaveController::saveNow() {
 }
 
 void SaveController::saveAs(const std::function<void()>& then) {
-  const QFileInfo input(document_.file());
-  auto* dialog = new QFileDialog(&window_, tr("Save project"), input.absolutePath(),
+  auto* dialog = new QFileDialog(&window_, tr("Save project"), folderFor(document_.file()),
                                  tr("Projects (*.relievo.json)"));
   dialog->setObjectName(QStringLiteral("project_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);

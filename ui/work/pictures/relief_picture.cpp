@@ -13,6 +13,8 @@
 #include "core/relief/relief_image.h"
 #include "core/session/large/crop_level.h"
 #include "core/session/open_input.h"
+#include "core/tiles/published/published_tiles.h"
+#include "ui/work/file_names.h"
 #include "ui/work/surface_work.h"
 
 namespace relievo {
@@ -22,7 +24,9 @@ constexpr int kCells = 200;
 
 /// Of a file as it is now: another path, size or date is another picture.
 QString pathFor(const QString& file) {
-  const QFileInfo info(file);
+  // Of an address, what was kept of it when it was opened.
+  const auto map = isAddress(file) ? keptMap(bytesOfPath(file)) : std::nullopt;
+  const QFileInfo info(map ? pathFromBytes(map->native()) : file);
   const QByteArray about = info.canonicalFilePath().toUtf8() + '\n' +
                            QByteArray::number(info.size()) + '\n' +
                            info.lastModified().toString(Qt::ISODateWithMs).toUtf8();
