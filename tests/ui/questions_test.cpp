@@ -60,6 +60,30 @@ class QuestionsTest : public GuiTest {
   }
 };
 
+/// Counts how often a widget is asked to lay itself out anew.
+class LayoutCount : public QObject {
+ public:
+  explicit LayoutCount(QWidget& of) { of.installEventFilter(this); }
+  bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest) ++count;
+    return false;
+  }
+  int count = 0;
+};
+
+TEST_F(QuestionsTest, AMessageWithItsButtonsRestsOnceItIsLaidOut) {
+  openAs(relief({}), std::nullopt);
+  ASSERT_FALSE(buttons().isEmpty());
+  auto* strip = child<MessageStrip>("message_strip");
+  for (const int width : {700, 860, 1100, 1400}) {
+    window().resize(width, window().height());
+    QTest::qWait(300);
+    LayoutCount asked(*strip);
+    QTest::qWait(300);
+    EXPECT_LE(asked.count, 3) << "of a window " << width << " wide";
+  }
+}
+
 TEST_F(QuestionsTest, StraysAreToldAndKeptByAKeyAndLeftOutAgainByUndo) {
   openAs(relief("1000000 20 5\n1000000 21 5\n"), LengthUnit::mm);
   EXPECT_TRUE(window().message().contains("2 of 3,002 points lie 99.9 % of the box away"))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/frame/message_strip.h"
 
+#include <algorithm>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -23,22 +24,29 @@ class TextAndButtons : public QBoxLayout {
     QBoxLayout::hasHeightForWidth();  // Looks at the widgets if any has changed.
     return true;
   }
+  /// Asked for widths that it will never have, too: turning here would ask for a layout anew, which
+  /// asks again, without an end.
   int heightForWidth(int width) const override {
-    const_cast<TextAndButtons*>(this)->turnFor(width);
-    return QBoxLayout::heightForWidth(width);
+    const QMargins around = contentsMargins();
+    const int inside = width - around.left() - around.right();
+    const QSize buttons = buttons_->sizeHint();
+    QLayoutItem* text = itemAt(0);
+    const int content =
+        isBelowAt(width)
+            ? text->heightForWidth(std::max(1, inside)) + spacing() + buttons.height()
+            : std::max(text->heightForWidth(std::max(1, inside - spacing() - buttons.width())),
+                       buttons.height());
+    return content + around.top() + around.bottom();
   }
   int minimumHeightForWidth(int width) const override { return heightForWidth(width); }
   void setGeometry(const QRect& rect) override {
-    turnFor(rect.width());
+    const Direction wanted = isBelowAt(rect.width()) ? TopToBottom : LeftToRight;
+    if (direction() != wanted) setDirection(wanted);
     QBoxLayout::setGeometry(rect);
   }
 
  private:
-  void turnFor(int width) {
-    const bool below = 2 * buttons_->sizeHint().width() > width;
-    const Direction wanted = below ? TopToBottom : LeftToRight;
-    if (direction() != wanted) setDirection(wanted);
-  }
+  bool isBelowAt(int width) const { return 2 * buttons_->sizeHint().width() > width; }
 
   QLayout* buttons_;
 };
