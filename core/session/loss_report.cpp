@@ -56,10 +56,11 @@ std::vector<std::string> mixedLayerWords(PointRule chosen, const HiddenSurface& 
   const double share =
       inside > 0 ? static_cast<double>(hidden.cells) / static_cast<double>(inside) : 0;
   if (share < kMixedWorthSaying) return {};
-  return {"In " + percentText(share) +
-          " of the cells the points lie in several layers, front and back, and the chosen height "
-          "per cell makes one of them. Choose the mean of the top layer (topmean) to keep them "
-          "apart."};
+  return {
+      "In " + percentText(share) +
+      " of the cells the points lie in several layers, front and back, and the chosen height "
+      "per cell makes one height of them. Choose the mean of the top layer (topmean) to keep them "
+      "apart."};
 }
 
 }  // namespace relievo

@@ -239,7 +239,7 @@ def walk_english(program):
     view = next((t for _, t in below(window) if t.get_name() == "Detail view"), None)
     expect(view is not None and "mm" in view.get_description(), "the view does not say where the hand is")
     announcements = Announcements(program)
-    for command, part in (("Where am I", "middle"), ("Finer", "etail"), ("Where am I", "middle")):
+    for command, part in (("Where am I", "middle"), ("Finer", "esolution"), ("Where am I", "middle")):
         thing = next((t for n, t in commands(window, "") if n == command), None)
         if thing is None:
             wrong.append(f"there is no command '{command}'")

@@ -477,7 +477,7 @@ TEST_F(TouchWindowTest, ARecordingWithARasterOfFirmGroundIsReplayedUnlessTheRast
   said({"project", "package", path("p.json"), "-o", path("p.zip")});
   writeGrid("firm ground.asc", "1 0 1 0 1 0.5 1 0 1 0 1 0 0.3 0 1 0 1 0 1 0\n");
   EXPECT_TRUE(said({"replay", recording, "--verify"}, 5)
-                  .contains("'firm ground.asc' is not the raster of firm ground that was felt"));
+                  .contains("'firm ground.asc' is not the stiffness map that was felt"));
   ASSERT_TRUE(QFile::remove(firm));
   EXPECT_TRUE(said({"replay", recording, "--verify"}, 2).contains("is not there (E501)"));
   EXPECT_TRUE(said({"replay", path("p.zip"), "--verify"}).contains("to the last bit"))

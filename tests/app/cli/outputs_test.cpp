@@ -112,7 +112,7 @@ TEST_F(Outputs, DoNotReplaceWhatIsTouchedWith) {
   const std::string log = path("log.csv");
   isRefused({"touch", m, "--stroke", stroke, "-o", stroke}, "is the stroke that is read.");
   isRefused({"touch", m, "--stroke", stroke, "--firmness", firm, "-o", log, "--plot", firm},
-            "is the raster of firm ground that is read.");
+            "is the stiffness map that is read.");
   must({"touch", m, "--stroke", stroke, "-o", log});
   isRefused({"record", m, "--seconds", "0.1", "-o", m}, kScan);
   isRefused({"replay", log, "-o", log}, "is the recording that is read.");

@@ -242,7 +242,7 @@ void JourneyTest::changeDetail() {
   step("coarser", Qt::Key_Minus);
   const DocumentState after = document().state();
   EXPECT_EQ(document().history().undoText(),
-            QStringLiteral("Detail %1 \u2192 %2").arg(detail_before).arg(detail_before - 1));
+            QStringLiteral("Resolution %1 \u2192 %2").arg(detail_before).arg(detail_before - 1));
   for (int i = 0; i < 3; ++i) shortcut(Qt::Key_Z);
   EXPECT_EQ(document().project().region, before);
   for (int i = 0; i < 3; ++i) shortcut(Qt::Key_Y);
@@ -427,7 +427,7 @@ void JourneyTest::steerBySpaceMouse() {
 }
 
 void JourneyTest::keepWork() {
-  choose("name_place", "name this");
+  choose("name_place", "add bookmark");
   ASSERT_EQ(window().findChild<PlacesPanel*>()->places().size(), 1U);
   auto* editor = child<QListWidget>("places_list")->findChild<QLineEdit*>();
   ASSERT_NE(editor, nullptr);

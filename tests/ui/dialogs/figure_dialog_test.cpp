@@ -330,8 +330,8 @@ TEST_F(FigureDialogTest, WhatIsOfNoUseIsOffAndSaysWhy) {
     EXPECT_TRUE(field.toolTip().contains(QLatin1String(why)))
         << name << ": " << field.toolTip().toStdString();
   };
-  off("figure_range_on", "Stone");
-  off("figure_range_low", "Stone");
+  off("figure_range_on", "Shaded reliefs");
+  off("figure_range_low", "Shaded reliefs");
   off("figure_radius", "does not depend");
   off("figure_zero_plane_on", "stereo");
   off("figure_recording", "force plots");

@@ -170,7 +170,7 @@ TEST_F(WorkTest, ColoursStereoLightPlacesAndMeasurementsAreStepsToo) {
   window().runCommand("stereo");
   QTest::mouseClick(child<QPushButton>("place_add"), Qt::LeftButton);
   ASSERT_EQ(document().history().index(), steps + 3);
-  EXPECT_EQ(document().history().undoText(), "Places");
+  EXPECT_EQ(document().history().undoText(), "Bookmarks");
   window().runCommand("undo");
   EXPECT_TRUE(places().places().empty());
   window().runCommand("undo");
