@@ -135,6 +135,7 @@ ScanView::ScanView(Document& document, QWidget* parent)
   make_->setObjectName(QStringLiteral("scan_make_relief"));
   make_->setToolTip(tr("Make the relief anew as the scan is looked at now (Enter)"));
   straighten_->setObjectName(QStringLiteral("scan_as_relief"));
+  for (QPushButton* button : {make_, straighten_}) button->setAccessibleName(button->text());
   straighten_->setToolTip(tr("Look at the scan from where the relief is seen"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
