@@ -4,8 +4,8 @@
 #include <memory>
 #include <QWidget>
 
-#include "ui/views/cloud_view.h"
 #include "ui/prepare/prepare_work.h"
+#include "ui/views/cloud_view.h"
 #include "ui/work/latest_worker.h"
 
 class QBoxLayout;

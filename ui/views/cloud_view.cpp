@@ -229,6 +229,7 @@ void CloudView::zoomBy(double factor, const QPointF& about) {
   const Rotation& r = next.view;
   const FilePoint right{r[0], r[1], r[2]}, up{r[3], r[4], r[5]};
   next.middle = next.middle + (before[0] - after[0]) * right + (before[1] - after[1]) * up;
+  drawCoarselyForNow();
   setCamera(next);
 }
 

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "tests/ui/gui_fixture.h"
-#include "ui/views/cloud_view.h"
 #include "ui/prepare/prepare_dialog.h"
+#include "ui/views/cloud_view.h"
 
 class QTreeWidget;
 

@@ -13,6 +13,7 @@
 
 #include "tests/ui/gui_fixture.h"
 #include "ui/views/cloud_view.h"
+#include "ui/work/pictures/scan_points.h"
 
 namespace relievo {
 namespace {
@@ -191,6 +192,21 @@ TEST_F(ScanViewTest, AMeshOfFewTrianglesIsASurface) {
   EXPECT_EQ(cloud().cloud()->triangles.size(), 4U);
   const QImage seen = picture();
   EXPECT_GT(stonePixels(seen), seen.width() * seen.height() / 20);
+}
+
+TEST(DrawnScan, AMeshThatIsTooLargeIsShownBySomeOfItsPoints) {
+  Scan scan;
+  for (int i = 0; i < 40; ++i) {
+    scan.points.push_back({static_cast<float>(i % 8), static_cast<float>(i / 8), 0});
+  }
+  scan.triangles = {{0, 1, 8}, {1, 9, 8}, {2, 3, 10}};
+  EXPECT_EQ(drawnScan(scan, 20, {}).triangles.size(), 3U);
+  for (const std::size_t most : {2U, 10U}) {  // Too many triangles; too many points for so few.
+    const CloudPoints drawn = drawnScan(scan, most, {});
+    EXPECT_TRUE(drawn.triangles.empty()) << most;
+    EXPECT_EQ(drawn.points.size(), most);
+    EXPECT_EQ(drawn.normals.size(), most);
+  }
 }
 
 TEST_F(ScanViewTest, PointsFarFromAllOthersAreLeftOutAsInTheRelief) {

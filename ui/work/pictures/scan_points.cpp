@@ -91,7 +91,9 @@ CloudPoints drawnScan(const Scan& scan, std::size_t most, const Task& task) {
     cloud.points.push_back(placed(scan, point, cloud.origin));
     cloud.colours.push_back(shownColour(scan, point));
   };
-  if (!scan.triangles.empty() && scan.triangles.size() <= most) {
+  // A mesh whose corners are stored for each triangle has three points to one of them.
+  const bool is_small = scan.triangles.size() <= most && scan.points.size() <= 3 * most;
+  if (!scan.triangles.empty() && is_small) {
     for (std::size_t i = 0; i < scan.points.size(); ++i) add(i);
     takeTriangles(scan, cloud, task);
     return cloud;

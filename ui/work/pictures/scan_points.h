@@ -29,7 +29,7 @@ ShownPoints shownPoints(const Scan& scan, std::size_t most, const Task& task);
 std::array<std::uint8_t, 3> shownColour(const Scan& scan, std::size_t point);
 
 /// A scan as it is stored, in its own colours: its triangles if it has some and not more than
-/// `most`, else points, at most that many. [worker] @throw Cancelled
+/// `most`, nor three times as many points; else points, at most `most`. [worker] @throw Cancelled
 CloudPoints drawnScan(const Scan& scan, std::size_t most, const Task& task);
 
 }  // namespace relievo
