@@ -26,7 +26,7 @@ class HeaderRowTest : public ::testing::Test {
     settle();
   }
   void widen(int width) {
-    row_.resize(width, 60);
+    row_.resize(width, 160);
     settle();
   }
   static void settle() {
@@ -54,6 +54,14 @@ TEST_F(HeaderRowTest, ComesBackToOneRowWhenThereIsRoom) {
   ASSERT_FALSE(isOneRow());
   widen(needed() + 6 * digit());
   EXPECT_TRUE(isOneRow());
+}
+
+TEST_F(HeaderRowTest, ATitleThatIsWiderThanTheRowIsBrokenAndNotCut) {
+  widen(title_->sizeHint().width() / 2);
+  EXPECT_LE(title_->heightForWidth(title_->width()), title_->height());
+  EXPECT_TRUE(title_->wordWrap());
+  widen(needed() + 6 * digit());
+  EXPECT_FALSE(title_->wordWrap());
 }
 
 TEST_F(HeaderRowTest, ANumberThatGetsADigitMoreAndLessDoesNotMakeItJump) {

@@ -8,7 +8,18 @@
 namespace relievo {
 namespace {
 constexpr int kSpareDigits = 3;
+
+int textWidth(const QLabel& label) {
+  const QMargins margins = label.contentsMargins();
+  return label.fontMetrics().horizontalAdvance(label.text()) + margins.left() + margins.right();
 }
+
+// Setting it asks for a layout anew even if nothing changes, and that comes back to fit().
+void wrap(QLabel& label, bool on) {
+  if (label.wordWrap() != on) label.setWordWrap(on);
+}
+
+}  // namespace
 
 HeaderRow::HeaderRow(QLabel* title, QLabel* note)
     : row_(new QBoxLayout(QBoxLayout::LeftToRight, this)), title_(title), note_(note) {
@@ -35,16 +46,13 @@ bool HeaderRow::event(QEvent* event) {
 }
 
 void HeaderRow::fit() {
-  const QMargins margins = note_->contentsMargins();
-  const int note =
-      note_->fontMetrics().horizontalAdvance(note_->text()) + margins.left() + margins.right();
-  const int needed = title_->sizeHint().width() + note;
+  const int title = textWidth(*title_);
   // A number that gets a digit more and less under a drag must not make the row jump.
   const int spare =
       note_->wordWrap() ? note_->fontMetrics().horizontalAdvance('0') * kSpareDigits : 0;
-  const bool below = needed + spare > width();
-  // Setting it asks for a layout anew even if nothing changes, and that comes back here.
-  if (note_->wordWrap() != below) note_->setWordWrap(below);
+  const bool below = title + textWidth(*note_) + spare > width();
+  wrap(*note_, below);
+  wrap(*title_, title > width());
   row_->setDirection(below ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 

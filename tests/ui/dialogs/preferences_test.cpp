@@ -129,6 +129,7 @@ TEST_F(PreferencesTest, MarksGrowWithTheTextAndAreFusionsOwnAtFirst) {
 }
 
 TEST_F(PreferencesTest, TheScaleBarOfAViewGrowsWithTheText) {
+  window().resize(1440, 900);  // In a small view the bar gets shorter as its words grow.
   openRelief();
   const auto light = [this] {  // Pixels of the bar and its words.
     const QImage shot = window().detailView().shot().convertToFormat(QImage::Format_RGB32);
