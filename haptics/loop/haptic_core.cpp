@@ -88,6 +88,14 @@ FeltSpring HapticCore::feltSpring(const HapticOptions& options) const RELIEVO_RE
           .pull_n = options.fields.magnet_n};
 }
 
+namespace {
+/// Where the spring stops growing, before strength and rise make it weaker.
+double feltLimitN(const ForceOptions& options, double rise) RELIEVO_REALTIME {
+  const double gain = options.strength * rise;
+  return gain > 0 ? options.limit_n / gain : options.limit_n;
+}
+}  // namespace
+
 DeviceFault HapticCore::latch(const HapticOptions& options,
                               const DeviceReading& reading) RELIEVO_REALTIME {
   if (!options.force.forces_on) fault_ = DeviceFault::none;
@@ -158,8 +166,8 @@ void HapticCore::liftHand(const HapticSpace& space, const HapticOptions& options
   placeHand(space, options);
 }
 
-void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
-                        const HapticOptions& options, bool hovers) RELIEVO_REALTIME {
+SurfaceLift HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
+                               const HapticOptions& options, bool hovers) RELIEVO_REALTIME {
   placeHand(space, options);
   if (hovers) {
     liftHand(space, options);
@@ -189,10 +197,11 @@ void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
     proxy_ = {hip, hip, false, false};
     change_.stop();
   } else if (change_.running() && previous != nullptr) {
-    proxy_ = change_.follow(*previous, space, proxy_, hip, options.proxy, feltSpring(options));
+    return change_.follow(*previous, space, proxy_, hip, options.proxy, feltSpring(options));
   } else if (!is_new) {
     proxy_ = proxyTick(space, proxy_, hip, options.proxy);
   }
+  return {};
 }
 
 HapticSample HapticCore::describeTick(const HapticSpace& space,
@@ -382,7 +391,7 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   if (options.detent.on != in_detent_)
     force_ = refade(force_);  // What was felt goes, what comes rises.
   in_detent_ = options.detent.on;
-  follow(space, previous, options, (reading.buttons & kHoverBit) != 0);
+  const SurfaceLift lift = follow(space, previous, options, (reading.buttons & kHoverBit) != 0);
 
   HapticSample sample = describeTick(space, previous);
   sample.tick = tick_++;
@@ -404,6 +413,8 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   throughFrame(space, options, felt, input);
   input.fields = felt.force;
   input.fields_mj = felt.energy_mj;
+  input.given_mj =
+      lift.givenMj(force_options.stiffness_n_per_mm, feltLimitN(force_options, force_.rise));
   input.measured = sample.origin == CellStatus::measured || sample.origin == CellStatus::steep;
   input.normal = {sample.normal.x, sample.normal.y, sample.normal.z};
   speed_.measure(hip_, reading.time_ns, input);

@@ -176,8 +176,8 @@ class HapticCore {
   void keepSteady(const HapticOptions& asked, int detail, DetailStiffness& k) RELIEVO_REALTIME;
   FeltSpring feltSpring(const HapticOptions& options) const RELIEVO_REALTIME;
   DeviceFault latch(const HapticOptions& options, const DeviceReading& reading) RELIEVO_REALTIME;
-  void follow(const HapticSpace& space, const HapticSpace* previous, const HapticOptions& options,
-              bool hovers) RELIEVO_REALTIME;
+  SurfaceLift follow(const HapticSpace& space, const HapticSpace* previous,
+                     const HapticOptions& options, bool hovers) RELIEVO_REALTIME;
   /// Where the hand is in the window, brought to a stop at its frame.
   void placeHand(const HapticSpace& space, const HapticOptions& options) RELIEVO_REALTIME;
   /// Carries the hand up to where nothing is touched, if it is not there.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/force/passivity.h"
 #include "haptics/proxy/blend.h"
 #include "haptics/proxy/follow.h"
 #include "haptics/proxy/texture.h"
@@ -24,7 +25,15 @@ ProxyState liftedOn(const BlendedSurface& surface, ProxyState proxy, bool rests)
   proxy.contact = true;
   return proxy;
 }
+
+double springMm(const ProxyState& proxy, double cell_mm) RELIEVO_REALTIME {
+  return proxy.contact ? cell_mm * norm(proxy.position - proxy.hip) : 0;
+}
 }  // namespace
+
+double SurfaceLift::givenMj(double k, double most_n) const RELIEVO_REALTIME {
+  return springEnergyMj(k, after_mm, most_n) - springEnergyMj(softer * k, before_mm, most_n);
+}
 
 /// What the whole change would do to the force of a proxy that keeps its place and its depth, in
 /// newtons: the slope turns the force, the spring scales it.
@@ -86,9 +95,9 @@ ProxyState SceneChange::goal(const BlendedSurface& surface, ProxyState at, GridP
   return Follower(surface, at, options).to(hip);
 }
 
-ProxyState SceneChange::follow(const HapticSpace& was, const HapticSpace& now, ProxyState proxy,
-                               GridPoint hip, const ProxyOptions& options,
-                               const FeltSpring& spring) RELIEVO_REALTIME {
+SurfaceLift SceneChange::follow(const HapticSpace& was, const HapticSpace& now, ProxyState& proxy,
+                                GridPoint hip, const ProxyOptions& options,
+                                const FeltSpring& spring) RELIEVO_REALTIME {
   constexpr int kMostHalvings = 16;
   const double cell_mm = now.deviceMmPerCell();
   const GridPoint before = felt(proxy, cell_mm, spring);
@@ -97,6 +106,7 @@ ProxyState SceneChange::follow(const HapticSpace& was, const HapticSpace& now, P
 
   // The surface takes a touching proxy with it and picks a free one up from below.
   const double weight = weight_;
+  const double stiffness_before = stiffness();
   double step = std::min(1 - weight, mostStep(was, now, proxy, spring));
   ProxyState lifted;
   for (int i = 0; i < kMostHalvings; ++i, step *= 0.5) {
@@ -104,6 +114,8 @@ ProxyState SceneChange::follow(const HapticSpace& was, const HapticSpace& now, P
     lifted = liftedOn(BlendedSurface(was, now, weight_), proxy, proxy.contact && !lets_go_);
     if (changed(lifted) <= kMostStepN) break;
   }
+  const SurfaceLift lift{springMm(proxy, cell_mm), springMm(lifted, cell_mm),
+                         stiffness_before / stiffness()};
 
   // Relief moves the proxy sideways as well, and one that is deep can slip from one hollow into the
   // next at once, or off a flank that is no longer there: then it creeps there.
@@ -132,7 +144,8 @@ ProxyState SceneChange::follow(const HapticSpace& was, const HapticSpace& now, P
   if (!creeps) lets_go_ = false;
   if (weight_ >= 1) creep_ticks_ += 1;
   running_ = weight_ < 1 || (creeps && creep_ticks_ < kMostCreepTicks);
-  return state;
+  proxy = state;
+  return lift;
 }
 
 GridPoint SceneChange::normal(const HapticSpace& was, const HapticSpace& now,

@@ -24,6 +24,18 @@ struct FeltSpring {
   double pull_n = 0;                                         ///< Of the fields above a surface.
 };
 
+/// What the surface did to the spring of a hand that held still, in one tick of a change.
+struct SurfaceLift {
+  double before_mm = 0, after_mm = 0;  ///< The spring's length, mm of hand.
+  double softer = 1;                   ///< Its stiffness before, of that after.
+
+  /// Energy that the surface put into the spring by moving, mJ; below 0 it took some. Nobody owes
+  /// it: it is no error of the rendering, which the passivity stage would take back.
+  /// @param k       N/mm now, as it reaches the hand
+  /// @param most_n  where the force stops growing
+  double givenMj(double k, double most_n) const RELIEVO_REALTIME;
+};
+
 /// One surface turning into the next under the hand: level, window, gain, fill or view changed. The
 /// proxy stays on the blended surface, and surface and spring change no faster than the hand should
 /// feel: by the force that it does feel, not by the surfaces' heights. A hand that touches neither
@@ -46,8 +58,10 @@ class SceneChange {
 
   /// One tick: the surface moves on and takes the proxy with it, then the hand moves to `hip`.
   /// Works with the converged proxy, whatever options.kind says.
-  ProxyState follow(const HapticSpace& was, const HapticSpace& now, ProxyState proxy, GridPoint hip,
-                    const ProxyOptions& options, const FeltSpring& felt) RELIEVO_REALTIME;
+  /// @param proxy  in: of the last tick; out: of this one
+  SurfaceLift follow(const HapticSpace& was, const HapticSpace& now, ProxyState& proxy,
+                     GridPoint hip, const ProxyOptions& options,
+                     const FeltSpring& felt) RELIEVO_REALTIME;
   /// Unit normal of the blended surface at the proxy.
   GridPoint normal(const HapticSpace& was, const HapticSpace& now,
                    const ProxyState& proxy) const RELIEVO_REALTIME;

@@ -13,7 +13,7 @@ struct Law {
   int number;
   std::string_view since, change;
 };
-constexpr std::array<Law, 5> kLaws{{
+constexpr std::array<Law, 6> kLaws{{
     {2, "2026-11-22",
      "a tick sends the force that it has computed, not the last one's; settings and surfaces "
      "change "
@@ -25,6 +25,9 @@ constexpr std::array<Law, 5> kLaws{{
      "on rough ground friction pulls against the way of 1.5 times what it trails by"},
     {6, "2026-11-24",
      "a hand whose ground vanishes while one surface turns into another is let go step by step"},
+    {7, "2026-11-28",
+     "what a surface gives the hand by turning into another is owed by nobody: no damping takes it "
+     "back, and many changes in a row soften nothing"},
 }};
 static_assert(kLaws.back().number == kForceLaw);
 }  // namespace

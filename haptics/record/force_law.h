@@ -9,7 +9,7 @@ namespace relievo {
 
 /// Counts the changes of what a hand with a device feels. A recording is the same to the last bit
 /// only under the law that it was made with; `touch` without a device, F = -k d, knows none of it.
-inline constexpr int kForceLaw = 6;
+inline constexpr int kForceLaw = 7;
 
 /// A line for headers: "law 3".
 std::string lawLine();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/control/surface_controller.h"
 
-#include <cmath>
 #include <QAction>
 #include <QDialog>
 #include <QUndoView>
@@ -96,18 +95,7 @@ void SurfaceController::moveWindow(double dx, double dy, const QString& moved) {
 
 void SurfaceController::useThisView() {
   if (!document_.isOpen() || !detail_.isTurned()) return;
-  const auto& m = document_.surface()->view_from_file.m;
-  const double scale = std::hypot(m[0], m[4], m[8]);
-  const Rotation camera = detail_.cameraRotation();
-  Rotation turned{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        turned[3 * i + j] += camera[3 * i + k] * m[4 * k + j] / scale;
-      }
-    }
-  }
-  document_.choices().setView({"free", turned});
+  document_.choices().setView({"free", detail_.lookRotation()});
 }
 
 void SurfaceController::useScanView() {

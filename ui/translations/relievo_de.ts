@@ -2033,6 +2033,14 @@
         <source>Open a map that was published on the web, by its address</source>
         <translation>Eine im Netz veröffentlichte Karte über ihre Adresse öffnen</translation>
     </message>
+    <message>
+        <source>Relief turns &amp;with the view</source>
+        <translation>Relief dreht sich mit der Ans&amp;icht</translation>
+    </message>
+    <message>
+        <source>While the view is turned, the relief is made anew again and again, and the hand feels the object turn</source>
+        <translation>Während die Ansicht gedreht wird, wird das Relief immer wieder neu berechnet, und die Hand spürt, wie sich das Objekt dreht</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2195,6 +2203,10 @@
     <message>
         <source>internet network URL link online server remote https</source>
         <translation>Internet Netz URL Link online Server entfernt https</translation>
+    </message>
+    <message>
+        <source>rotate orbit object under the hand while touching live</source>
+        <translation>drehen rotieren Objekt unter der Hand beim Berühren mitdrehen live</translation>
     </message>
 </context>
 <context>
@@ -12197,6 +12209,10 @@
     <message>
         <source>Size of the samples</source>
         <translation>Größe der Abtastwerte</translation>
+    </message>
+    <message>
+        <source>Turn the relief</source>
+        <translation>Relief drehen</translation>
     </message>
 </context>
 <context>

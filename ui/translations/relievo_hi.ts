@@ -2033,6 +2033,14 @@
         <source>Open a map that was published on the web, by its address</source>
         <translation>वेब पर प्रकाशित मानचित्र को उसके पते से खोलें</translation>
     </message>
+    <message>
+        <source>Relief turns &amp;with the view</source>
+        <translation>उभार दृश्य के साथ घूमे (&amp;W)</translation>
+    </message>
+    <message>
+        <source>While the view is turned, the relief is made anew again and again, and the hand feels the object turn</source>
+        <translation>दृश्य घुमाते समय उभार बार-बार नया बनता है, और हाथ वस्तु का घूमना महसूस करता है</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2195,6 +2203,10 @@
     <message>
         <source>internet network URL link online server remote https</source>
         <translation>इंटरनेट नेटवर्क URL लिंक ऑनलाइन सर्वर दूर https</translation>
+    </message>
+    <message>
+        <source>rotate orbit object under the hand while touching live</source>
+        <translation>घुमाना चक्कर वस्तु हाथ के नीचे छूते हुए</translation>
     </message>
 </context>
 <context>
@@ -12197,6 +12209,10 @@
     <message>
         <source>Size of the samples</source>
         <translation>नमूनों का आकार</translation>
+    </message>
+    <message>
+        <source>Turn the relief</source>
+        <translation>उभार घुमाएँ</translation>
     </message>
 </context>
 <context>

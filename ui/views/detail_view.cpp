@@ -126,6 +126,21 @@ Rotation DetailView::cameraRotation() const {
           std::cos(a) * std::cos(e)};
 }
 
+Rotation DetailView::lookRotation() const {
+  const auto& m = document_.surface()->view_from_file.m;
+  const double scale = std::hypot(m[0], m[4], m[8]);
+  const Rotation camera = cameraRotation();
+  Rotation turned{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        turned[3 * i + j] += camera[3 * i + k] * m[4 * k + j] / scale;
+      }
+    }
+  }
+  return turned;
+}
+
 void DetailView::showProbe(const Probe& probe) {
   const auto window = document_.window();
   if (!window || probe.window_id != window->id) return;

@@ -48,6 +48,8 @@ class DetailView : public SurfaceView {
   void turnBy(double azimuth_deg, double elevation_deg);
   /// Rotation from the present view frame to the one the camera looks along.
   Rotation cameraRotation() const;
+  /// Rotation from the file's axes to the frame that the camera looks along. @pre a surface is open
+  Rotation lookRotation() const;
 
  Q_SIGNALS:
   void handMoved(relievo::ViewMm position, bool inside);

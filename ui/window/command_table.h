@@ -55,6 +55,7 @@ enum class Command {
   turn_up,
   turn_down,
   use_view,
+  turn_relief,
   show_scan,
   fit,
   keep_view,

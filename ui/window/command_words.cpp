@@ -12,7 +12,7 @@ struct OtherWords {
   const char* words;
 };
 
-constexpr std::array<OtherWords, 44> kWords{
+constexpr std::array<OtherWords, 45> kWords{
     {{"open", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import file read")},
      {"open_folder", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import directory images")},
      {"open_address", QT_TRANSLATE_NOOP("relievo::CommandWords",
@@ -56,6 +56,8 @@ constexpr std::array<OtherWords, 44> kWords{
      {"turn_up", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit tilt")},
      {"turn_down", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit tilt")},
      {"use_view", QT_TRANSLATE_NOOP("relievo::CommandWords", "align rotate orient plane")},
+     {"turn_relief", QT_TRANSLATE_NOOP("relievo::CommandWords",
+                                       "rotate orbit object under the hand while touching live")},
      {"show_scan", QT_TRANSLATE_NOOP("relievo::CommandWords",
                                      "point cloud mesh raw 3D turn rotate orbit object arrow")},
      {"relief_from_scan",

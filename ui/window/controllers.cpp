@@ -34,7 +34,8 @@ Controllers::Controllers(const ControllerParts& parts, WorkArea& area)
       pointer(parts, area.detail()),
       surface(parts, area.detail(), area.scan(), touch),
       study(parts, look),
-      web(parts, opening) {
+      web(parts, opening),
+      turns(parts, area.detail(), touch) {
   saving.watch({pictures, packages, exports, videos});
   QObject::connect(&opening, &OpenController::recordingChosen, &replays, &ReplayController::open);
   QObject::connect(&opening, &OpenController::begun, &replays.control(),

@@ -18,6 +18,7 @@
 #include "ui/control/study_controller.h"
 #include "ui/control/surface_controller.h"
 #include "ui/control/touch_controller.h"
+#include "ui/control/turn_controller.h"
 #include "ui/control/web_controller.h"
 
 namespace relievo {
@@ -46,6 +47,7 @@ struct Controllers {
   SurfaceController surface;
   StudyController study;
   WebController web;
+  TurnController turns;
 };
 
 }  // namespace relievo

@@ -9,6 +9,7 @@
 #include "core/provenance/program.h"
 #include "core/session/colours/surface_colours.h"
 #include "core/session/large/tiled_surface.h"
+#include "core/session/turned_region.h"
 #include "core/tiles/tiled_map.h"
 #include "ui/language/error_text.h"
 #include "ui/work/file_names.h"
@@ -20,6 +21,7 @@ namespace relievo {
 namespace {
 
 constexpr int kUndoLimit = 250;
+constexpr int kTurnStep = 0x7452;  // Turns in a row are one step.
 
 /// Takes the names of steps that come back out of those that only have names, the last ones first.
 /// @return false: they are not all there
@@ -141,30 +143,39 @@ bool Document::canRemake() {
   return false;
 }
 
-void Document::remake(const SurfaceOptions& options, const QString& name) {
+void Document::remake(const SurfaceOptions& options, const QString& name,
+                      const std::optional<ReliefTurn>& turn) {
   if (!canRemake()) return;
-  loader_.start(LoadJob{.source = source(), .options = options, .name = name});
+  loader_.start(LoadJob{.source = source(), .options = options, .name = name, .turn = turn});
 }
 
 void Document::takeMade(const LoadJob& job) {
   if (job.reads) {
     showOpened(job);
   } else {
-    adopt(job.outcome.surface, job.options, job.name);
+    adopt(job.outcome.surface, job.options, job.name, job.turn);
   }
 }
 
 void Document::adopt(std::shared_ptr<const Surface> surface, const SurfaceOptions& options,
-                     const QString& name) {
+                     const QString& name, const std::optional<ReliefTurn>& turn) {
   region_.revert();
   DocumentState next = state_;
   next.surface = std::move(surface);
   next.project.options = options;
   next.project.azimuth_deg = next.project.elevation_deg = 0;
-  if (!sameGrid(*state_.surface, *next.surface)) {
+  if (turn) {
+    next.project.region =
+        turnedRegion(*state_.surface, state_.project.region, turn->about, *next.surface);
+  } else if (!sameGrid(*state_.surface, *next.surface)) {
     next.project.region = wholeRegion(next.surface->ladder);
   }
-  push(std::move(next), name);
+  const Project before = state_.project;
+  if (turn) setTurn(0, 0);  // So that an undo comes back to a view that asks for no other turn.
+  push(std::move(next), name, turn ? kTurnStep : -1);
+  if (turn) {  // It went on while the surface was made.
+    setTurn(before.azimuth_deg - turn->azimuth_deg, before.elevation_deg - turn->elevation_deg);
+  }
 }
 
 void Document::showOpened(const LoadJob& job) {

@@ -98,10 +98,12 @@ class Document : public QObject {
   /// False, and told by failed(), for a map by tiles: its heights are in files as they were made.
   bool canRemake();
   /// Made anew from the scan in memory, in the worker.
-  void remake(const SurfaceOptions& options, const QString& name);
+  /// @param turn  one step of the history with the turns right before it
+  void remake(const SurfaceOptions& options, const QString& name,
+              const std::optional<ReliefTurn>& turn = std::nullopt);
   /// A surface made elsewhere from source() takes the place of the present one.
   void adopt(std::shared_ptr<const Surface> surface, const SurfaceOptions& options,
-             const QString& name);
+             const QString& name, const std::optional<ReliefTurn>& turn = std::nullopt);
 
   /// For the history's commands only: changes in the present state what differs between two. False,
   /// and told by failed(), if its window cannot be read from a map by tiles; then nothing changes.

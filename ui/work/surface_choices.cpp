@@ -18,6 +18,13 @@ void SurfaceChoices::setView(const ViewChoice& view) {
                                      QString::fromStdString(view.name)));
 }
 
+void SurfaceChoices::turnTo(const Rotation& view, const ReliefTurn& turn) {
+  if (!document_.isOpen()) return;
+  SurfaceOptions options = now();
+  options.view = {"free", view};
+  document_.remake(options, tr("Turn the relief"), turn);
+}
+
 void SurfaceChoices::setEngine(const QString& engine) {
   if (!document_.isOpen() || engine.toStdString() == now().engine) return;
   SurfaceOptions options = now();

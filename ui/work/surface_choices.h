@@ -8,6 +8,7 @@
 namespace relievo {
 
 class Document;
+struct ReliefTurn;  // ui/work/surface_loader.h
 
 /// Choices between the file of a document and its surface: each makes the surface anew from the
 /// scan in memory, in the worker, as one step of the history. [GUI thread]
@@ -17,6 +18,8 @@ class SurfaceChoices {
   explicit SurfaceChoices(Document& document) : document_(document) {}
 
   void setView(const ViewChoice& view);
+  /// As `view`, from where the turned view looks; what turns in a row do is one step.
+  void turnTo(const Rotation& view, const ReliefTurn& turn);
   void setEngine(const QString& engine);
   void setUnit(LengthUnit unit);
   void setStrays(StrayRule rule);

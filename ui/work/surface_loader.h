@@ -15,6 +15,12 @@
 
 namespace relievo {
 
+/// Part of the turn of the view that a new surface takes over: the view is turned less by it then.
+struct ReliefTurn {
+  double azimuth_deg = 0, elevation_deg = 0;
+  ViewMm about;  ///< Stays where it is in the window; view mm of the surface of before.
+};
+
 /// A surface to be made, of a file or of what is in memory; and what came of it.
 struct LoadJob {
   bool reads = false;        ///< Reads `open.file`; otherwise works on `source`.
@@ -24,6 +30,7 @@ struct LoadJob {
   OpenedInput source = {};
   SurfaceOptions options = {};
   QString name = {};  ///< In the history.
+  std::optional<ReliefTurn> turn = {};
 
   SurfaceOutcome outcome = {};
   QString sha256 = {};  ///< Of the file that was read.

@@ -150,7 +150,7 @@ TEST_F(ReplayVerb, ARecordingUnderAnEarlierLawSaysWhyItDiffers) {
   const std::string log = path("record.csv");
   ASSERT_EQ(made("touch", log, {"--device", "virtual:light"}).exit_code, 0);
   const std::string text = test::bytesOf(log);
-  const std::string law = "\n# law 6\n";
+  const std::string law = "\n# law 7\n";
   ASSERT_NE(text.find(law), std::string::npos);
   // Also one digit of the last row.
   const auto altered = [&](const std::string& law_now) {
@@ -165,9 +165,9 @@ TEST_F(ReplayVerb, ARecordingUnderAnEarlierLawSaysWhyItDiffers) {
   EXPECT_EQ(before.exit_code, 5) << before.err;
   const auto report = nlohmann::json::parse(before.out);
   EXPECT_TRUE(report["law"]["recorded"].is_null());
-  EXPECT_EQ(report["law"]["this_build"], 6);
+  EXPECT_EQ(report["law"]["this_build"], 7);
   const std::string why = report["why"];
-  EXPECT_NE(why.find("made by version 0.1.0 under an earlier force law; this build has law 6"),
+  EXPECT_NE(why.find("made by version 0.1.0 under an earlier force law; this build has law 7"),
             std::string::npos)
       << why;
   EXPECT_NE(why.find("Law 2 (2026-11-22)"), std::string::npos) << why;
