@@ -5,7 +5,6 @@
 #include <cmath>
 #include <QAction>
 #include <QDir>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <utility>
@@ -22,13 +21,10 @@
 #include "ui/language/error_text.h"
 #include "ui/prepare/prepare_dialog.h"
 #include "ui/work/file_names.h"
+#include "ui/work/file_path.h"
 
 namespace relievo {
 namespace {
-
-std::filesystem::path pathOf(const QString& file) {
-  return QFile::encodeName(file).toStdString();
-}
 
 bool endsIn(const QString& file, std::initializer_list<const char*> endings) {
   return std::any_of(endings.begin(), endings.end(), [&](const char* ending) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/dialogs/video_control.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QPainter>
 #include <utility>
@@ -14,15 +13,12 @@
 #include "ui/video/live_video.h"
 #include "ui/video/video.h"
 #include "ui/work/file_names.h"
+#include "ui/work/file_path.h"
 
 namespace relievo {
 namespace {
 
 constexpr int kEndMs = 50;
-
-std::filesystem::path pathOf(const QString& file) {
-  return QFile::encodeName(file).toStdString();
-}
 
 /// Videos need even sides.
 QSize even(const QSize& size) {

@@ -15,13 +15,10 @@
 #include "ui/style/text.h"
 #include "ui/work/document.h"
 #include "ui/work/file_names.h"
+#include "ui/work/file_path.h"
 
 namespace relievo {
 namespace {
-
-std::filesystem::path pathOf(const QString& file) {
-  return QFile::encodeName(file).toStdString();
-}
 
 /// What a job in the worker leaves behind.
 struct Read {

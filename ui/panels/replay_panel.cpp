@@ -15,6 +15,7 @@
 #include "core/recording/force_curve.h"
 #include "ui/panels/replay_events.h"
 #include "ui/plots/curve_pens.h"
+#include "ui/plots/least_ranges.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
 
@@ -24,9 +25,7 @@ namespace {
 constexpr double kMostShownS = 60;   // A longer recording is shown in parts ...
 constexpr double kPartS = 20;        // ... of this length.
 constexpr std::size_t kBins = 1500;  // Points per curve; a strip is a thousand pixels wide.
-constexpr double kLeastForceN = 1;
-constexpr double kLeastHeightMm = 0.05;
-constexpr int kLeastPlotPx = 80;  // Below the controls there is still something to see.
+constexpr int kLeastPlotPx = 80;     // Below the controls there is still something to see.
 constexpr double kStepS = 0.1, kLargeStepS = 1;
 
 QToolButton* button(const char* name, const QString& text, const QString& tip) {

@@ -11,6 +11,7 @@
 
 #include "core/recording/force_curves.h"
 #include "ui/plots/curve_pens.h"
+#include "ui/plots/least_ranges.h"
 #include "ui/style/palette.h"
 
 namespace relievo {
@@ -18,8 +19,6 @@ namespace {
 
 constexpr double kShownS = 10;
 constexpr int kRedrawMs = 40;
-constexpr double kLeastForceN = 1;
-constexpr double kLeastHeightMm = 0.05;
 // Less than a tenth of a pixel of the least ranges.
 constexpr double kSameForceN = 1e-3, kSameHeightMm = 5e-5;
 constexpr double kNearlyShownS = kShownS - 0.1;

@@ -19,13 +19,10 @@
 #include "ui/prepare/step_list.h"
 #include "ui/style/dialog_size.h"
 #include "ui/work/file_names.h"
+#include "ui/work/file_path.h"
 
 namespace relievo {
 namespace {
-
-std::filesystem::path pathOf(const QString& file) {
-  return QFile::encodeName(file).toStdString();
-}
 
 /// For a shell: between single quotes.
 QString quoted(const QString& word) {

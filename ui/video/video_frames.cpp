@@ -15,12 +15,12 @@
 #include "ui/figure/hand_signs.h"
 #include "ui/figure/plot_strip.h"
 #include "ui/video/video_surface.h"
+#include "ui/vtk/ball_size.h"
 #include "ui/vtk/frame_renderer.h"
 
 namespace relievo {
 namespace {
 
-constexpr double kBallOfSide = 0.017;  // As on screen.
 constexpr double kMargin = 0.04;       // Around the whole object, of its longer side.
 constexpr double kMarkHeightPx = 720;  // Marks and lines are as thick as at this height, in ratio.
 

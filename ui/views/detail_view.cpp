@@ -10,17 +10,16 @@
 #include "core/region/carry.h"
 #include "core/session/colours/surface_colours.h"
 #include "core/tiles/tiled_map.h"
+#include "ui/vtk/ball_size.h"
 
 namespace relievo {
 namespace {
 
-constexpr int kWheelStep = 120;  // One notch, in eighths of a degree.
 constexpr double kZoomStep = 1.25;
 constexpr double kDepthStepMm = 0.25;  // Of hand, per notch or key press.
 constexpr double kMostDepthMm = 10;
 constexpr double kTurnDegPerPixel = 0.4;
 constexpr double kZoomPixels = 20;  // Of dragging upwards, for one notch of the wheel.
-constexpr double kBallOfSide = 0.017;
 constexpr double kDeg = 3.14159265358979323846 / 180;
 
 std::shared_ptr<const HeldGrid> gridOf(const Surface& surface, const RegionWindow& window) {
@@ -364,8 +363,8 @@ void DetailView::wheelEvent(QWheelEvent* event) {
   event->accept();
   if (!document_.isOpen() || drag_ != Drag::none) return;
   wheel_rest_ += event->angleDelta().y();
-  const int notches = wheel_rest_ / kWheelStep;
-  wheel_rest_ -= notches * kWheelStep;
+  const int notches = wheel_rest_ / QWheelEvent::DefaultDeltasPerStep;
+  wheel_rest_ -= notches * QWheelEvent::DefaultDeltasPerStep;
   if (notches == 0) return;
   if (mouse_presses_ || (event->modifiers() & Qt::ControlModifier) != 0) {
     // Pushing the wheel away from oneself pushes into the surface.

@@ -19,7 +19,6 @@ namespace {
 
 constexpr double kGripPixels = 7;
 constexpr double kClickPixels = 4;  // Shorter than this is a click, not a drag.
-constexpr int kWheelStep = 120;     // One notch, in eighths of a degree.
 constexpr int kMostSamples = 400;   // Per side; software graphics stay fluent.
 constexpr double kMargin = 0.04;    // Around the object's square, of its side.
 constexpr double kArrowStep = 0.05;
@@ -284,9 +283,11 @@ void ReferenceView::wheelEvent(QWheelEvent* event) {
   if (!document_.isOpen() || document_.region().inGesture()) return;
   wheel_rest_ += event->angleDelta().y();
   const ViewMm p = at(event->position(), 0);
-  for (; wheel_rest_ >= kWheelStep; wheel_rest_ -= kWheelStep)
+  for (; wheel_rest_ >= QWheelEvent::DefaultDeltasPerStep;
+       wheel_rest_ -= QWheelEvent::DefaultDeltasPerStep)
     document_.region().finer({p.x, p.y, false});
-  for (; wheel_rest_ <= -kWheelStep; wheel_rest_ += kWheelStep) {
+  for (; wheel_rest_ <= -QWheelEvent::DefaultDeltasPerStep;
+       wheel_rest_ += QWheelEvent::DefaultDeltasPerStep) {
     document_.region().coarser({p.x, p.y, false});
   }
 }

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "ui/language/error_text.h"
+#include "ui/work/file_path.h"
 #include "ui/work/scheduling/event_turn.h"
 
 namespace relievo {
@@ -18,10 +19,6 @@ namespace {
 
 constexpr int kDelayMs = 2000;
 constexpr int kPatienceMs = 2000, kTurnMs = 20;
-
-std::filesystem::path pathOf(const QString& file) {
-  return QFile::encodeName(file).toStdString();
-}
 
 }  // namespace
 

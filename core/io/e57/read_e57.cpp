@@ -2,7 +2,6 @@
 // E57: the points of all scans, moved to the file's common axes. Pictures are left aside.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,14 +12,14 @@
 #include "core/io/e57/e57_scans.h"
 #include "core/io/e57/e57_stream.h"
 #include "core/io/file_check.h"
+#include "core/io/formats/reader_steps.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 
 namespace relievo {
 namespace {
 
-constexpr std::uint64_t kReportEvery = 1 << 14;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr std::uint64_t kPointsPerReport = 1 << 14;
 
 /// Range, azimuth and elevation, in metres and radians.
 std::array<double, 3> cartesian(const std::array<double, 3>& s) {
@@ -197,7 +196,7 @@ class E57Reader {
     std::optional<E57Stream> intensity = streamIfAny(sound.intensity);
     std::optional<E57Stream> no_intensity = streamIfAny(sound.intensity_invalid);
     for (std::uint64_t i = 0; i < sound.scan.records; ++i) {
-      if (i % kReportEvery == 0) report();
+      if (i % kPointsPerReport == 0) report();
       std::array<double, 3> p{};
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto value = streams[axis].next();
@@ -207,7 +206,7 @@ class E57Reader {
       if (state) {
         const auto value = state->next();
         if (!value) return;
-        if (*value != 0) p = {kNaN, kNaN, kNaN};
+        if (*value != 0) p = {kNoCoordinate, kNoCoordinate, kNoCoordinate};
       }
       p = sound.scan.pose(sound.is_cartesian ? p : cartesian(p));
       const bool kept = builder_.addPoint(p[0], p[1], p[2]);
@@ -254,8 +253,8 @@ class E57Reader {
   }
 
   void readIntensity(E57Stream& intensity, std::optional<E57Stream>& invalid, bool kept) {
-    double value = intensity.next().value_or(kNaN);
-    if (invalid && invalid->next().value_or(1) != 0) value = kNaN;
+    double value = intensity.next().value_or(kNoCoordinate);
+    if (invalid && invalid->next().value_or(1) != 0) value = kNoCoordinate;
     if (kept) builder_.addWideIntensity(static_cast<float>(value));
   }
 

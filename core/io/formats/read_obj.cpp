@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/io/formats/lines.h"
 #include "core/io/formats/obj_materials.h"
+#include "core/io/formats/reader_steps.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 #include "core/io/worker/planted_fault.h"
@@ -15,7 +16,6 @@
 namespace relievo {
 namespace {
 
-constexpr std::uint64_t kReportEvery = 1 << 16;
 constexpr std::size_t kMaxLine = 1 << 20;
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 

@@ -5,7 +5,6 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "core/io/formats/lines.h"
 #include "core/io/formats/lzf.h"
 #include "core/io/formats/pcd_header.h"
+#include "core/io/formats/reader_steps.h"
 #include "core/io/read_scan.h"
 #include "core/io/reader_choice.h"
 #include "core/io/scan_builder.h"
@@ -22,9 +22,6 @@
 
 namespace relievo {
 namespace {
-
-constexpr std::uint64_t kReportEvery = 1 << 16;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 class PcdReader {
  public:
@@ -216,7 +213,7 @@ class PcdReader {
   }
 
   float numberOf(std::size_t field) const {
-    return static_cast<float>(parseNumber(wordOf(field)).value_or(kNaN));
+    return static_cast<float>(parseNumber(wordOf(field)).value_or(kNoCoordinate));
   }
 
   void addValues() {

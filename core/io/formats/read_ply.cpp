@@ -8,6 +8,7 @@
 #include "core/io/file_check.h"
 #include "core/io/formats/lines.h"
 #include "core/io/formats/ply_header.h"
+#include "core/io/formats/reader_steps.h"
 #include "core/io/read_scan.h"
 #include "core/io/reader_choice.h"
 #include "core/io/scan_builder.h"
@@ -15,8 +16,6 @@
 
 namespace relievo {
 namespace {
-
-constexpr std::uint64_t kReportEvery = 1 << 16;
 
 /// What one record of an element contributes; filled by the two bodies below.
 struct Record {

@@ -4,20 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "core/io/formats/lines.h"
+#include "core/io/formats/reader_steps.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 #include "core/io/worker/planted_fault.h"
 
 namespace relievo {
 namespace {
-
-constexpr std::uint64_t kReportEvery = 1 << 16;
-constexpr std::size_t kMaxLine = 65536;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 using Matrix = std::array<double, 16>;  ///< Row-major; the translation is the last row.
 
@@ -41,7 +37,7 @@ class PtxReader {
   /// Moves to the next line that is not empty. @return  false at the end
   bool nextLine() {
     while (lines_.next()) {
-      if (lines_.line().size() > kMaxLine) {
+      if (lines_.line().size() > kMaxPointLine) {
         throwReadError(job_.file, "line " + std::to_string(lines_.number()) +
                                       " is longer than 64 kB. It is no file of points.");
       }
@@ -143,7 +139,7 @@ class PtxReader {
       number = *value;
     }
     if (p[0] == 0 && p[1] == 0 && p[2] == 0) {  // Nothing was measured in this direction.
-      builder_.addPoint(kNaN, kNaN, kNaN);
+      builder_.addPoint(kNoCoordinate, kNoCoordinate, kNoCoordinate);
       return;
     }
     const bool kept = builder_.addPoint(p[0] * m[0] + p[1] * m[4] + p[2] * m[8] + m[12],

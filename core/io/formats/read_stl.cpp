@@ -16,9 +16,9 @@
 namespace relievo {
 namespace {
 
-constexpr std::uint64_t kReportEvery = 1 << 14;  ///< Triangles.
-constexpr std::size_t kHeader = 84;              ///< Title and number of triangles.
-constexpr std::size_t kTriangle = 50;            ///< Normal, corners, two bytes of no meaning.
+constexpr std::uint64_t kTrianglesPerReport = 1 << 14;
+constexpr std::size_t kHeader = 84;    ///< Title and number of triangles.
+constexpr std::size_t kTriangle = 50;  ///< Normal, corners, two bytes of no meaning.
 constexpr std::size_t kNormal = 12;
 
 void addTriangle(ScanBuilder& builder, const std::array<std::array<double, 3>, 3>& corners) {
@@ -44,7 +44,7 @@ void readBinary(const ReadJob& job, ScanBuilder& builder) {
   builder.requireRoom(3 * found, true);
   builder.expectPoints(3 * found);
   for (std::uint64_t i = 0; i < found; ++i) {
-    if (i % kReportEvery == 0) {
+    if (i % kTrianglesPerReport == 0) {
       job.task.check();
       job.task.report("reading mesh", static_cast<double>(i) / static_cast<double>(found));
     }
@@ -132,7 +132,7 @@ class StlTextReader {
   }
 
   void readFacet() {
-    if (builder_.faceCount() % kReportEvery == 0) report();
+    if (builder_.faceCount() % kTrianglesPerReport == 0) report();
     expect("normal");
     threeNumbers();
     expect("outer");

@@ -9,6 +9,7 @@
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/formats/lines.h"
+#include "core/io/formats/reader_steps.h"
 #include "core/io/formats/text_columns.h"
 #include "core/io/point_columns.h"
 #include "core/io/read_scan.h"
@@ -18,9 +19,6 @@
 namespace relievo {
 namespace {
 
-constexpr std::uint64_t kReportEvery = 1 << 16;
-constexpr std::size_t kMaxLine = 65536;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 
 class TextReader {
@@ -67,7 +65,7 @@ class TextReader {
   /// Moves to the next line that is neither empty nor a comment. @return  false at the end
   bool nextRow() {
     while (lines_.next()) {
-      if (lines_.line().size() > kMaxLine) {
+      if (lines_.line().size() > kMaxPointLine) {
         throwReadError(job_.file, "line " + std::to_string(lines_.number()) +
                                       " is longer than 64 kB. It is no file of points.");
       }
@@ -171,7 +169,7 @@ class TextReader {
       if (line.empty() || line.starts_with('#') || line.starts_with("//")) continue;
       std::vector<double>& row = rows.emplace_back();
       for (const std::string_view column : columnsOf(line, style_.separator)) {
-        row.push_back(parseColumn(column, style_.decimal_comma).value_or(kNaN));
+        row.push_back(parseColumn(column, style_.decimal_comma).value_or(kNoCoordinate));
       }
     } while (rows.size() < kRows && ahead.next());
     return rows;
@@ -218,7 +216,7 @@ class TextReader {
   void takeValue(std::size_t column, std::string_view text, std::array<float, 3>& colour,
                  float& intensity) {
     const auto number = [&] {
-      return static_cast<float>(parseColumn(text, style_.decimal_comma).value_or(kNaN));
+      return static_cast<float>(parseColumn(text, style_.decimal_comma).value_or(kNoCoordinate));
     };
     if (values_.intensity == column) intensity = number();
     if (!values_.colour) return;

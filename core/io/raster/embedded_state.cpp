@@ -5,12 +5,10 @@
 #include <png.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <memory>
-#include <utility>
 
 #include "core/base/failure.h"
 #include "core/io/export/write_cloud.h"
@@ -19,6 +17,7 @@
 #include "core/io/formats/ply_header.h"
 #include "core/io/raster/png_version.h"
 #include "core/io/raster/tiff_head.h"
+#include "core/io/raster/xml_entities.h"
 #include "core/io/worker/reader_guard.h"
 
 namespace relievo {
@@ -26,8 +25,6 @@ namespace {
 
 constexpr std::size_t kMostStateBytes = 16U << 20U;
 constexpr int kMostCommentLines = 1000;  // Of a CSV file, before its columns.
-constexpr std::array<std::pair<char, std::string_view>, 5> kEntities{
-    {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}}};
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -137,18 +134,6 @@ bool skipTo(std::istream& in, std::string_view mark) {
     return true;
   }
   return false;
-}
-
-std::string withoutEntities(std::string_view text) {
-  std::string plain;
-  while (!text.empty()) {
-    const auto* const entity =
-        std::find_if(kEntities.begin(), kEntities.end(),
-                     [text](const auto& e) { return text.starts_with(e.second); });
-    plain += entity == kEntities.end() ? text.front() : entity->first;
-    text.remove_prefix(entity == kEntities.end() ? 1 : entity->second.size());
-  }
-  return plain;
 }
 
 /// Of an SVG, or of the XMP packet of a PDF, which is neither packed nor encrypted.

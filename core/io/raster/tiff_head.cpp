@@ -14,6 +14,7 @@
 #include "core/base/failure.h"
 #include "core/file/owned_fd.h"
 #include "core/io/file_check.h"
+#include "core/io/raster/xml_entities.h"
 #include "core/io/worker/reader_guard.h"
 
 namespace relievo {
@@ -166,20 +167,6 @@ std::optional<std::vector<std::uint64_t>> listOf(const TiffBytes& in, const Fiel
     list[i] = in.numberOf(stored.data() + i * bytes, bytes);
   }
   return list;
-}
-
-std::string withoutEntities(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, char>, 5> kEntities{
-      {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}}};
-  std::string plain;
-  while (!text.empty()) {
-    const auto* const entity =
-        std::find_if(kEntities.begin(), kEntities.end(),
-                     [text](const auto& e) { return text.starts_with(e.first); });
-    plain += entity == kEntities.end() ? text.front() : entity->second;
-    text.remove_prefix(entity == kEntities.end() ? 1 : entity->first.size());
-  }
-  return plain;
 }
 
 /// Entries of the whole raster: <Item name="NAME">TEXT</Item>. Those of a band have more

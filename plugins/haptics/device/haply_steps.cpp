@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/haptics/device/haply_steps.h"
 
-#include <cmath>
 #include <QFormLayout>
 #include <QLabel>
 #include <QStringList>
 
 #include "core/message/catalogue.h"
+#include "plugins/haptics/device/shown_place.h"
 #include "plugins/haptics/panel/panel_widgets.h"
 
 namespace relievo {
 
 using haply::LinkState;
-
-namespace {
-/// With one decimal, "-0.0" looks like a place.
-double withoutMinusZero(double mm) {
-  return std::abs(mm) < 0.05 ? 0 : mm;
-}
-}  // namespace
 
 HaplySteps::HaplySteps() : QGroupBox(tr("Steps")) {
   auto* form = new QFormLayout(this);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/haptics/device/setup_boxes.h"
 
-#include <cmath>
 #include <QClipboard>
 #include <QFile>
 #include <QFormLayout>
@@ -17,6 +16,7 @@
 #include "haptics/device/falcon/firmware.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "plugins/haptics/device/homing_picture.h"
+#include "plugins/haptics/device/shown_place.h"
 #include "plugins/haptics/panel/panel_widgets.h"
 #include "plugins/haptics/shown_file.h"
 #include "ui/message/message_text.h"
@@ -24,15 +24,6 @@
 namespace relievo {
 
 using falcon::LinkState;
-
-namespace {
-
-/// With one decimal, "-0.0" looks like a place.
-double withoutMinusZero(double mm) {
-  return std::abs(mm) < 0.05 ? 0 : mm;
-}
-
-}  // namespace
 
 QPlainTextEdit* textPage(const char* object_name, const QString& accessible, int lines) {
   auto* edit = named(new QPlainTextEdit, object_name, accessible);

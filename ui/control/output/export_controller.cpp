@@ -2,7 +2,6 @@
 #include "ui/control/output/export_controller.h"
 
 #include <memory>
-#include <QFile>
 #include <QFileInfo>
 
 #include "core/base/error.h"
@@ -17,15 +16,9 @@
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"
 #include "ui/work/file_names.h"
+#include "ui/work/file_path.h"
 
 namespace relievo {
-namespace {
-
-std::filesystem::path pathOf(const QString& file) {
-  return QFile::encodeName(file).toStdString();
-}
-
-}  // namespace
 
 ExportController::ExportController(const ControllerParts& parts, const Sources& sources)
     : Controller(parts), sources_(sources) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <memory>
 #include <QDir>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <utility>
@@ -18,13 +17,10 @@
 #include "ui/dialogs/package_dialog.h"
 #include "ui/language/error_text.h"
 #include "ui/work/file_names.h"
+#include "ui/work/file_path.h"
 
 namespace relievo {
 namespace {
-
-std::filesystem::path pathOf(const QString& file) {
-  return QFile::encodeName(file).toStdString();
-}
 
 /// A file with its path as it is here, and its checksum.
 InputFile asItIs(const QString& file, const Task& task) {

@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <QDeadlineTimer>
 #include <QDialogButtonBox>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -21,14 +20,11 @@
 #include "ui/language/core_text.h"
 #include "ui/language/error_text.h"
 #include "ui/work/file_names.h"
+#include "ui/work/file_path.h"
 #include "ui/work/scheduling/event_turn.h"
 
 namespace relievo {
 namespace {
-
-std::filesystem::path pathOf(const QString& file) {
-  return QFile::encodeName(file).toStdString();
-}
 
 constexpr int kPatienceMs = 5000, kTurnMs = 20;
 

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is written beside the figure.
-#include <QFile>
 #include <QFileInfo>
 #include <QLineEdit>
 
 #include "ui/dialogs/figure/figure_form.h"
 #include "ui/dialogs/figure/figure_form_parts.h"
 #include "ui/dialogs/figure/figure_form_rows.h"
+#include "ui/work/file_path.h"
 
 namespace relievo {
-namespace {
-
-std::filesystem::path pathOf(const QString& file) {
-  return QFile::encodeName(file).toStdString();
-}
-
-}  // namespace
 
 FigureFileRows::FigureFileRows(FigureFormRows& rows) {
   both_eyes_ = rows.field<QCheckBox>(

@@ -2,6 +2,7 @@
 // What stands beside what, and how large it is on paper.
 #include <QLineEdit>
 
+#include "ui/dialogs/figure/far_limit.h"
 #include "ui/dialogs/figure/figure_form.h"
 #include "ui/dialogs/figure/figure_form_parts.h"
 #include "ui/dialogs/figure/figure_form_rows.h"
@@ -10,7 +11,6 @@
 namespace relievo {
 namespace {
 
-constexpr double kFarMm = 1e9;  // Maps of countries have such scales.
 constexpr std::array<const char*, 5> kLayouts{
     QT_TRANSLATE_NOOP("relievo::FigureForm", "Detail alone"),
     QT_TRANSLATE_NOOP("relievo::FigureForm", "Whole object and detail"),

@@ -6,6 +6,7 @@
 
 #include "core/relief/relief_image.h"
 #include "core/session/colours/surface_colours.h"
+#include "ui/dialogs/figure/far_limit.h"
 #include "ui/dialogs/figure/figure_form.h"
 #include "ui/dialogs/figure/figure_form_parts.h"
 #include "ui/dialogs/figure/figure_form_rows.h"
@@ -14,7 +15,6 @@
 namespace relievo {
 namespace {
 
-constexpr double kFarMm = 1e9;   // Maps of countries have such heights.
 constexpr double kSteps = 1000;  // That an automatic value is rounded to, of what it spans.
 constexpr std::array<const char*, kReliefKindNames.size()> kReliefs{
     QT_TRANSLATE_NOOP("relievo::FigureForm", "Shaded relief"),

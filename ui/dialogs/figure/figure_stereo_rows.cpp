@@ -2,6 +2,7 @@
 // Two eyes.
 #include <cmath>
 
+#include "ui/dialogs/figure/far_limit.h"
 #include "ui/dialogs/figure/figure_form.h"
 #include "ui/dialogs/figure/figure_form_parts.h"
 #include "ui/dialogs/figure/figure_form_rows.h"
@@ -9,7 +10,6 @@
 namespace relievo {
 namespace {
 
-constexpr double kFarMm = 1e9;     // Maps of countries have such heights.
 constexpr double kStepMm = 0.001;  // That the automatic zero plane is rounded to.
 constexpr std::array<const char*, 6> kStereos{
     QT_TRANSLATE_NOOP("relievo::FigureForm", "None"),

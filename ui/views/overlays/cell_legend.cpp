@@ -8,12 +8,11 @@
 
 #include "ui/figure/hand_signs.h"
 #include "ui/style/text.h"
+#include "ui/views/overlays/corner.h"
 #include "ui/vtk/relief_scene.h"
 
 namespace relievo {
 namespace {
-constexpr int kMargin = 14;
-constexpr int kPadding = 8;
 constexpr double kLeastPercent = 0.1;  // Less is said as "less than".
 
 QString percentText(std::ptrdiff_t part, std::ptrdiff_t all) {
@@ -64,13 +63,14 @@ void CellLegend::place() {
   const int line = fontMetrics().height();
   int widest = 0;
   for (const Row& row : rows_) {
-    const int sign = row.sign == Sign::none ? 0 : line + kPadding;
+    const int sign = row.sign == Sign::none ? 0 : line + kCornerPadding;
     widest = std::max(widest, fontMetrics().horizontalAdvance(row.text) + sign);
   }
   const int lines = std::max(1, static_cast<int>(rows_.size()));
-  const QSize wanted(widest + 2 * kPadding, lines * (line + kPadding) + kPadding);
-  const int width = std::min(wanted.width(), parentWidget()->width() - 2 * kMargin);
-  setGeometry(parentWidget()->width() - width - kMargin, kMargin, width, wanted.height());
+  const QSize wanted(widest + 2 * kCornerPadding, lines * (line + kCornerPadding) + kCornerPadding);
+  const int width = std::min(wanted.width(), parentWidget()->width() - 2 * kCornerMargin);
+  setGeometry(parentWidget()->width() - width - kCornerMargin, kCornerMargin, width,
+              wanted.height());
 }
 
 void CellLegend::paintSign(QPainter& painter, Sign sign, const QRect& place) const {
@@ -100,12 +100,12 @@ void CellLegend::paintEvent(QPaintEvent* /*event*/) {
   painter.fillRect(rect(), QColor(18, 18, 20, 150));
   const int line = fontMetrics().height();
   painter.setPen(QColor(245, 245, 245));
-  QRect row(kPadding, kPadding, width() - 2 * kPadding, line);
+  QRect row(kCornerPadding, kCornerPadding, width() - 2 * kCornerPadding, line);
   for (const Row& entry : rows_) {
-    const int sign = entry.sign == Sign::none ? 0 : line + kPadding;
+    const int sign = entry.sign == Sign::none ? 0 : line + kCornerPadding;
     paintSign(painter, entry.sign, QRect(row.topLeft(), QSize(line, line)));
     painter.drawText(row.adjusted(sign, 0, 0, 0), Qt::AlignLeft, entry.text);
-    row.translate(0, line + kPadding);
+    row.translate(0, line + kCornerPadding);
   }
 }
 

@@ -7,12 +7,9 @@
 
 #include "ui/language/core_text.h"
 #include "ui/style/text.h"
+#include "ui/views/overlays/corner.h"
 
 namespace relievo {
-namespace {
-constexpr int kMargin = 14;
-constexpr int kPadding = 8;
-}  // namespace
 
 ColourBar::ColourBar(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("colour_bar"));
@@ -68,10 +65,10 @@ std::array<std::uint8_t, 3> ColourBar::colourAt(double share) const {
 void ColourBar::place() {
   const int line = fontMetrics().height();
   const QSize size(std::max(12 * line, fontMetrics().horizontalAdvance(title_) + 10 * line),
-                   2 * line + 3 * kPadding);
+                   2 * line + 3 * kCornerPadding);
   const QSize fitted(std::min(size.width(), parentWidget()->width() / 2), size.height());
-  setGeometry(QRect(QPoint(parentWidget()->width() - fitted.width() - kMargin,
-                           parentWidget()->height() - fitted.height() - kMargin),
+  setGeometry(QRect(QPoint(parentWidget()->width() - fitted.width() - kCornerMargin,
+                           parentWidget()->height() - fitted.height() - kCornerMargin),
                     fitted));
 }
 
@@ -79,13 +76,13 @@ void ColourBar::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.fillRect(rect(), QColor(18, 18, 20, 150));
   const int line = fontMetrics().height();
-  const QRect bar(kPadding, kPadding, width() - 2 * kPadding, line);
+  const QRect bar(kCornerPadding, kCornerPadding, width() - 2 * kCornerPadding, line);
   for (int x = 0; x < bar.width(); ++x) {
     const auto c = colourAt((x + 0.5) / bar.width());
     painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), QColor(c[0], c[1], c[2]));
   }
   painter.setPen(QColor(245, 245, 245));
-  const QRect words = bar.translated(0, line + kPadding);
+  const QRect words = bar.translated(0, line + kCornerPadding);
   painter.drawText(words, Qt::AlignLeft, endText(low_));
   painter.drawText(words, Qt::AlignHCenter, title_);
   painter.drawText(words, Qt::AlignRight, endText(high_));

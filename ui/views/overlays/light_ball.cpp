@@ -9,11 +9,12 @@
 #include <QPainter>
 #include <QRadialGradient>
 
+#include "ui/views/overlays/corner.h"
+
 namespace relievo {
 namespace {
 
 constexpr double kDeg = 3.14159265358979323846 / 180;
-constexpr int kMargin = 14;      // From the view's corner.
 constexpr double kLines = 3.4;   // Its size, in lines of text.
 constexpr int kViewsAround = 3;  // Smaller views than so many of it have none.
 
@@ -56,7 +57,7 @@ void LightBall::place() {
   // The upper left corner is that of the object's small picture, while there is one.
   const auto* inset = view->findChild<QWidget*>(QStringLiteral("overview_inset"));
   const int top = inset != nullptr && inset->isVisible() ? inset->geometry().bottom() : 0;
-  setGeometry(kMargin, top + kMargin, side, side);
+  setGeometry(kCornerMargin, top + kCornerMargin, side, side);
   setVisible(usable_ && std::min(view->width(), view->height()) >= kViewsAround * side);
 }
 
