@@ -16,6 +16,7 @@
 #include "app/cli/dependencies.h"
 #include "app/cli/options/device_settings.h"
 #include "app/cli/options/falcon_setting.h"
+#include "app/cli/sound_track.h"
 #include "app/cli/state.h"
 #include "app/end_signals.h"
 #include "app/exhibit/exhibit_window.h"
@@ -154,6 +155,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options,
   MainWindow window(captureDepths, mode);
   shareDevices(window);
   window.controllers().packages.setDependencies(batch::dependenciesOf);
+  window.controllers().videos.setSound(batch::soundTrackOf);
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());
   QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });

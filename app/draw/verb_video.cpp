@@ -8,6 +8,7 @@
 #include "app/cli/options/look_arguments.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/report_text.h"
+#include "app/cli/sound_track.h"
 #include "app/cli/state.h"
 #include "app/cli/verb.h"
 #include "app/draw/drawing_verbs.h"
@@ -17,6 +18,7 @@
 #include "ui/figure/figure.h"
 #include "ui/video/video.h"
 #include "ui/video/video_frames.h"
+#include "ui/video/video_sound.h"
 #include "ui/vtk/files/picture_file.h"
 
 namespace relievo::batch {
@@ -63,11 +65,13 @@ VideoRequest requestOf(const VideoArguments& a) {
   requireUse("--eye-angle", a.eye_angle_deg.has_value(), eyes || a.both_eyes, what);
   requireUse("--swap-eyes", v.swap_eyes, eyes || a.both_eyes, what);
   v.eye_angle_deg = a.eye_angle_deg.value_or(v.eye_angle_deg);
+  if (a.frame) v.sound = false;
   v.look = reliefLook(a.look, v.look);
   for (const std::string& part : a.without) {
     if (part == "plots") v.plots = false;
     if (part == "overview") v.overview = false;
     if (part == "scalebar") v.scale_bar = false;
+    if (part == "sound") v.sound = false;
   }
   check(v);
   return v;
@@ -159,11 +163,18 @@ CommandResult runVideo(const VideoArguments& a, const Task& task) {
   const auto state_of = [&](const VideoRequest& one) {
     return videoState(recorded.provenance, one, log);
   };
-  const VideoFacts facts = writeVideo(surface, shown, request, state_of, filesOfVideo(a), task);
+  const VideoSound sound = soundOf(request, shown, soundTrackOf);
+  if (sound.missing) {
+    tell("The video has no sound. " + std::string(sound.missing->what()));
+  }
+  VideoFiles files = filesOfVideo(a);
+  files.sound = sound.track ? &*sound.track : nullptr;
+  const VideoFacts facts = writeVideo(surface, shown, request, state_of, files, task);
   Json json;
   json["file"] = a.out;
   json["profile"] = name(request.profile);
   json["pixels"] = {request.width_px, request.height_px};
+  json["sound"] = sound.track.has_value();
   json["frames"] = facts.frames;
   json["seconds"] = facts.seconds;
   json["bytes"] = facts.bytes;
@@ -199,14 +210,15 @@ void declareVideo(CLI::App& verb, VideoArguments& a) {
                   "resolution; images: PNG files, without ffmpeg");
   verb.add_option("--size", a.size, "WIDTHxHEIGHT in pixels, even; 1280x720");
   takes(verb.add_option("--fps", a.request.fps, "Frames per second; 30"), {.low = 1, .high = 120});
-  takes(verb.add_option("--speed", a.request.speed, "1 as it was; 0.25 four times slower"),
+  takes(verb.add_option("--speed", a.request.speed,
+                        "1 as it was; 0.25 four times slower, with each sound at its time"),
         {.low = 0.01, .high = 100});
   takes(verb.add_option("--from", a.request.from_s, "Seconds since the recording's start"),
         {.low = 0, .high = 1e6, .unit = "s"});
   takes(verb.add_option("--to", a.request.to_s, "Likewise"), {.low = 0, .high = 1e6, .unit = "s"});
-  verb.add_option("--without", a.without, "plots, overview, scalebar")
+  verb.add_option("--without", a.without, "plots, overview, scalebar, sound")
       ->delimiter(',')
-      ->check(CLI::IsMember({"plots", "overview", "scalebar"}));
+      ->check(CLI::IsMember({"plots", "overview", "scalebar", "sound"}));
   verb.add_option("--stereo", a.stereo,
                   "off, grey, half, dubois, sidebyside, overunder or interlaced; anaglyph: grey");
   takes(verb.add_option("--eye-angle", a.eye_angle_deg, "Degrees between the eyes; 4"),

@@ -39,6 +39,8 @@ struct VideoRequest {
   bool plots = true;                     ///< z of hand and proxy, force, with a cursor.
   bool overview = true;                  ///< The whole object with the pink window.
   bool scale_bar = true;
+  /// What the recording sounds like, at this speed; a camera path and images have no sound.
+  bool sound = true;
   ReliefLook look;
   StereoPrint stereo = StereoPrint::off;  ///< Pairs are of the whole frame.
   double eye_angle_deg = 4;

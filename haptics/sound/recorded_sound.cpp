@@ -70,6 +70,8 @@ class Windows {
       window_ = windowOf(recording_, row);
       // Of a state that has no view nothing can be measured.
       if (window_ != nullptr && !(window_->region.side_mm > 0)) window_ = nullptr;
+      // One that was placed for the eye has edges that nobody met.
+      if (window_ != nullptr && !window_->known) window_ = nullptr;
       id_ = row.window_id;
       is_known_ = true;
     }
@@ -129,7 +131,7 @@ RecordedSound::RecordedSound(const TouchRecording& recording, const SoundRequest
     throw failure<MessageId::video_beyond_recording>(
         plain(request.from_s.value_or(0)), plain(request.to_s.value_or(length_s)), plain(length_s));
   }
-  const double frames = std::ceil((to_s_ - from_s_ + kTailS) * kSampleRateHz);
+  const double frames = std::ceil(((to_s_ - from_s_) / request.speed + kTailS) * kSampleRateHz);
   constexpr double kMost = 9e15;  // Beyond any file; what can be written is the writer's limit.
   frames_ = static_cast<std::uint64_t>(std::min(frames, kMost));
 
@@ -177,11 +179,13 @@ TouchSample RecordedSound::sampleOf(const TouchRow& row, const TouchedWindow* wi
 RecordedSound::Summary RecordedSound::render(
     const std::function<void(std::span<const Frame>)>& take, const Task& task) const {
   Summary summary;
-  TouchMixer mixer(request_.synth);
+  // Rows that stand farther apart are not missing.
+  TouchMixer mixer(request_.synth, TouchMixer::kHoldS / request_.speed);
   Sink sink(mixer, take, task);
   const double start_s = recording_.startS() + from_s_;
   const auto frame_at = [&](double t_s) {
-    return static_cast<std::int64_t>(std::llround((t_s - start_s) * kSampleRateHz));
+    return static_cast<std::int64_t>(
+        std::llround((t_s - start_s) / request_.speed * kSampleRateHz));
   };
   const auto render_to = [&](std::int64_t frame) {
     sink.renderTo(static_cast<std::uint64_t>(std::max<std::int64_t>(0, frame)));

@@ -16,12 +16,15 @@ namespace relievo::sound {
 
 struct SoundRequest {
   std::optional<double> from_s, to_s;  ///< Since the recording's start; nothing: all of it.
+  /// Seconds of the recording per second of sound, 0.01 .. 100. What is heard comes at its time and
+  /// is no deeper or higher for it: a click is as short, a tone as high.
+  double speed = 1;
   std::optional<ToneHeights> heights;  ///< Nothing: those that were touched.
   SynthOptions synth;
 };
 
 /// The sound of a recording, which depends on it and the request alone. Every row sounds at its own
-/// time: what happens in it begins with the frame nearest to that. [worker]
+/// time, at the request's speed: what happens in it begins with the frame nearest to that. [worker]
 class RecordedSound {
  public:
   /// The recording outlives this.

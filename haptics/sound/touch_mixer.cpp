@@ -6,11 +6,6 @@
 
 namespace relievo::sound {
 
-namespace {
-constexpr std::int64_t kHoldFrames = 2400;
-static_assert(kHoldFrames == static_cast<std::int64_t>(TouchMixer::kHoldS * kSampleRateHz));
-}  // namespace
-
 Heard TouchMixer::place(const TouchSample& sample, std::int64_t frame, Happenings happenings,
                         std::optional<Earcon> also) RELIEVO_REALTIME {
   Heard heard = touch_.next(sample);
@@ -31,7 +26,7 @@ Heard TouchMixer::place(const TouchSample& sample, std::int64_t frame, Happening
 
 void TouchMixer::hear(const Waiting& waiting) RELIEVO_REALTIME {
   heard_ = waiting.heard;
-  silent_at_ = waiting.frame + kHoldFrames;
+  silent_at_ = waiting.frame + hold_frames_;
   synth_.take(waiting.heard);
   if (waiting.also) strike(*waiting.also);
 }

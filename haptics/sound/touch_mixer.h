@@ -14,13 +14,16 @@
 namespace relievo::sound {
 
 /// Turns samples into sound, each at its own frame, for recordings and for a touch that goes on.
-/// Where samples are missing for 50 ms, the sound ends. Allocates nothing and waits for nothing.
-/// [one thread, realtime]
+/// Where samples are missing for long, mostly 50 ms, the sound ends. Allocates nothing and waits
+/// for nothing. [one thread, realtime]
 class TouchMixer {
  public:
   static constexpr double kHoldS = 0.05;
 
-  explicit TouchMixer(const SynthOptions& options = {}) RELIEVO_REALTIME : synth_(options) {}
+  /// @param hold_s  without a sample for so long, the sound ends
+  explicit TouchMixer(const SynthOptions& options = {}, double hold_s = kHoldS) RELIEVO_REALTIME
+      : synth_(options),
+        hold_frames_(static_cast<std::int64_t>(hold_s* kSampleRateHz)) {}
 
   enum class Happenings : bool { unheard, heard };
   /// Takes the next sample. If its frame is over, it is heard with the next frame; if too many
@@ -58,6 +61,7 @@ class TouchMixer {
   std::array<Waiting, 128> waiting_{};
   std::size_t first_ = 0, count_ = 0;
   std::int64_t frame_ = 0;
+  std::int64_t hold_frames_;
   std::int64_t silent_at_ = 0;  // From here on, unless a sample comes before.
 };
 

@@ -47,6 +47,13 @@ std::uint16_t pcm(float value) {
 
 }  // namespace
 
+void addPcm(std::span<const Frame> frames, std::string& bytes) {
+  for (const Frame& frame : frames) {
+    add(bytes, pcm(frame.left), 2);
+    add(bytes, pcm(frame.right), 2);
+  }
+}
+
 std::uint64_t mostWavFrames(const std::string& comment) noexcept {
   const std::uint64_t room =
       std::numeric_limits<std::uint32_t>::max() - (comment.size() + 100);  // More than front() has.
@@ -66,10 +73,7 @@ WavFile::WavFile(const OutputFile& file, std::uint64_t frames, const std::string
 
 void WavFile::write(std::span<const Frame> frames) {
   bytes_.clear();
-  for (const Frame& frame : frames) {
-    add(bytes_, pcm(frame.left), 2);
-    add(bytes_, pcm(frame.right), 2);
-  }
+  addPcm(frames, bytes_);
   file_.write(bytes_);
 }
 

@@ -10,6 +10,9 @@
 
 namespace relievo::sound {
 
+/// Adds frames as they stand in files: left and right in turn, 16 bits each, the low byte first.
+void addPcm(std::span<const Frame> frames, std::string& bytes);
+
 /// Frames that one WAV file holds, whose sizes have 32 bits: more than six hours.
 std::uint64_t mostWavFrames(const std::string& comment) noexcept;
 

@@ -91,12 +91,20 @@ class SoundControlTest : public ::testing::Test {
   SoundControlTest() {
     parts_.actions = addTouchActions(host_);
     device_.open();
-    sound_ = std::make_unique<SoundControl>(parts_, device_, [this](sound::RenderFrames frames) {
-      auto out = std::make_unique<StandIn>(std::move(frames));
-      out_ = out.get();
-      ++opened_;
-      return out;
-    });
+    control();
+  }
+  /// Whose server comes up in that state.
+  void control(qint64 retry_ms = SoundControl::kRetryMs) {
+    sound_ = std::make_unique<SoundControl>(
+        parts_, device_,
+        [this](sound::RenderFrames frames) {
+          auto out = std::make_unique<StandIn>(std::move(frames));
+          out->now = comes_up_;
+          out_ = out.get();
+          ++opened_;
+          return out;
+        },
+        retry_ms);
   }
   /// Peak of what is heard in that many blocks.
   float heard(int blocks) {
@@ -122,6 +130,7 @@ class SoundControlTest : public ::testing::Test {
   HandDevice device_{parts_};
   StandIn* out_ = nullptr;
   int opened_ = 0;
+  sound::SoundOut::State comes_up_ = sound::SoundOut::State::playing;
   std::unique_ptr<SoundControl> sound_;
 };
 
@@ -161,6 +170,42 @@ TEST_F(SoundControlTest, AServerThatGoesIsSaidOnceAndTriedAgainWhenSwitchedOn) {
   parts_.actions.sound->trigger();
   EXPECT_EQ(opened_, 2);
   EXPECT_TRUE(sound_->isPlaying());
+}
+
+TEST_F(SoundControlTest, AServerThatGoesIsTriedAgainWithoutAWordUntilItIsBack) {
+  control(0);  // At once.
+  parts_.actions.sound->trigger();
+  const auto times_on = [this] { return host_.announcements.filter("Sounds of touch on.").size(); };
+  EXPECT_EQ(times_on(), 1);
+  out_->now = comes_up_ = sound::SoundOut::State::gone;
+  for (int i = 0; i < 5; ++i) sound_->watch();
+  EXPECT_EQ(opened_, 5) << "the first, and one with each look after it had gone";
+  EXPECT_EQ(host_.announcements.filter("There is no sound").size(), 1);
+  comes_up_ = sound::SoundOut::State::opening;
+  sound_->watch();
+  EXPECT_EQ(times_on(), 1) << "it is not back yet";
+  out_->now = sound::SoundOut::State::playing;
+  sound_->watch();
+  sound_->watch();
+  EXPECT_TRUE(sound_->isPlaying());
+  EXPECT_EQ(times_on(), 2);
+  EXPECT_EQ(opened_, 6);
+  // It goes once more, and that is said once more; switched off, it is not tried.
+  out_->now = comes_up_ = sound::SoundOut::State::gone;
+  sound_->watch();
+  EXPECT_EQ(host_.announcements.filter("There is no sound").size(), 2);
+  parts_.actions.sound->trigger();
+  sound_->watch();
+  EXPECT_EQ(opened_, 6);
+}
+
+TEST_F(SoundControlTest, AServerThatGoesIsLeftAloneForAWhile) {
+  parts_.actions.sound->trigger();
+  out_->now = comes_up_ = sound::SoundOut::State::gone;
+  sound_->watch();
+  sound_->watch();
+  device_.change();
+  EXPECT_EQ(opened_, 1) << "five seconds are not over";
 }
 
 TEST_F(SoundControlTest, AnotherDeviceIsHeardAsWell) {

@@ -12,6 +12,8 @@
 #include <QPushButton>
 #include <QtTest/QTest>
 
+#include "core/base/error.h"
+#include "core/replay/sound_track.h"
 #include "tests/ui/gui_fixture.h"
 #include "ui/dialogs/video_control.h"
 #include "ui/dialogs/video_dialog.h"
@@ -322,6 +324,95 @@ TEST_F(VideoWindowTest, PartSpeedContentAndEyesAreChosenInTheDialog) {
     EXPECT_EQ(QDir(path(folder)).entryList({"*.png"}).size(), 17)
         << folder << said().toStdString() << window().message().toStdString();
   }
+}
+
+/// A click of sixteen samples.
+SoundTrack shortSound() {
+  SoundTrack track;
+  track.frames = 16;
+  track.render = [](const auto& take, const Task&) { take(std::string(64, 'x')); };
+  return track;
+}
+
+TEST_F(VideoWindowTest, SoundIsTickedWhereItCanBeMadeAndGoesIntoTheVideo) {
+  ASSERT_TRUE(haveFfmpeg());
+  std::vector<VideoRequest> heard;
+  window().controllers().replays.setReader(
+      [](const std::filesystem::path&, const Task&) { return shortTouch(0.2); });
+  const auto open_dialog = [this] {
+    window().runCommand("video");
+    auto* const dialog = static_cast<VideoDialog*>(child<QDialog>("video_options_dialog"));
+    EXPECT_NE(dialog, nullptr);
+    return dialog;
+  };
+  const auto close = [](VideoDialog* dialog) {
+    dialog->reject();
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  };
+  window().replay(path("touch.csv"));
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }));
+  VideoDialog* dialog = open_dialog();
+  EXPECT_FALSE(dialog->findChild<QCheckBox*>("video_sound")->isEnabled()) << "nothing makes it";
+  EXPECT_FALSE(dialog->request().sound);
+  close(dialog);
+  window().controllers().videos.setSound([&](const TouchRecording&, const VideoRequest& request) {
+    heard.push_back(request);
+    return shortSound();
+  });
+  dialog = open_dialog();
+  auto* sound = dialog->findChild<QCheckBox*>("video_sound");
+  EXPECT_TRUE(sound->isEnabled());
+  EXPECT_TRUE(dialog->request().sound) << "it is part of the recording";
+  EXPECT_EQ(sound->accessibleName(), "Sound");
+  auto* profile = dialog->findChild<QComboBox*>("video_profile");
+  profile->setCurrentIndex(profile->findData(static_cast<int>(VideoProfile::images)));
+  EXPECT_FALSE(sound->isEnabled()) << "a folder of pictures";
+  EXPECT_FALSE(dialog->request().sound);
+  profile->setCurrentIndex(profile->findData(static_cast<int>(VideoProfile::talk)));
+  EXPECT_TRUE(dialog->request().sound);
+  VideoRequest request = dialog->request();
+  sound->click();
+  VideoRequest silent = dialog->request();
+  EXPECT_FALSE(silent.sound);
+  close(dialog);
+
+  QFile(path("touch.csv")).open(QIODevice::WriteOnly);
+  const auto written = [&](VideoRequest one, const char* file) {
+    one.width_px = one.height_px = 96;
+    window().controllers().videos.write(one, path(file));
+    EXPECT_TRUE(waitFor([this] { return !video().writing(); }));
+    QFile state(path(QString::fromLatin1(file) + ".json"));
+    EXPECT_TRUE(state.open(QIODevice::ReadOnly)) << window().message().toStdString();
+    return state.readAll();
+  };
+  request.speed = 0.5;
+  EXPECT_TRUE(written(request, "loud.mp4").contains(R"("sound":"aac")"));
+  ASSERT_EQ(heard.size(), 1U);
+  EXPECT_EQ(heard.front().speed, 0.5);
+  EXPECT_FALSE(written(silent, "silent.mp4").contains("sound"));
+  EXPECT_EQ(heard.size(), 1U);
+  EXPECT_EQ(window().message(), QString());
+}
+
+TEST_F(VideoWindowTest, AVideoWhoseRecordingCannotBeHeardIsSavedAndSaysWhy) {
+  ASSERT_TRUE(haveFfmpeg());
+  window().controllers().replays.setReader(
+      [](const std::filesystem::path&, const Task&) { return shortTouch(0.2); });
+  window().controllers().videos.setSound([](const TouchRecording&, const VideoRequest&) {
+    throw FileError("It is old.");
+    return SoundTrack();
+  });
+  window().replay(path("touch.csv"));
+  ASSERT_TRUE(waitFor([this] { return window().controllers().replays.control().showing(); }));
+  QFile(path("touch.csv")).open(QIODevice::WriteOnly);
+  VideoRequest request;
+  request.width_px = request.height_px = 96;
+  window().controllers().videos.write(request, path("old.mp4"));
+  ASSERT_TRUE(waitFor([this] { return !video().writing(); }));
+  EXPECT_TRUE(QFile::exists(path("old.mp4")));
+  EXPECT_TRUE(said().startsWith("Video saved")) << said().toStdString();
+  EXPECT_TRUE(window().message().contains("The video has no sound. It is old."))
+      << window().message().toStdString();
 }
 
 TEST_F(VideoWindowTest, AReplayIsFilmedAlongTheCameraPathIfThatIsChosen) {

@@ -12,6 +12,7 @@
 #include "ui/style/text.h"
 #include "ui/video/live_video.h"
 #include "ui/video/video.h"
+#include "ui/video/video_sound.h"
 #include "ui/work/file_names.h"
 #include "ui/work/file_path.h"
 
@@ -74,6 +75,7 @@ void VideoControl::write(const Order& order) {
   struct Outcome {
     VideoFacts facts;
     QString error;
+    QString no_sound;  // Why.
   };
   auto outcome = std::make_shared<Outcome>();
   worker_.start(
@@ -85,10 +87,15 @@ void VideoControl::write(const Order& order) {
           if (order.recording && !order.recording_file.isEmpty()) {
             recording = inputFile(pathOf(order.recording_file), folder, task);
           }
+          const VideoSound sound = soundOf(order.request, order.recording.get(), order.sound);
+          if (sound.missing) outcome->no_sound = shownError(*sound.missing);
           outcome->facts = writeVideo(
               *order.surface, order.recording.get(), order.request,
               [&](const VideoRequest& one) { return videoState(order.provenance, one, recording); },
-              VideoFiles{.video = file, .both_eyes = order.both_eyes}, task);
+              VideoFiles{.video = file,
+                         .both_eyes = order.both_eyes,
+                         .sound = sound.track ? &*sound.track : nullptr},
+              task);
         } catch (const Cancelled&) {
           return;
         } catch (const Error& error) {
@@ -106,6 +113,9 @@ void VideoControl::write(const Order& order) {
                         .arg(numberText(outcome->facts.seconds, 1))
                         .arg(outcome->facts.frames)
                         .arg(name));
+        if (!outcome->no_sound.isEmpty()) {
+          Q_EMIT failed(tr("The video has no sound.") + QLatin1Char(' ') + outcome->no_sound);
+        }
         Q_EMIT ended(true);
       });
 }

@@ -9,6 +9,7 @@
 #include <QTimer>
 
 #include "core/project/project.h"
+#include "core/replay/sound_track.h"
 #include "core/replay/video_request.h"
 #include "ui/work/latest_worker.h"
 
@@ -32,7 +33,8 @@ class VideoControl : public QObject {
     Provenance provenance;
     VideoRequest request;
     QString file;
-    bool both_eyes = false;  ///< Each eye's video, too (VideoFiles).
+    bool both_eyes = false;   ///< Each eye's video, too (VideoFiles).
+    SoundTrackOf sound = {};  ///< Where the request asks for it; empty: none can be made.
   };
   void write(const Order& order);
   bool writing() const { return worker_.busy(); }

@@ -137,6 +137,12 @@ void VideoDialog::addContent(QFormLayout* form) {
                   tr("The whole object with the pink window, beside the detail"));
   scale_bar_ =
       box(tr("Scale &bar"), "video_scale_bar", tr("How long a millimetre is in the detail"));
+  sound_ = box(tr("So&und"), "video_sound",
+               tr("What the hand met, at its time: clicks, rustling and the tone of heights; a "
+                  "folder of pictures has none"));
+  enableSound();
+  connect(profile_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          &VideoDialog::enableSound);
   for (QCheckBox* of_recording : {plots_, overview_}) {
     of_recording->setChecked(start_.recording);
     of_recording->setEnabled(start_.recording);
@@ -188,6 +194,13 @@ void VideoDialog::enableEyes() {
   swap_->setEnabled(eyes);
 }
 
+void VideoDialog::enableSound() {
+  const bool is_folder = profile_->currentData().toInt() == static_cast<int>(VideoProfile::images);
+  const bool possible = start_.recording && start_.can_sound && !is_folder;
+  sound_->setEnabled(possible);
+  sound_->setChecked(possible && start_.request.sound);
+}
+
 bool VideoDialog::bothEyes() const {
   return both_eyes_->isChecked();
 }
@@ -216,6 +229,7 @@ VideoRequest VideoDialog::request() const {
   chosen.plots = plots_->isChecked();
   chosen.overview = overview_->isChecked();
   chosen.scale_bar = scale_bar_->isChecked();
+  chosen.sound = sound_->isChecked();
   chosen.stereo = static_cast<StereoPrint>(stereo_->currentData().toInt());
   chosen.eye_angle_deg = angle_->value();
   chosen.swap_eyes = swap_->isChecked();

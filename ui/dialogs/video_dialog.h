@@ -21,6 +21,7 @@ class VideoDialog : public QDialog {
   struct Start {
     QSize view_px;           ///< Of the detail view, offered beside the usual sizes.
     bool can_pack = true;    ///< False: there is no ffmpeg; pictures alone.
+    bool can_sound = false;  ///< Sound can be made of recordings.
     bool recording = false;  ///< False: a camera path alone, which has no plots and no overview.
     double duration_s = 0;   ///< Of recording or path.
     VideoRequest request;    ///< Speed, eyes and path as they are now.
@@ -39,13 +40,14 @@ class VideoDialog : public QDialog {
   /// A profile that halves the colours' size cannot keep two eyes apart.
   void showStereoFor(VideoProfile profile);
   void enableEyes();
+  void enableSound();
 
   Start start_;
   QComboBox *profile_ = nullptr, *size_ = nullptr, *stereo_ = nullptr;
   QDoubleSpinBox *fps_ = nullptr, *speed_ = nullptr, *from_ = nullptr, *to_ = nullptr,
                  *angle_ = nullptr;
   QCheckBox *plots_ = nullptr, *overview_ = nullptr, *scale_bar_ = nullptr, *along_path_ = nullptr,
-            *swap_ = nullptr, *both_eyes_ = nullptr;
+            *swap_ = nullptr, *both_eyes_ = nullptr, *sound_ = nullptr;
 };
 
 }  // namespace relievo

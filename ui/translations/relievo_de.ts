@@ -12819,6 +12819,10 @@
         <source>The video has ended early</source>
         <translation>Das Video endete vorzeitig</translation>
     </message>
+    <message>
+        <source>The video has no sound.</source>
+        <translation>Das Video hat keinen Ton.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::VideoController</name>
@@ -13040,6 +13044,14 @@
     <message>
         <source>Also each eye&apos;s video as a file of its own: NAME.left.mp4 and NAME.right.mp4</source>
         <translation>Auch das Video jedes Auges als eigene Datei: NAME.left.mp4 und NAME.right.mp4</translation>
+    </message>
+    <message>
+        <source>So&amp;und</source>
+        <translation>K&amp;länge</translation>
+    </message>
+    <message>
+        <source>What the hand met, at its time: clicks, rustling and the tone of heights; a folder of pictures has none</source>
+        <translation>Was die Hand antraf, zu seiner Zeit: Klicken, Rauschen und der Ton der Höhen; ein Ordner mit Bildern hat keine</translation>
     </message>
 </context>
 <context>

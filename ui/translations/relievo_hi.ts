@@ -12819,6 +12819,10 @@
         <source>The video has ended early</source>
         <translation>वीडियो समय से पहले समाप्त हुआ</translation>
     </message>
+    <message>
+        <source>The video has no sound.</source>
+        <translation>वीडियो में ध्वनि नहीं है।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::VideoController</name>
@@ -13040,6 +13044,14 @@
     <message>
         <source>Also each eye&apos;s video as a file of its own: NAME.left.mp4 and NAME.right.mp4</source>
         <translation>हर आँख का वीडियो भी अलग फ़ाइल में: NAME.left.mp4 और NAME.right.mp4</translation>
+    </message>
+    <message>
+        <source>So&amp;und</source>
+        <translation>ध्वनि (&amp;U)</translation>
+    </message>
+    <message>
+        <source>What the hand met, at its time: clicks, rustling and the tone of heights; a folder of pictures has none</source>
+        <translation>हाथ को जो मिला, उसके अपने समय पर: क्लिक, सरसराहट और ऊँचाइयों का स्वर; चित्रों के फ़ोल्डर में ध्वनि नहीं होती</translation>
     </message>
 </context>
 <context>

@@ -14,7 +14,7 @@ std::uint64_t bigEndian(std::span<const std::uint8_t> bytes) {
   return value;
 }
 
-/// Samples of all tracks in the content of a "moof" or "traf" (8.8.8, "trun").
+/// Samples of the first track in the content of a "moof" or "traf" (8.8.7, "tfhd"; 8.8.8, "trun").
 std::uint64_t samplesIn(std::span<const std::uint8_t> content) {
   std::uint64_t samples = 0;
   while (content.size() >= 8) {
@@ -23,6 +23,7 @@ std::uint64_t samplesIn(std::span<const std::uint8_t> content) {
     const std::string type(content.begin() + 4, content.begin() + 8);
     const auto inside = content.subspan(8, size - 8);
     if (type == "traf") samples += samplesIn(inside);
+    if (type == "tfhd" && inside.size() >= 8 && bigEndian(inside.subspan(4, 4)) > 1) return 0;
     if (type == "trun" && inside.size() >= 8) samples += bigEndian(inside.subspan(4, 4));
     content = content.subspan(size);
   }

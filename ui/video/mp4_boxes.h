@@ -9,7 +9,8 @@
 namespace relievo {
 
 /// Follows a fragmented MP4 (ISO/IEC 14496-12) while it is written, and knows where it could be cut
-/// and still be a whole file: after its head, and after each fragment.
+/// and still be a whole file: after its head, and after each fragment. Its frames are the samples
+/// of its first track.
 class Mp4Boxes {
  public:
   void add(std::span<const std::uint8_t> bytes);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -79,6 +80,24 @@ std::vector<std::string> packing(VideoProfile profile) {
   return words;
 }
 
+constexpr int kFromInChild = 3, kToInChild = 4;
+constexpr int kSoundInChild = kFromInChild;  // Of another child.
+
+/// Where the samples come from, and what becomes of them.
+std::vector<std::string> soundInput(const VideoFormat& f) {
+  if (f.sound.empty()) return {"-an"};
+  const std::string pipe = "pipe:" + std::to_string(kSoundInChild);
+  const std::string rate = std::to_string(f.sound_rate_hz);
+  return {"-f", "s16le", "-ar", rate, "-ac", "2", "-i", pipe};
+}
+std::vector<std::string> soundPacking(const VideoFormat& f) {
+  if (f.sound.empty()) return {};
+  std::vector<std::string> words{"-c:a", std::string(soundCodec(f.profile)), "-flags:a",
+                                 "+bitexact"};
+  if (soundCodec(f.profile) == "aac") words.insert(words.end(), {"-b:a", "192k"});
+  return words;
+}
+
 /// From raw pictures to fragments of a second each, which can be cut off at any time.
 std::vector<std::string> encoding(const VideoFormat& f) {
   std::vector<std::string> words{"ffmpeg",
@@ -95,22 +114,23 @@ std::vector<std::string> encoding(const VideoFormat& f) {
                                  "-framerate",
                                  numberText(f.fps),
                                  "-i",
-                                 "pipe:0",
-                                 "-an"};
-  for (const std::string& word : packing(f.profile)) words.push_back(word);
+                                 "pipe:0"};
+  for (const auto& more : {soundInput(f), packing(f.profile), soundPacking(f)}) {
+    words.insert(words.end(), more.begin(), more.end());
+  }
+  // A coder of sound begins before the first sample. How much, only a head says that waits for it.
+  const std::string head = f.sound.empty() ? "empty_moov" : "delay_moov";
   const std::string frames_a_second = std::to_string(std::max(1L, std::lround(f.fps)));
   for (const std::string& word :
        {std::string("-g"), frames_a_second, std::string("-fflags"), std::string("+bitexact"),
         std::string("-flags:v"), std::string("+bitexact"), std::string("-metadata"),
         "title=" + f.title, std::string("-metadata"), "comment=" + f.state,
-        std::string("-movflags"), std::string("+frag_keyframe+empty_moov+default_base_moof"),
+        std::string("-movflags"), "+frag_keyframe+" + head + "+default_base_moof",
         std::string("-f"), std::string("mp4"), std::string("pipe:1")}) {
     words.push_back(word);
   }
   return words;
 }
-
-constexpr int kFromInChild = 3, kToInChild = 4;
 
 /// What a child opens: of a file without a name its own copy of the descriptor.
 fs::path inChild(const fs::path& file, int descriptor) {
@@ -118,11 +138,29 @@ fs::path inChild(const fs::path& file, int descriptor) {
   return file.native().starts_with(proc) ? fs::path(proc) += std::to_string(descriptor) : file;
 }
 
+/// How the sound of so many samples is copied.
+std::vector<std::string> soundCopying(VideoProfile profile, std::int64_t samples) {
+  const int in_packet = soundCodec(profile) == "aac" ? 1024 : 4096;
+  // Fragments do not say how long the last packet is.
+  return {"-bsf:a", "setts=duration=min(" + std::to_string(in_packet) + "\\," +
+                        std::to_string(samples) + "-PTS)"};
+}
+
 /// The same pictures as an ordinary MP4, whose head stands in front: every player takes it.
-std::vector<std::string> repacking(const fs::path& from, const fs::path& to) {
-  return {"ffmpeg",    "-hide_banner", "-nostdin",   "-loglevel", "error", "-xerror",  "-y",
-          "-i",        from.string(),  "-map",       "0",         "-c",    "copy",     "-fflags",
-          "+bitexact", "-movflags",    "+faststart", "-f",        "mp4",   to.string()};
+/// @param sound_samples  nothing: it is silent
+std::vector<std::string> repacking(const fs::path& from, const fs::path& to, VideoProfile profile,
+                                   std::optional<std::int64_t> sound_samples) {
+  std::vector<std::string> words{"ffmpeg", "-hide_banner", "-nostdin", "-loglevel",
+                                 "error",  "-xerror",      "-y"};
+  // Else what a coder of sound begins with would put the pictures off.
+  if (sound_samples) words.emplace_back("-copyts");
+  words.insert(words.end(), {"-i", from.string(), "-map", "0", "-c", "copy"});
+  if (sound_samples) {
+    for (const std::string& word : soundCopying(profile, *sound_samples)) words.push_back(word);
+  }
+  words.insert(words.end(),
+               {"-fflags", "+bitexact", "-movflags", "+faststart", "-f", "mp4", to.string()});
+  return words;
 }
 
 /// Pictures go to ffmpeg, what it makes comes back and is written here: so a full disk is met by
@@ -130,7 +168,7 @@ std::vector<std::string> repacking(const fs::path& from, const fs::path& to) {
 class Mp4File : public VideoFile {
  public:
   Mp4File(const OutputFile& place, const VideoFormat& format)
-      : program_(findFfmpeg()), place_(place), file_(place.path), part_(place), fps_(format.fps) {
+      : program_(findFfmpeg()), place_(place), file_(place.path), part_(place), format_(format) {
     if (program_.empty()) {
       throw failure<MessageId::ffmpeg_missing>();
     }
@@ -138,7 +176,7 @@ class Mp4File : public VideoFile {
     if (out_.get() < 0) {
       throw failure<MessageId::video_not_written>(file_, std::strerror(errno));
     }
-    start(format);
+    start();
   }
 
   void add(const RgbaImage& frame, const Task& task) override {
@@ -176,7 +214,7 @@ class Mp4File : public VideoFile {
   bool isPartKept() const noexcept override { return is_part_kept_; }
 
  private:
-  void start(const VideoFormat& format) {
+  void start() {
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
       throw failure<MessageId::encoder_unreachable>(std::strerror(errno));
@@ -186,10 +224,23 @@ class Mp4File : public VideoFile {
     OwnedFd child_out, child_words;
     makePipe(encoded_, child_out);
     makePipe(words_, child_words);
-    child_.start({.program = program_,
-                  .arguments = encoding(format),
-                  .more_environment = {},
-                  .fds = {{child_in.get(), 0}, {child_out.get(), 1}, {child_words.get(), 2}}});
+    ProgramStart words{.program = program_,
+                       .arguments = encoding(format_),
+                       .more_environment = {},
+                       .fds = {{child_in.get(), 0}, {child_out.get(), 1}, {child_words.get(), 2}}};
+    OwnedFd sound;
+    if (!format_.sound.empty()) {
+      sound.reset(raised(::open(format_.sound.c_str(), O_RDONLY | O_CLOEXEC)));
+      if (sound.get() < 0) throw failure<MessageId::video_not_written>(file_, std::strerror(errno));
+      words.fds.push_back({sound.get(), kSoundInChild});
+    }
+    child_.start(words);
+  }
+
+  double secondsAdded() const { return static_cast<double>(frames_) / format_.fps; }
+  std::optional<std::int64_t> soundSamples() const {
+    if (format_.sound.empty()) return std::nullopt;
+    return std::llround(secondsAdded() * format_.sound_rate_hz);
   }
 
   /// Waits for room for pictures or for something to write. @return false: nothing more will come
@@ -234,9 +285,8 @@ class Mp4File : public VideoFile {
       out_.reset();
       part_.commit();
       is_part_kept_ = true;
-      const NumberArgument length_s{.value = static_cast<double>(frames_) / fps_,
-                                    .digits = 1,
-                                    .form = NumberArgument::Form::trimmed};
+      const NumberArgument length_s{
+          .value = secondsAdded(), .digits = 1, .form = NumberArgument::Form::trimmed};
       if (error_number == ENOSPC) {
         throw failure<MessageId::video_stopped_disk_full>(length_s, frames_, file_);
       }
@@ -265,7 +315,8 @@ class Mp4File : public VideoFile {
     ChildProcess packer;
     packer.start({.program = program_,
                   .arguments = repacking(inChild(part_.path(), kFromInChild),
-                                         inChild(ordinary.path(), kToInChild)),
+                                         inChild(ordinary.path(), kToInChild), format_.profile,
+                                         soundSamples()),
                   .more_environment = {},
                   .fds = {{from.get(), kFromInChild}, {to.get(), kToInChild}, {words.get(), 2}}});
     while (!packer.reap(false)) {
@@ -280,7 +331,7 @@ class Mp4File : public VideoFile {
   OutputFile place_;
   fs::path file_;
   AtomicFile part_;
-  double fps_;
+  VideoFormat format_;
   OwnedFd out_, in_, encoded_, words_;  // Ours.
   bool words_open_ = true, is_part_kept_ = false;
   std::string said_;
@@ -291,6 +342,10 @@ class Mp4File : public VideoFile {
 };
 
 }  // namespace
+
+std::string_view soundCodec(VideoProfile profile) noexcept {
+  return profile == VideoProfile::archive ? "alac" : "aac";
+}
 
 bool haveFfmpeg() {
   return !findFfmpeg().empty();

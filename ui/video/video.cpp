@@ -12,6 +12,7 @@
 #include "core/provenance/name_text.h"
 #include "ui/video/video_file.h"
 #include "ui/video/video_frames.h"
+#include "ui/video/video_sound.h"
 
 namespace relievo {
 namespace {
@@ -36,6 +37,7 @@ QJsonObject jsonOf(const VideoRequest& v) {
                    {"stereo", word(name(v.stereo))},
                    {"eye_angle_deg", v.eye_angle_deg},
                    {"swap_eyes", v.swap_eyes}};
+  if (v.sound) json["sound"] = word(soundCodec(v.profile));
   if (v.eye != FigureEye::both) json["eye"] = word(name(v.eye));
   if (v.from_s) json["from_s"] = *v.from_s;
   if (v.to_s) json["to_s"] = *v.to_s;
@@ -83,7 +85,7 @@ struct Packed {
 };
 
 Packed begin(OutputSet& set, const VideoRequest& request, const std::string& state,
-             const fs::path& file) {
+             const fs::path& file, const std::optional<SoundSpool>& sound) {
   fs::path beside = file;
   beside += ".json";
   writeTextFile(set.file(beside), state + "\n");  // While there is room for it.
@@ -93,7 +95,9 @@ Packed begin(OutputSet& set, const VideoRequest& request, const std::string& sta
                                              .height_px = request.height_px,
                                              .fps = request.fps,
                                              .state = state,
-                                             .title = file.stem().string()})};
+                                             .title = file.stem().string(),
+                                             .sound = sound ? sound->path() : fs::path(),
+                                             .sound_rate_hz = sound ? sound->rateHz() : 0})};
 }
 
 /// Earlier files stay whole where the disk is full.
@@ -145,15 +149,20 @@ VideoFacts writeVideo(const Surface& surface, const TouchRecording* recording,
                       const VideoFiles& files, const Task& task) {
   VideoFrames frames(surface, recording, request, task);
   if (files.both_eyes) frames.keepEyes();
+  const std::uint64_t count = frames.times().frames;
+  std::optional<SoundSpool> sound;
+  if (files.sound != nullptr && request.profile != VideoProfile::images) {
+    sound.emplace(*files.sound, static_cast<double>(count) / request.fps, files.video, task);
+  }
   OutputSet set;
   std::vector<Packed> videos;
   for (const fs::path& name : namesOf(files)) {
     VideoRequest one = request;
+    one.sound = sound.has_value();
     if (videos.size() + 1 < namesOf(files).size()) one.eye = kEyes.at(videos.size());
-    videos.push_back(begin(set, one, state(one), name));
+    videos.push_back(begin(set, one, state(one), name, sound));
   }
   VideoFacts facts;
-  const std::uint64_t count = frames.times().frames;
   const auto timed = [](double& sum, const auto& work) -> decltype(auto) {
     const Stopwatch watch(sum);
     return work();

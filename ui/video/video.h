@@ -9,6 +9,7 @@
 
 #include "core/base/task.h"
 #include "core/provenance/provenance.h"
+#include "core/replay/sound_track.h"
 #include "core/replay/video_request.h"
 #include "core/session/surface.h"
 
@@ -33,6 +34,8 @@ struct VideoFiles {
   std::filesystem::path video;
   /// Each eye's video, too, beside it: NAME.left.mp4 and NAME.right.mp4, of the same frames.
   bool both_eyes = false;
+  /// Heard in each of them, as long as the pictures last; null: they are silent. Images always are.
+  const SoundTrack* sound = nullptr;
 };
 /// Their names, the video's own last.
 std::vector<std::filesystem::path> namesOf(const VideoFiles& files);
@@ -46,7 +49,8 @@ VideoFacts writeVideo(const Surface& surface, const TouchRecording* recording,
                       const std::filesystem::path& file, const Task& task = {});
 
 /// The same for several files; all of them are there, or none is. What is told of bytes and time is
-/// of all of them. @param state  of the request, or of that request for one eye
+/// of all of them. @param state  of the request, or of that request for one eye; its `sound` says
+///                               whether there is one
 VideoFacts writeVideo(const Surface& surface, const TouchRecording* recording,
                       const VideoRequest& request,
                       const std::function<std::string(const VideoRequest&)>& state,

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/base/task.h"
 #include "core/file/atomic_file.h"
@@ -22,7 +23,13 @@ struct VideoFormat {
   double fps = 30;
   std::string state;  ///< What the video was made from, one JSON object; kept in the file.
   std::string title;
+  /// A file of samples that are heard with the pictures, as SoundTrack says them; empty: none.
+  std::filesystem::path sound = {};
+  int sound_rate_hz = 0;
 };
+
+/// What the sound of a video is packed as: "aac" or, where nothing may be lost, "alac".
+std::string_view soundCodec(VideoProfile profile) noexcept;
 
 /// A video that is being written, frame by frame. Nothing stands under the final name before
 /// finish(), and of a member of a set before the set is committed; without it, nothing is left.
@@ -46,7 +53,8 @@ class VideoFile {
   virtual bool isPartKept() const noexcept = 0;
 };
 
-/// By ffmpeg as MP4, or for `images` as frame_000001.png ... in a folder of that name.
+/// By ffmpeg as MP4, or for `images` as frame_000001.png ... in a folder of that name, without
+/// sound.
 /// @throw WriteError     cannot be written; no ffmpeg; the folder has pictures already
 /// @throw ArgumentError  a file name that does not end in .mp4
 std::unique_ptr<VideoFile> openVideo(const OutputFile& file, const VideoFormat& format);

@@ -45,6 +45,7 @@ Json stateOf(const SoundArguments& a, const RecordedSound& of, const Task& task)
           {"sound",
            {{"from_s", of.fromS()},
             {"seconds", of.seconds()},
+            {"speed", a.request.speed},
             {"heights_mm", {of.heights().low_mm, of.heights().high_mm}},
             {"tone_for_s", a.request.synth.tone_for_s},
             {"ceiling", a.request.synth.ceiling}}}};
@@ -113,6 +114,10 @@ Verb soundVerb() {
           {.low = 0, .high = 1e6, .unit = "s"});
     takes(verb.add_option("--to", a.request.to_s, "Likewise"),
           {.low = 0, .high = 1e6, .unit = "s"});
+    takes(verb.add_option(
+              "--speed", a.request.speed,
+              "1 as it was; 0.25 four times slower, each sound at its time and no deeper"),
+          {.low = 0.01, .high = 100});
     takesList(verb.add_option("--heights", a.heights,
                               "LOW,HIGH in mm, from the tone's lowest to its highest pitch; those "
                               "that were touched"),

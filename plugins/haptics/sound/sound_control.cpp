@@ -13,8 +13,8 @@ namespace {
 constexpr qint64 kMostOpeningMs = 5000;
 }  // namespace
 
-SoundControl::SoundControl(TouchParts& parts, HandDevice& device, OpenOut open)
-    : parts_(parts), device_(device), open_(std::move(open)) {
+SoundControl::SoundControl(TouchParts& parts, HandDevice& device, OpenOut open, qint64 retry_ms)
+    : parts_(parts), device_(device), open_(std::move(open)), retry_ms_(retry_ms) {
   const TouchActions& actions = parts_.actions;
   connect(actions.sound, &QAction::toggled, this, &SoundControl::setOn);
   connect(actions.louder, &QAction::triggered, this, [this] { changeVolume(kVolumeStep); });
@@ -34,8 +34,12 @@ void SoundControl::leave() {
 }
 
 void SoundControl::begin() {
+  if (!is_refused_) open();
+}
+
+void SoundControl::open() {
   LoopSession* const session = device_.session();
-  if (!parts_.settings.sound.on || is_refused_ || out_ || session == nullptr) return;
+  if (!parts_.settings.sound.on || out_ || session == nullptr) return;
   live_ = std::make_unique<sound::LiveSound>(session->loop().heard());
   live_->setVolume(parts_.settings.sound.volume_percent);
   if (window_.id != 0) live_->setWindow(window_);
@@ -46,15 +50,20 @@ void SoundControl::begin() {
 
 void SoundControl::watch() {
   if (live_) live_->setSpeech(parts_.host.messages.isSpeaking());
+  if (!out_ && is_refused_ && refused_.elapsed() >= retry_ms_) open();
   if (!out_) return;
   const sound::SoundOut::State state = out_->state();
+  if (state == sound::SoundOut::State::playing && std::exchange(is_refused_, false)) {
+    parts_.host.messages.announce(tr("Sounds of touch on."), SaidBecause::noticed);
+  }
   const bool is_mute =
       state == sound::SoundOut::State::opening && opening_.elapsed() > kMostOpeningMs;
   if (state != sound::SoundOut::State::gone && !is_mute) return;
   const QString why =
       is_mute ? tr("the sound server does not answer") : QString::fromStdString(out_->problem());
   leave();
-  is_refused_ = true;
+  refused_.start();
+  if (std::exchange(is_refused_, true)) return;
   parts_.host.messages.announce(
       tr("There is no sound: %1. Touch goes on without it. Switch the sounds off and on to try "
          "again.")

@@ -20,7 +20,10 @@ class SoundControl : public QObject {
   Q_OBJECT
  public:
   using OpenOut = std::function<std::unique_ptr<sound::SoundOut>(sound::RenderFrames)>;
-  SoundControl(TouchParts& parts, HandDevice& device, OpenOut open = sound::openSoundServer);
+  /// Where sound has gone, it is tried again so often, without a word until it is back.
+  static constexpr qint64 kRetryMs = 5000;
+  SoundControl(TouchParts& parts, HandDevice& device, OpenOut open = sound::openSoundServer,
+               qint64 retry_ms = kRetryMs);
   ~SoundControl() override;
 
   /// After a change of the settings.
@@ -33,11 +36,12 @@ class SoundControl : public QObject {
   void begin();
   /// Something was done, as a note was written.
   void strike(sound::Earcon earcon);
-  /// Says what became of the sound server. Once a frame.
+  /// Says what became of the sound server, and tries one that was not there again. Once a frame.
   void watch();
   bool isPlaying() const { return out_ && out_->state() == sound::SoundOut::State::playing; }
 
  private:
+  void open();
   void setOn(bool on);
   void changeVolume(int percent);
 
@@ -47,10 +51,11 @@ class SoundControl : public QObject {
   sound::HeardWindow window_;  // Under the hand; id 0: none yet.
   std::unique_ptr<sound::LiveSound> live_;
   std::unique_ptr<sound::SoundOut> out_;  // After live_, which it asks.
-  QElapsedTimer opening_;
+  qint64 retry_ms_;
+  QElapsedTimer opening_, refused_;
   double heights_side_mm_ = 0;  // Of the window whose heights are taken for the object's.
   bool is_on_ = false;          // As was said last.
-  bool is_refused_ = false;     // There was no server, and that was said.
+  bool is_refused_ = false;     // There was no server, and that was said; it is tried again.
 };
 
 }  // namespace relievo

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // relievo video, as a user runs it on a log.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <sstream>
 
+#include "core/recording/log_table.h"
 #include "tests/app/command_test.h"
 
 namespace relievo {
@@ -114,6 +119,107 @@ TEST_F(VideoVerb, WritesTheVideoOfEachEyeToo) {
   const CommandResult refused = video({path("x.left.mp4"), "-o", path("x.mp4"), "--both-eyes"});
   EXPECT_EQ(refused.exit_code, 1) << refused.err;
   EXPECT_EQ(bytesOf(path("x.left.mp4")), bytesOf(path("log.csv")));
+}
+
+/// The samples of a video, or those of a WAV file.
+std::string heard(const std::string& file) {
+  const std::string bytes = file.ends_with(".wav") ? bytesOf(file) : std::string();
+  if (!bytes.empty()) return bytes.substr(bytes.find("data") + 8);
+  const std::string out = file + ".pcm";
+  EXPECT_EQ(
+      std::system(("ffmpeg -v error -nostdin -y -i '" + file + "' -map 0:a -f s16le '" + out + "'")
+                      .c_str()),
+      0);
+  return bytesOf(out);
+}
+
+/// When the left side is first loud, in seconds.
+double firstHeardS(const std::string& samples) {
+  for (std::size_t i = 0; i + 4 <= samples.size(); i += 4) {
+    const auto low = static_cast<unsigned char>(samples[i]);
+    const auto high = static_cast<unsigned char>(samples[i + 1]);
+    if (std::abs(static_cast<std::int16_t>(low | high << 8)) > 300) {
+      return static_cast<double>(i) / 4 / 48000;
+    }
+  }
+  return -1;
+}
+
+TEST_F(VideoVerb, SoundsAsTheRecordingDoesByItself) {
+  const LogTable table = readLog(path("log.csv"));
+  const auto contact = std::find_if(table.rows.begin(), table.rows.end(),
+                                    [](const TouchRow& row) { return row.contact; });
+  ASSERT_NE(contact, table.rows.end());
+  const double contact_s = contact->t_s - table.rows.front().t_s;
+  const double from_s = std::max(0.0, contact_s - 0.1);
+  for (const char* speed : {"1", "0.25"}) {
+    const std::vector<std::string> part{
+        "--from", std::to_string(from_s), "--to", std::to_string(from_s + 0.5), "--speed", speed};
+    const std::string wav = path("alone.wav");
+    ASSERT_EQ(runRelievo(test::joined({"sound", path("log.csv"), "-o", wav}, part)).exit_code, 0);
+    const auto made = [&](const char* profile) {
+      const std::string out = path(std::string(profile) + ".mp4");
+      const CommandResult result =
+          runRelievo(test::joined({"video", path("log.csv"), "-o", out, "--size", "320x180",
+                                   "--fps", "10", "--profile", profile, "--report", "json"},
+                                  part));
+      EXPECT_EQ(result.exit_code, 0) << result.err;
+      EXPECT_EQ(json::parse(result.out)["sound"], true);
+      EXPECT_EQ(json::parse(bytesOf(out + ".json"))["figure"]["video"]["sound"],
+                std::string(profile) == "archive" ? "alac" : "aac");
+      return heard(out);
+    };
+    const std::string alone = heard(wav), archive = made("archive"), talk = made("talk");
+    const double speed_factor = std::stod(speed);
+    const auto pictures = static_cast<std::size_t>(std::lround(5 / speed_factor)) + 1;
+    EXPECT_EQ(archive.size(), 4 * 4800 * pictures) << "as long as the pictures";
+    EXPECT_EQ(archive, alone.substr(0, archive.size())) << speed;
+    EXPECT_EQ(alone.find_first_not_of('\0'), archive.find_first_not_of('\0'));
+    const double click_s = (contact_s - from_s) / speed_factor;
+    EXPECT_NEAR(firstHeardS(archive), click_s, 0.001);
+    EXPECT_NEAR(firstHeardS(talk), click_s, 0.01) << "within a tenth of a picture";
+  }
+}
+
+TEST_F(VideoVerb, IsSilentWhereNothingShallOrCanBeHeard) {
+  const auto made = [&](const std::string& log, const std::vector<std::string>& more) {
+    return video(test::joined({log, "-o", path("silent.mp4"), "--report", "json"}, more));
+  };
+  const auto sounds = [&] {
+    return bytesOf(path("silent.mp4")).find("soun") != std::string::npos;  // The track's handler.
+  };
+  const CommandResult plain = made(path("log.csv"), {});
+  EXPECT_TRUE(sounds()) << plain.err;
+  const CommandResult without = made(path("log.csv"), {"--without", "plots,sound"});
+  EXPECT_EQ(json::parse(without.out)["sound"], false);
+  EXPECT_FALSE(sounds());
+  // An earlier build did not write where the hand was, nor, where it was killed, the last window.
+  std::istringstream lines(bytesOf(path("log.csv")));
+  std::ostringstream old;
+  std::vector<std::string> columns;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#")) {
+      old << line << '\n';
+      continue;
+    }
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    if (columns.empty()) columns = cells;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (columns[i].starts_with("dev_hip_")) continue;
+      const bool is_late = columns[i] == "region_id" && cells[0] > "1";
+      old << (i > 0 ? "," : "") << (is_late && cells[i] != columns[i] ? "7" : cells[i]);
+    }
+    old << '\n';
+  }
+  std::ofstream(path("old_hand.csv")) << old.str();
+  const CommandResult silent = made(path("old_hand.csv"), {});
+  EXPECT_EQ(silent.exit_code, 0) << silent.err;
+  EXPECT_NE(silent.err.find("The video has no sound."), std::string::npos) << silent.err;
+  EXPECT_NE(silent.err.find("dev_hip_x_mm"), std::string::npos) << silent.err;
+  EXPECT_EQ(json::parse(silent.out)["sound"], false);
+  EXPECT_FALSE(sounds());
 }
 
 TEST_F(VideoVerb, SaysWhatItCannotMake) {

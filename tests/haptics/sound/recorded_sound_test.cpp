@@ -88,6 +88,56 @@ TEST(RecordedSound, AClickBeginsInTheFrameOfItsContactAndNoOtherDoes) {
   }
 }
 
+TEST(RecordedSound, AtAnotherSpeedAClickComesAtItsTimeAndIsTheSame) {
+  const TouchRecording recording = tapping();
+  const std::vector<Frame> once = framesOf(RecordedSound(recording, withoutTone()));
+  const std::vector<std::size_t> as_it_was = onsetsIn(once);
+  for (const double speed : {0.25, 0.02, 2.0}) {
+    SoundRequest request = withoutTone();
+    request.speed = speed;
+    const RecordedSound sound(recording, request);
+    EXPECT_NEAR(sound.seconds(), 4.5 / speed + 0.2, 1e-4);
+    const std::vector<Frame> frames = framesOf(sound);
+    const std::vector<std::size_t> onsets = onsetsIn(frames);
+    ASSERT_EQ(onsets.size(), taps().size()) << speed;
+    for (std::size_t i = 0; i < onsets.size(); ++i) {
+      EXPECT_EQ(onsets[i],
+                static_cast<std::size_t>(std::lround(taps()[i].at_s / speed * kSampleRateHz)));
+      for (std::size_t k = 0; k < 200; ++k) {
+        ASSERT_EQ(frames[onsets[i] + k].left, once[as_it_was[i] + k].left) << speed;
+      }
+    }
+  }
+}
+
+TEST(RecordedSound, ATouchThatIsHeardSlowlyIsHeardWithoutAGapAndNoDeeper) {
+  const TouchRecording recording = recordingOf(0.4, [](TouchRow& row) {
+    row.contact = true;
+    row.proxy = {40, 40, 10};
+    row.hand_hip = {40, 40, 9};
+  });
+  SoundRequest request;
+  request.heights = ToneHeights{0, 20};
+  request.speed = 0.01;  // A row each tenth of a second.
+  const std::vector<double> left = leftOf(framesOf(RecordedSound(recording, request)));
+  for (double t = 1; t < 39; t += 0.02) ASSERT_GT(rms(left, t, t + 0.02), 0.01) << t;
+  EXPECT_NEAR(cents(pitchHz(left, 10, 11), heightHz(0.5)), 0, 3);
+}
+
+TEST(RecordedSound, AWindowThatWasPlacedForTheEyeIsNotHeard) {
+  const auto touching = [](TouchRow& row) {
+    row.contact = true;
+    row.proxy = {0, 40, 0};
+  };
+  TouchRecording recording = recordingOf(0.4, touching);
+  RecordedSound::Summary known, placed;
+  framesOf(RecordedSound(recording, withoutTone()), &known);
+  EXPECT_EQ(struck(known, Earcon::edge), 1U);
+  recording.windows.front().known = false;
+  framesOf(RecordedSound(recording, withoutTone()), &placed);
+  EXPECT_EQ(struck(placed, Earcon::edge), 0U);
+}
+
 TEST(RecordedSound, AClickIsAsLoudAsTheHandIsFast) {
   const TouchRecording recording = tapping();
   const std::vector<Frame> frames = framesOf(RecordedSound(recording, withoutTone()));

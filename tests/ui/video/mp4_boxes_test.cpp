@@ -26,15 +26,23 @@ Bytes box(const char* type, const Bytes& content) {
   return made;
 }
 
-/// A fragment of so many samples.
-Bytes fragment(std::uint32_t samples) {
+/// Samples of one track in a fragment.
+Bytes track(std::uint32_t id, std::uint32_t samples) {
   Bytes run = number(0x301, 4);
   append(run, number(samples, 4));
   append(run, number(0, 4));
-  Bytes traf = box("tfhd", number(0, 8));
+  Bytes head = number(0, 4);
+  append(head, number(id, 4));
+  Bytes traf = box("tfhd", head);
   append(traf, box("trun", run));
+  return box("traf", traf);
+}
+
+/// A fragment of so many pictures, and of sound, which is counted otherwise.
+Bytes fragment(std::uint32_t pictures) {
   Bytes moof = box("mfhd", number(1, 8));
-  append(moof, box("traf", traf));
+  append(moof, track(1, pictures));
+  append(moof, track(2, 97));
   return box("moof", moof);
 }
 

@@ -98,6 +98,7 @@ void VideoController::choose() {
   start.view_px = detail_.size() * window_.devicePixelRatioF();
   start.can_pack = can_pack;
   start.recording = replay_.showing();
+  start.can_sound = static_cast<bool>(sound_);
   start.duration_s =
       start.recording ? replay_.player().durationS() : document_.project().paths.front().endS();
   if (start.recording) start.request.speed = replay_.player().speed();
@@ -156,6 +157,7 @@ void VideoController::write(const VideoRequest& chosen, const QString& file, boo
   order.provenance = document_.provenanceIn(file);
   order.provenance.view.reset();  // The video goes its own way.
   order.both_eyes = both_eyes;
+  order.sound = sound_;
   order.file = QFileInfo(file).absoluteFilePath();
   video_.write(order);
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
+
+#include "core/replay/sound_track.h"
 #include "core/replay/video_request.h"
 #include "ui/dialogs/video_control.h"
 #include "ui/views/path_preview.h"
@@ -23,6 +26,8 @@ class VideoController : public Controller {
   /// @param chosen  light and relief image are as the view shows them
   /// @param both_eyes  each eye's video as a file of its own, too
   void write(const VideoRequest& chosen, const QString& file, bool both_eyes = false);
+  /// What makes the sound of a recording's video; without it videos are silent.
+  void setSound(SoundTrackOf sound) { sound_ = std::move(sound); }
   VideoControl& control() { return video_; }
   PathPreview& preview() { return preview_; }
   VideoControl::LiveSource liveSource();  ///< What a video of the view shows.
@@ -42,6 +47,7 @@ class VideoController : public Controller {
   DetailView& detail_;
   TimePlot& plot_;
   ReplayControl& replay_;
+  SoundTrackOf sound_;
   PathPreview preview_;
   VideoControl video_;
 };
