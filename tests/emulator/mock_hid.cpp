@@ -12,11 +12,13 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
+#include <thread>
 
 namespace relievo::emulator {
 
@@ -39,6 +41,7 @@ struct MockHid::Impl {
   UMockdevTestbed* testbed = umockdev_testbed_new();
   UMockdevIoctlBase* handler = umockdev_ioctl_base_new();
   std::map<int, Node> nodes;
+  std::map<int, std::jthread> held;  // By slot; each writes into its node's pipe.
   int next_node = 0;  // A number is never used twice: umockdev does not forget nodes.
 
   /// hidapi asks for the size of the report descriptor when it opens, and for no more.
@@ -115,6 +118,7 @@ void MockHid::plugIn(int slot, std::uint16_t vendor, std::uint16_t product, cons
 }
 
 void MockHid::unplug(int slot) {
+  impl_->held.erase(slot);
   const Node node = impl_->nodes.at(slot);
   impl_->nodes.erase(slot);
   for (const std::string& device : node.devices) {
@@ -132,10 +136,25 @@ void MockHid::forbid(int slot, bool forbidden) {
 }
 
 void MockHid::send(int slot, const std::vector<std::uint8_t>& report) {
+  impl_->held.erase(slot);
   const Node& node = impl_->nodes.at(slot);
   if (write(node.pipe, report.data(), report.size()) != static_cast<ssize_t>(report.size())) {
     throw std::runtime_error("a report was not taken");
   }
+}
+
+void MockHid::hold(int slot, const std::vector<std::uint8_t>& report) {
+  send(slot, report);
+  const int pipe = impl_->nodes.at(slot).pipe;
+  impl_->held[slot] = std::jthread([pipe, report](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(16));
+      int waiting = 0;
+      // As in the kernel, what nobody reads is dropped in the end.
+      const bool is_read = ioctl(pipe, FIONREAD, &waiting) == 0 && waiting == 0;
+      if (is_read && write(pipe, report.data(), report.size()) < 0) return;
+    }
+  });
 }
 
 }  // namespace relievo::emulator

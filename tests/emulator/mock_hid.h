@@ -24,6 +24,9 @@ class MockHid {
   /// Takes the rights to the node away from everybody, or gives them back.
   void forbid(int slot, bool forbidden);
   void send(int slot, const std::vector<std::uint8_t>& report);
+  /// The same again every 16 ms, as the cap of a SpaceMouse that is held does, until the next
+  /// send(), hold() or unplug().
+  void hold(int slot, const std::vector<std::uint8_t>& report);
 
  private:
   struct Impl;

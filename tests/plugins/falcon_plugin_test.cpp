@@ -276,7 +276,7 @@ class SpaceMousePluginTest : public test::PluginTest {
     ASSERT_TRUE(eventually([this] { return !host_.probes.empty(); }));
   }
   /// Full deflection: to the right, and up (the cap's z points down).
-  void pushRight() { hid_.send(0, {1, 0x5e, 0x01, 0, 0, 0, 0}); }
+  void pushRight() { hid_.hold(0, {1, 0x5e, 0x01, 0, 0, 0, 0}); }
   void letGo() { hid_.send(0, {1, 0, 0, 0, 0, 0, 0}); }
 
   emulator::MockHid hid_;
@@ -298,13 +298,13 @@ TEST_F(SpaceMousePluginTest, OrTheViewIfThatIsChosen) {
   ASSERT_NE(choice, nullptr);
   choice->setCurrentIndex(1);
   const double from = host_.probes.back().hip.x;
-  hid_.send(0, {2, 0x5e, 0x01, 0, 0, 0xa2, 0xfe});  // Top toward the user, near side to the right.
+  hid_.hold(0, {2, 0x5e, 0x01, 0, 0, 0xa2, 0xfe});  // Top toward the user, near side to the right.
   EXPECT_TRUE(eventually([this] { return host_.turned_az_deg < -20; }))
       << "the near side follows the cap, as with the command turn_right";
   EXPECT_DOUBLE_EQ(host_.turned_el_deg, -host_.turned_az_deg);
   hid_.send(0, {2, 0, 0, 0, 0, 0, 0});
   EXPECT_EQ(host_.pushed.right, 0) << "turns alone move nothing";
-  hid_.send(0, {1, 0x5e, 0x01, 0xaf, 0, 0xa2, 0xfe});  // Right, half toward the user, up.
+  hid_.hold(0, {1, 0x5e, 0x01, 0xaf, 0, 0xa2, 0xfe});  // Right, half toward the user, up.
   EXPECT_TRUE(eventually([this] { return host_.pushed.right > 0.2; }));
   EXPECT_DOUBLE_EQ(host_.pushed.up, host_.pushed.right);
   EXPECT_GT(host_.pushed.nearer, 1);

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A device of Haply under the window's loop, on a mock of its service.
+#include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <QComboBox>
+#include <QDeadlineTimer>
 #include <QFocusEvent>
 #include <QKeyEvent>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "plugins/haptics/loop_session.h"
@@ -113,6 +121,80 @@ TEST_F(HaplyInTheList, WhatTheServiceTellsOfItsGripIsSaidOnceAndOfPlugsByTheStat
   EXPECT_EQ(host_.announcements.count("The battery of the grip is low."), 1);
   EXPECT_TRUE(host_.announcements.filter("A Haply device was unplugged").isEmpty());
   EXPECT_TRUE(host_.announcements.filter("A Haply device was plugged in").isEmpty());
+}
+
+/// A port of this computer at which somebody could be, and what is said there.
+class QuietPort {
+ public:
+  QuietPort() : listener_(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    auto* const any = reinterpret_cast<sockaddr*>(&address);
+    EXPECT_EQ(::bind(listener_, any, size), 0);
+    EXPECT_EQ(::listen(listener_, 8), 0);
+    EXPECT_EQ(::getsockname(listener_, any, &size), 0);
+    port_ = ntohs(address.sin_port);
+  }
+  ~QuietPort() {
+    for (const int visitor : visitors_) ::close(visitor);
+    ::close(listener_);
+  }
+  QuietPort(const QuietPort&) = delete;
+  QuietPort& operator=(const QuietPort&) = delete;
+
+  int port() const { return port_; }
+  /// Whether anybody has come so far.
+  bool isVisited() {
+    for (int one = 0; (one = ::accept(listener_, nullptr, nullptr)) >= 0;) visitors_.push_back(one);
+    return !visitors_.empty();
+  }
+  /// Whether any visitor has said a word so far.
+  bool hears() {
+    isVisited();
+    std::array<char, 100> words{};
+    for (const int visitor : visitors_) {
+      heard_ = heard_ || ::recv(visitor, words.data(), words.size(), MSG_DONTWAIT) > 0;
+    }
+    return heard_;
+  }
+
+ private:
+  int listener_, port_ = 0;
+  std::vector<int> visitors_;
+  bool heard_ = false;
+};
+
+/// Of children that have ended; no process does without memory.
+long pageFaultsOfChildren() {  // NOLINT(google-runtime-int): as the system has it.
+  rusage used{};
+  ::getrusage(RUSAGE_CHILDREN, &used);
+  return used.ru_minflt;
+}
+
+TEST_F(HaplyInTheList, UntilSomebodyTurnsToItNobodyIsSpokenToAndNoPlugInRuns) {
+  QuietPort service;
+  setenv("RELIEVO_HAPLY_SERVICE", std::to_string(service.port()).c_str(), 1);
+  setenv("RELIEVO_HAPLY_PATIENCE_S", "1", 1);
+  setenv("RELIEVO_DEVICE_PATH", RELIEVO_BINARY_DIR "/tests/stand_ins", 1);
+  const auto faults_before = pageFaultsOfChildren();
+  attach();
+  const QDeadlineTimer nothing_may_happen(1500);
+  while (!nothing_may_happen.hasExpired()) {
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+  }
+  EXPECT_FALSE(service.isVisited());
+  EXPECT_FALSE(isListed("haply"));
+  EXPECT_EQ(pageFaultsOfChildren(), faults_before);
+
+  QFocusEvent focus(QEvent::FocusIn);
+  QCoreApplication::sendEvent(devices(), &focus);
+  EXPECT_TRUE(isListed("haply")) << "somebody is there, it seems";
+  EXPECT_TRUE(eventually([&] { return service.hears(); })) << "and is asked";
+  EXPECT_TRUE(eventually([&] { return pageFaultsOfChildren() > faults_before; }))
+      << "and so are plug-ins, each in a process of its own";
+  unsetenv("RELIEVO_DEVICE_PATH");
 }
 
 TEST_F(HaplyInTheList, OneIsChosenByAKey) {

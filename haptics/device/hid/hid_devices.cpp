@@ -66,7 +66,7 @@ struct OpenDevice {
   std::vector<ButtonField> fields;
   std::size_t button_count = 0;
   std::uint32_t buttons = 0;  // The Falcon's, as told last.
-  CapMotion motion;
+  CapReports cap;
 
   std::uint32_t asFalcon(std::uint32_t raw) const {
     if (space_mouse) return (raw & 1U) << 3U | (raw >> 1U & 1U);
@@ -153,7 +153,7 @@ struct HidDevices::Impl {
   }
   void take(Sight sight, HidEvents& news);
   void refuse(const OpenDevice& device, HidEvents& news);
-  static bool read(OpenDevice& device, HidEvents& news);
+  static bool read(OpenDevice& device, HidEvents& news, double now_s);
 };
 
 HidDevices::HidDevices() : impl_(std::make_unique<Impl>()) {
@@ -206,7 +206,7 @@ void HidDevices::rescan(HidEvents& news) {
   impl_->take(impl_->looking.get(), news);
 }
 
-bool HidDevices::Impl::read(OpenDevice& device, HidEvents& news) {
+bool HidDevices::Impl::read(OpenDevice& device, HidEvents& news, double now_s) {
   std::array<std::uint8_t, kReportBytes> bytes{};
   for (int i = 0; i < kMostReportsPerPoll; ++i) {
     const int size = hidapi().read(device.handle, bytes.data(), bytes.size());
@@ -215,7 +215,7 @@ bool HidDevices::Impl::read(OpenDevice& device, HidEvents& news) {
     const std::span<const std::uint8_t> report(bytes.data(), static_cast<std::size_t>(size));
     std::optional<std::uint32_t> raw;
     if (device.space_mouse) {
-      if (const auto motion = capMotion(report, device.motion)) device.motion = *motion;
+      device.cap.take(report, now_s);
       raw = capButtons(report);
     } else {
       raw = buttonsOf(report, device.fields);
@@ -228,14 +228,14 @@ bool HidDevices::Impl::read(OpenDevice& device, HidEvents& news) {
   return true;
 }
 
-void HidDevices::poll(HidEvents& news) {
+void HidDevices::poll(HidEvents& news, double now_s) {
   if (impl_->looking.valid() &&
       impl_->looking.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
     impl_->take(impl_->looking.get(), news);
   }
   for (auto device = impl_->devices.begin(); device != impl_->devices.end();) {
-    if (Impl::read(*device, news)) {
-      const CapMotion motion = beyondRest(device->motion);
+    if (Impl::read(*device, news, now_s)) {
+      const CapMotion motion = device->cap.motion(now_s);
       if (motion != CapMotion{}) news.motion = motion;  // A second one may be at rest.
       ++device;
       continue;

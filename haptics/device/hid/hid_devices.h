@@ -18,7 +18,7 @@ struct ButtonEdge {
 
 struct HidEvents {
   std::vector<ButtonEdge> edges;
-  CapMotion motion;                        ///< Of the SpaceMouse now, beyondRest().
+  CapMotion motion;                        ///< Of the SpaceMouse now: CapReports::motion().
   std::vector<std::string> arrived, left;  ///< Names, for people.
   /// Came, and this account may not open it: told once, at the second look, because the system
   /// hands out access a moment after the plug. The hint is falcon::udevRule().
@@ -43,8 +43,9 @@ class HidDevices {
   /// The same at once. [may wait]
   void rescan(HidEvents& news);
   /// Takes all that came since the last call; about 60 times a second. One that was unplugged lets
-  /// go of its buttons. Never waits.
-  void poll(HidEvents& news);
+  /// go of its buttons; a cap that tells nothing any more is at rest (CapReports). Never waits.
+  /// @param now_s  of a clock that never goes back
+  void poll(HidEvents& news, double now_s);
 
   /// Of those that are open.
   std::vector<std::string> names() const;

@@ -206,6 +206,17 @@ CapMotion beyondRest(const CapMotion& motion) {
           beyond(motion.about_right), beyond(motion.about_up), beyond(motion.about_toward)};
 }
 
+void CapReports::take(std::span<const std::uint8_t> report, double now_s) {
+  const std::optional<CapMotion> motion = capMotion(report, told_);
+  if (!motion) return;
+  told_ = *motion;
+  told_s_ = now_s;
+}
+
+CapMotion CapReports::motion(double now_s) const {
+  return now_s - told_s_ > kLastsS ? CapMotion{} : beyondRest(told_);
+}
+
 std::optional<std::uint32_t> capButtons(std::span<const std::uint8_t> report) {
   if (report.size() < 2 || report[0] != 3) return std::nullopt;
   std::uint32_t buttons = 0;

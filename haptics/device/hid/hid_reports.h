@@ -45,6 +45,22 @@ std::optional<CapMotion> capMotion(std::span<const std::uint8_t> report, const C
 /// Of a motion, what goes beyond 4 % of full deflection on each axis, so that a cap at rest that
 /// is not quite centred moves nothing. Full deflection stays 1.
 CapMotion beyondRest(const CapMotion& motion);
+/// The cap of one SpaceMouse, as its reports tell of it.
+class CapReports {
+ public:
+  /// A cap that is pushed reports every 8 ms, a wireless one every 16 ms, also if nothing changes;
+  /// one that has told nothing for this long is out of reach and counts as at rest.
+  static constexpr double kLastsS = 0.3;
+
+  /// Another report, of any kind. @param now_s  of a clock that never goes back
+  void take(std::span<const std::uint8_t> report, double now_s);
+  /// What it does now, beyondRest().
+  CapMotion motion(double now_s) const;
+
+ private:
+  CapMotion told_;
+  double told_s_ = 0;
+};
 /// From report 3. Bit i: button i is down.
 std::optional<std::uint32_t> capButtons(std::span<const std::uint8_t> report);
 

@@ -31,18 +31,18 @@ bool isPadsButton(int key) {
 }  // namespace
 
 std::vector<int> bitsOf(std::string_view text) {
-  std::vector<std::uint64_t> words;  // Highest first.
-  while (!text.empty() && words.size() < kMostWords) {
-    const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
-    if (end > 0) words.push_back(wordOf(text.substr(0, end)));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
   std::vector<int> bits;
-  int first = 0;
-  for (auto word = words.rbegin(); word != words.rend(); ++word, first += kBitsPerWord) {
+  // From its end: the lowest word is the last one, and what is too high is left out.
+  for (std::size_t words = 0; !text.empty() && words < kMostWords;) {
+    const std::size_t gap = text.find_last_of(" \n");
+    const std::string_view last = gap == std::string_view::npos ? text : text.substr(gap + 1);
+    text = gap == std::string_view::npos ? std::string_view() : text.substr(0, gap);
+    if (last.empty()) continue;
+    const std::uint64_t word = wordOf(last);
     for (int i = 0; i < kBitsPerWord; ++i) {
-      if ((*word >> i & 1U) != 0) bits.push_back(first + i);
+      if ((word >> i & 1U) != 0) bits.push_back(static_cast<int>(words) * kBitsPerWord + i);
     }
+    ++words;
   }
   return bits;
 }

@@ -10,7 +10,8 @@ namespace relievo::pad {
 // What sysfs says of an input device, as text; no input or output happens here.
 
 /// The bits that are set in a file of "capabilities": words of the kernel's long in hexadecimal,
-/// the highest first. Whatever the text, it ends; what is no number counts as 0. At most 1024 bits.
+/// the highest first. Whatever the text, it ends; what is no number counts as 0. Only the lowest
+/// 1024 bits are read.
 std::vector<int> bitsOf(std::string_view text);
 
 struct PadFacts {

@@ -75,7 +75,7 @@ void DeviceButtons::readHid(double now_s) {
   readPads(now_s);
   if (!hid_) return;
   hid::HidEvents news;
-  hid_->poll(news);
+  hid_->poll(news, now_s);
   tellPlugs(news.arrived, news.left);
   for (const std::string& name : news.forbidden) {
     host_.messages.announce(

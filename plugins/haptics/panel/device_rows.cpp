@@ -28,7 +28,7 @@ QString triedText(const QString& id) {
 }
 
 bool isOfHaply(const QString& id) {
-  return id.startsWith(QLatin1String("haply:"));
+  return id == QLatin1String("haply") || id.startsWith(QLatin1String("haply:"));
 }
 }  // namespace
 
@@ -80,6 +80,7 @@ void DeviceRows::list() {
   const bool names_haplys = std::any_of(plugin_devices_.begin(), plugin_devices_.end(),
                                         [](const PluginDevice& d) { return isOfHaply(d.id); });
   for (const DeviceDriver& driver : deviceCatalog()) {
+    if (driver.kind == "haply" && !turned_to_) continue;  // To look is to try a connection.
     for (const std::string& id : driver.scan()) {
       const QString name = QString::fromStdString(driver.make(id)->info().name);
       if (id == "haply" && names_haplys && chosen != QLatin1String("haply")) continue;
@@ -115,11 +116,14 @@ void DeviceRows::setPluginDevices(std::vector<PluginDevice> devices) {
   list();
 }
 
-/// Plug-ins are asked when somebody wants to choose, and not before.
+/// Plug-ins and Haply's service are asked when somebody wants to choose, and not before.
 bool DeviceRows::eventFilter(QObject* watched, QEvent* event) {
-  const bool turned_to =
+  const bool turns_to =
       event->type() == QEvent::FocusIn || event->type() == QEvent::MouseButtonPress;
-  if (watched == device_ && turned_to) Q_EMIT wanted();
+  if (watched == device_ && turns_to) {
+    if (!std::exchange(turned_to_, true)) list();
+    Q_EMIT wanted();
+  }
   return QObject::eventFilter(watched, event);
 }
 
@@ -138,7 +142,7 @@ void DeviceRows::choose(const QString& id) {
     } catch (const Error&) {
       // Known to no driver: its id must do.
     }
-    // Whether one of a plug-in, or a certain one of Haply's, is here, nobody has asked yet.
+    // Whether one of a plug-in, or of Haply's, is here, nobody has asked yet.
     const bool may_be_here = isPluginDevice(id.toStdString()) || isOfHaply(id);
     add(may_be_here ? name : tr("%1 (not here now)").arg(name), id);
   }

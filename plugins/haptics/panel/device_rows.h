@@ -63,6 +63,7 @@ class DeviceRows : public QObject {
   QCheckBox* holds_grip_;
   QComboBox* grip_;
   std::vector<PluginDevice> plugin_devices_;
+  bool turned_to_ = false;  // Somebody has, once: Haply's service may be looked for.
 };
 
 }  // namespace relievo

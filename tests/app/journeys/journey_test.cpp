@@ -401,7 +401,7 @@ void JourneyTest::steerBySpaceMouse() {
   child<QListWidget>("places_list")->setFocus();
   ASSERT_TRUE(eventually([this] { return probe().has_value(); }));
   const double from = probe()->hip.x;
-  hid_.send(0, {1, 0xa2, 0xfe, 0, 0, 0, 0});  // Full deflection to the left.
+  hid_.hold(0, {1, 0xa2, 0xfe, 0, 0, 0, 0});  // Full deflection to the left.
   EXPECT_TRUE(eventually([&] { return probe()->hip.x < from - 5; }));
   hid_.send(0, {1, 0, 0, 0, 0, 0, 0});
   // Without a window manager the window itself need not be the active one.
@@ -413,7 +413,7 @@ void JourneyTest::steerBySpaceMouse() {
   picture("8_space_mouse");
   auto* moves = child<QComboBox>("spaceMouse");
   moves->setCurrentIndex(1);
-  hid_.send(0, {2, 0x5e, 0x01, 0, 0, 0x5e, 0x01});  // Its top toward the user, and twisted right.
+  hid_.hold(0, {2, 0x5e, 0x01, 0, 0, 0x5e, 0x01});  // Its top toward the user, and twisted right.
   EXPECT_TRUE(eventually([this] { return document().project().azimuth_deg > 10; }));
   EXPECT_GT(document().project().elevation_deg, 5);
   hid_.send(0, {2, 0, 0, 0, 0, 0, 0});

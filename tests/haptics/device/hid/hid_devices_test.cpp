@@ -49,9 +49,10 @@ class HidTest : public ::testing::Test {
   }
   HidEvents polled() {
     HidEvents news;
-    devices_.poll(news);
+    devices_.poll(news, now_s_);
     return news;
   }
+  double now_s_ = 1000;
   MockHid mock_;
   HidDevices devices_;
 };
@@ -73,7 +74,7 @@ TEST_F(HidTest, LookingIsAnothersWorkAndWhoPollsHearsOfIt) {
   devices_.look();  // While it looks: nothing.
   HidEvents news;
   while (news.arrived.empty()) {
-    devices_.poll(news);
+    devices_.poll(news, now_s_);
     std::this_thread::yield();
   }
   EXPECT_THAT(news.arrived, ElementsAre("SpaceMouse Compact"));
@@ -95,6 +96,24 @@ TEST_F(HidTest, TheSpaceMouseMovesAndPresses) {
   news = polled();
   EXPECT_DOUBLE_EQ(news.motion.right, 0);
   EXPECT_THAT(words(news.edges), ElementsAre("plus up", "minus down"));
+}
+
+TEST_F(HidTest, AWirelessOneThatIsLostWhileItIsPushedMovesNothingOn) {
+  mock_.plugIn(0, 0x256f, 0xc62e, "SpaceMouse Wireless", kSpaceMouse);  // Its receiver stays.
+  rescanned();
+  mock_.send(0, {1, 0x5e, 0x01, 0, 0, 0, 0, 0x5e, 0x01, 0, 0, 0, 0});
+  mock_.send(0, {3, 2, 0});
+  EXPECT_DOUBLE_EQ(polled().motion.right, 1);
+  now_s_ += CapReports::kLastsS / 2;
+  EXPECT_DOUBLE_EQ(polled().motion.right, 1) << "reports may come late";
+  now_s_ += CapReports::kLastsS;
+  const HidEvents lost = polled();
+  EXPECT_EQ(lost.motion, CapMotion{});
+  EXPECT_THAT(lost.left, IsEmpty());
+  mock_.send(0, {0x17, 90});  // Its battery is no motion.
+  EXPECT_EQ(polled().motion, CapMotion{});
+  mock_.send(0, {1, 0x5e, 0x01, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+  EXPECT_DOUBLE_EQ(polled().motion.right, 1) << "in reach again";
 }
 
 TEST_F(HidTest, AFootSwitchPressesTheFalconsButtons) {

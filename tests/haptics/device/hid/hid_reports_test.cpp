@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 namespace relievo::hid {
@@ -128,6 +129,22 @@ TEST(SpaceMouse, ACapThatIsNotQuiteCentredIsAtRest) {
   EXPECT_GT(little.right, 0);
   EXPECT_LT(little.right, 0.02) << "it begins without a jump";
   EXPECT_DOUBLE_EQ(little.about_up, -little.right);
+}
+
+TEST(SpaceMouse, ACapThatIsHeldStillIsPushedAsLongAsItReports) {
+  const std::vector<std::uint8_t> pushed{1, 0x5e, 0x01, 0, 0, 0, 0};
+  CapReports cap;
+  EXPECT_EQ(cap.motion(0), CapMotion{});
+  double now_s = 50;
+  for (int i = 0; i < 1000; ++i) {
+    now_s += 0.016;
+    cap.take(pushed, now_s);
+    ASSERT_DOUBLE_EQ(cap.motion(now_s).right, 1) << i;
+  }
+  EXPECT_DOUBLE_EQ(cap.motion(now_s + 0.9 * CapReports::kLastsS).right, 1);
+  EXPECT_EQ(cap.motion(now_s + 1.1 * CapReports::kLastsS), CapMotion{});
+  cap.take(std::array<std::uint8_t, 3>{3, 1, 0}, now_s + 1);
+  EXPECT_EQ(cap.motion(now_s + 1), CapMotion{}) << "a button tells nothing of the cap";
 }
 
 TEST(SpaceMouse, IsKnownByItsIds) {

@@ -36,6 +36,17 @@ TEST_F(PadBits, AreReadLowestFirst) {
   EXPECT_THAT(bitsOf("zz 1"), ElementsAre(0)) << "what is no number counts as nothing";
 }
 
+TEST_F(PadBits, OfATextWithTooManyTheLowestAreRead) {
+  const auto zeros = [](int words) {
+    std::string text;
+    for (int i = 0; i < words; ++i) text += " 0";
+    return text;
+  };
+  EXPECT_THAT(bitsOf("8000000000000000" + zeros(14) + " 1"), ElementsAre(0, 1023));
+  EXPECT_THAT(bitsOf("1" + zeros(15) + " 1\n"), ElementsAre(0)) << "the other one is number 1024";
+  EXPECT_THAT(bitsOf("ff 1" + zeros(13) + " 1 3\n"), ElementsAre(0, 1, 64, 960));
+}
+
 TEST_F(PadBits, AnXboxPadPressesAndRumbles) {
   const PadFacts facts = factsOf(kXboxKeys, kXboxEffects);
   EXPECT_TRUE(facts.isPad());
