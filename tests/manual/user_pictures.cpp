@@ -32,8 +32,10 @@
 #include "ui/panels/places_panel.h"
 #include "ui/panels/stereo_panel.h"
 #include "ui/prepare/prepare_dialog.h"
+#include "ui/views/cloud_view.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"
+#include "ui/views/scan_view.h"
 #include "ui/views/surface_view.h"
 #include "ui/vtk/depth_capture.h"
 #include "ui/vtk/offscreen.h"
@@ -177,10 +179,26 @@ void takeTouch(Photographer& p) {
   view.straighten();
 }
 
+/// The scan behind the relief, turned so that its sides are seen.
+void takeScan(Photographer& p) {
+  p.document().region().setRect({60, 60, 120, 120});
+  need(p.window().runCommand(QStringLiteral("show_scan")), "the scan in 3-D");
+  auto* scan = p.window().findChild<ScanView*>();
+  waitFor([scan] { return scan->cloud()->cloud() != nullptr; }, "the scan's points");
+  for (const int key : {Qt::Key_Left, Qt::Key_Left, Qt::Key_Up, Qt::Key_Up}) {
+    QTest::keyClick(scan->cloud(), static_cast<Qt::Key>(key));
+  }
+  QTest::qWait(1500);  // Until it rests, and all of its points are drawn.
+  p.take(QStringLiteral("scan_in_3d"));
+  p.window().runCommand(QStringLiteral("show_scan"));
+  p.document().region().whole();
+}
+
 void takeAll(Photographer& p) {
   takeStart(p);
   p.openPanel();
   p.take(QStringLiteral("window"));
+  takeScan(p);
   takeRegion(p);
   takeTouch(p);
   p.document().region().whole();
