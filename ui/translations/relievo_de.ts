@@ -2034,8 +2034,8 @@
         <translation>Eine im Netz veröffentlichte Karte über ihre Adresse öffnen</translation>
     </message>
     <message>
-        <source>Relief turns &amp;with the view</source>
-        <translation>Relief dreht sich mit der Ans&amp;icht</translation>
+        <source>Ob&amp;ject turns with the view</source>
+        <translation>Objek&amp;t dreht sich mit der Ansicht</translation>
     </message>
     <message>
         <source>While the view is turned, the relief is made anew again and again, and the hand feels the object turn</source>
