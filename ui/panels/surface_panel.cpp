@@ -45,8 +45,8 @@ QString levelText(const DetailLadder& ladder, Level level) {
 
 QFormLayout* form(QWidget* panel) {
   auto* layout = new QFormLayout(panel);
-  layout->setContentsMargins(6, 0, 0, 2);
-  layout->setHorizontalSpacing(3);
+  layout->setContentsMargins(3, 0, 0, 2);
+  layout->setHorizontalSpacing(6);
   layout->setVerticalSpacing(1);
   layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   return layout;

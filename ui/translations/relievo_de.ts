@@ -2034,7 +2034,7 @@
         <translation>Eine im Netz veröffentlichte Karte über ihre Adresse öffnen</translation>
     </message>
     <message>
-        <source>Ob&amp;ject turns with the view</source>
+        <source>&amp;Object turns with the view</source>
         <translation>Objek&amp;t dreht sich mit der Ansicht</translation>
     </message>
     <message>

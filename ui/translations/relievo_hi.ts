@@ -2034,8 +2034,8 @@
         <translation>वेब पर प्रकाशित मानचित्र को उसके पते से खोलें</translation>
     </message>
     <message>
-        <source>Ob&amp;ject turns with the view</source>
-        <translation>वस्तु दृश्य के साथ घूमे (&amp;J)</translation>
+        <source>&amp;Object turns with the view</source>
+        <translation>वस्तु दृश्य के साथ घूमे (&amp;O)</translation>
     </message>
     <message>
         <source>While the view is turned, the relief is made anew again and again, and the hand feels the object turn</source>

@@ -82,7 +82,7 @@ const std::array<CommandRow, kCommandCount>& CommandTable::rows() {
        QT_TR_NOOP("Turn the detail view by 15 degrees"), Needs::map},
       {C::use_view, "use_view", M::view, QT_TR_NOOP("&Use this view"), "",
        QT_TR_NOOP("Make the relief anew from where the turned detail view looks")},
-      {C::turn_relief, "turn_relief", M::view, QT_TR_NOOP("Ob&ject turns with the view"),
+      {C::turn_relief, "turn_relief", M::detail_view, QT_TR_NOOP("&Object turns with the view"),
        "Ctrl+Alt+T",
        QT_TR_NOOP("While the view is turned, the relief is made anew again and again, and the hand "
                   "feels the object turn"),
