@@ -18,25 +18,25 @@ TurnController::TurnController(const ControllerParts& parts, DetailView& detail,
     settings_.setChoice(QStringLiteral("turn_relief"), on);
     if (on) follow();
   });
-  connect(&document_, &Document::turnChanged, this, &TurnController::follow);
-  connect(&document_.loader(), &SurfaceLoader::busyChanged, this, [this](bool busy) {
-    if (!busy) goOn();
+  // A view that is pasted, filmed or opened may be turned, too; its relief is the one it came with.
+  connect(&detail_, &DetailView::turnedBySomebody, this, &TurnController::follow);
+  // The document has taken it by now, and what was turned meanwhile is left. One that failed or was
+  // stopped is not tried again.
+  connect(&document_.loader(), &SurfaceLoader::made, this, [this](const LoadJob& job) {
+    if (job.turn) follow();
   });
 }
 
-// One surface at a time: a newer one would stop it, and a view that turns on would have none.
+// Not where the command is not to be had: of rasters and maps by tiles, and in a replay, which
+// another surface would close. One surface at a time: a newer one would stop it, and a view that
+// turns on would have none.
 void TurnController::follow() {
-  if (!commands_[Command::turn_relief].isChecked() || !document_.isOpen()) return;
-  const std::shared_ptr<const Surface> surface = document_.surface();
-  if (surface->is_raster || !detail_.isTurned() || document_.loader().busy()) return;
-  turned_ = surface;
+  const QAction& command = commands_[Command::turn_relief];
+  if (!command.isChecked() || !command.isEnabled()) return;
+  if (!detail_.isTurned() || document_.loader().busy()) return;
   const Project& shown = document_.project();
   document_.choices().turnTo(detail_.lookRotation(),
                              {shown.azimuth_deg, shown.elevation_deg, about()});
-}
-
-void TurnController::goOn() {
-  if (turned_.lock() != document_.surface()) follow();
 }
 
 ViewMm TurnController::about() const {

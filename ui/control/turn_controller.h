@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
-
 #include "ui/window/controller.h"
 
 namespace relievo {
@@ -21,13 +19,10 @@ class TurnController : public Controller {
 
  private:
   void follow();
-  /// After a surface was made; not after one that failed, which would fail again.
-  void goOn();
   ViewMm about() const;
 
   DetailView& detail_;
   const TouchController& touch_;
-  std::weak_ptr<const Surface> turned_;  ///< The one that was being turned last.
 };
 
 }  // namespace relievo

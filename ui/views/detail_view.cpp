@@ -100,6 +100,7 @@ void DetailView::straighten() {
 void DetailView::turnBy(double azimuth_deg, double elevation_deg) {
   const Project& shown = document_.project();
   document_.setTurn(shown.azimuth_deg + azimuth_deg, shown.elevation_deg + elevation_deg);
+  Q_EMIT turnedBySomebody();
 }
 
 void DetailView::showTurn() {

@@ -45,6 +45,7 @@ class DetailView : public SurfaceView {
   bool isTurned() const;
   /// Back to looking straight down on the relief.
   void straighten();
+  /// As somebody turns it, by mouse, key or device; what is shown by other means is no such turn.
   void turnBy(double azimuth_deg, double elevation_deg);
   /// Rotation from the present view frame to the one the camera looks along.
   Rotation cameraRotation() const;
@@ -57,6 +58,7 @@ class DetailView : public SurfaceView {
   void picked(double x_mm, double y_mm);
   void pickingEnded();  ///< A double click or the key F.
   void turned(bool away_from_straight);
+  void turnedBySomebody();  ///< turnBy()
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;

@@ -86,7 +86,7 @@ const std::array<CommandRow, kCommandCount>& CommandTable::rows() {
        "Ctrl+Alt+T",
        QT_TR_NOOP("While the view is turned, the relief is made anew again and again, and the hand "
                   "feels the object turn"),
-       Needs::scan, kCheckable},
+       Needs::scan, kCheckable | kNotInReplay},
       {C::show_scan,
        "show_scan",
        M::view,

@@ -2,6 +2,7 @@
 // The relief follows the turned view: made anew again and again, what is touched under the hand.
 #include <cmath>
 #include <QAction>
+#include <QFile>
 #include <QtTest/QTest>
 
 #include "core/region/hand.h"
@@ -110,6 +111,34 @@ TEST_F(TurnReliefTest, AStoppedReliefIsNotTriedAgainByItself) {
   detail().turnBy(1, 0);
   ASSERT_TRUE(rests());
   EXPECT_NE(document().surface(), before);
+}
+
+TEST_F(TurnReliefTest, AViewThatIsPastedFilmedOrOpenedKeepsItsRelief) {
+  action("turn_relief")->setChecked(true);
+  const auto before = document().surface();
+  document().setTurn(20, 10);  // As all of them do.
+  QApplication::processEvents();
+  EXPECT_FALSE(document().loader().busy());
+  EXPECT_EQ(document().surface(), before);
+  EXPECT_TRUE(detail().isTurned());
+}
+
+TEST_F(TurnReliefTest, AMapThatIsARasterIsTurnedAlone) {
+  action("turn_relief")->setChecked(true);
+  QFile file(path("map.asc"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("ncols 40\nnrows 40\nxllcorner 0\nyllcorner 0\ncellsize 1\n");
+  for (int i = 0; i < 1600; ++i)
+    file.write(QByteArray::number(i % 7) + (i % 40 == 39 ? '\n' : ' '));
+  file.close();
+  window().open(path("map.asc"));
+  ASSERT_TRUE(waitFor(
+      [this] { return document().file() == path("map.asc") && !document().loader().busy(); }));
+  const auto before = document().surface();
+  ASSERT_TRUE(before->is_raster);
+  detail().turnBy(10, 0);
+  EXPECT_FALSE(document().loader().busy());
+  EXPECT_EQ(document().surface(), before);
 }
 
 TEST_F(TurnReliefTest, TheKeySwitchesItAndItIsRemembered) {
