@@ -15,18 +15,31 @@
 
 namespace relievo {
 
+class Journey::HearingHost : public WindowHost {
+ public:
+  using WindowHost::WindowHost;
+  void announce(const QString& text, SaidBecause why) override {
+    heard.append(text);
+    WindowHost::announce(text, why);
+  }
+
+  QStringList heard;
+};
+
 Journey::Journey(std::string name) : name_(std::move(name)) {
   qputenv("HOME", path("home").toLocal8Bit());
   qputenv("XDG_DATA_HOME", path("data").toLocal8Bit());
   QDir().mkpath(path("home/Documents"));
 }
 
+Journey::~Journey() = default;
+
 void Journey::TearDown() {
   detach();
 }
 
 void Journey::attach() {
-  host_ = std::make_unique<WindowHost>(window());
+  host_ = std::make_unique<HearingHost>(window());
   plugins_ = std::make_unique<PluginLoader>(*host_, window().settings());
   plugins_->load();
   ASSERT_TRUE(plugins_->has("haptics_plugin")) << plugins_->problems().join(' ').toStdString();
@@ -48,6 +61,13 @@ bool Journey::settled() {
 
 QString Journey::said() {
   return child<QLabel>("status_message")->text();
+}
+
+bool Journey::hears(const QString& words) {
+  const bool heard = eventually([&] { return !host_->heard.filter(words).isEmpty(); });
+  if (!heard) ADD_FAILURE() << "heard only: " << host_->heard.join(" | ").toStdString();
+  host_->heard.clear();
+  return heard;
 }
 
 double Journey::forceShown() {

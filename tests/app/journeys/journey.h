@@ -24,6 +24,7 @@ class Journey : public GuiTest {
  protected:
   /// @param name  what its pictures begin with
   explicit Journey(std::string name);
+  ~Journey() override;
   void TearDown() override;
 
   /// Host, plugins and reader of recordings, as the program has them.
@@ -39,6 +40,9 @@ class Journey : public GuiTest {
   const std::optional<Probe>& probe() { return detail().sceneState().probe; }
   /// The newest line of the status bar.
   QString said();
+  /// Waits until a plug-in has announced it, since this was last asked: another sentence may take
+  /// its place in the status bar at once.
+  bool hears(const QString& words);
   /// Of the status bar, N; 0 if no force is shown.
   double forceShown();
 
@@ -67,8 +71,10 @@ class Journey : public GuiTest {
   std::unique_ptr<PluginLoader> plugins_;
 
  private:
+  class HearingHost;
+
   std::string name_;
-  std::unique_ptr<WindowHost> host_;
+  std::unique_ptr<HearingHost> host_;
 };
 
 /// Of any channel of any pixel; 255 where the sizes differ.

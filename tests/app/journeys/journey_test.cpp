@@ -117,12 +117,14 @@ class JourneyTest : public Journey, public ::testing::WithParamInterface<By> {
   }
   /// Forces on with the hand over a place, and down on the surface there. A busy computer may stop
   /// the forces for safety; then a person lifts the hand and begins again.
-  void pressDown(double x_mm, double y_mm) {
+  /// @param felt  what is to be seen then
+  void pressDown(
+      double x_mm, double y_mm, const std::function<bool()>& felt = [] { return true; }) {
     int tries = 0;
     EXPECT_TRUE(stalls_.repeatAfterStalls(5,
                                           [&] {
                                             if (tries++ > 0) lift(x_mm, y_mm);
-                                            return pressed(x_mm, y_mm);
+                                            return pressed(x_mm, y_mm) && soon(felt);
                                           }))
         << "pressing in is felt; " << said().toStdString();
   }
@@ -199,11 +201,10 @@ void JourneyTest::openScan() {
 }
 
 void JourneyTest::touch() {
-  pressDown(90, 100);
-  EXPECT_TRUE(eventually([this] {
+  pressDown(90, 100, [this] {  // On the dome.
     return probe() && probe()->touching && probe()->hip.z < probe()->proxy.z &&
            std::abs(probe()->proxy.z - samples::kReliefFCapHeightMm) < 1;
-  })) << "on the dome";
+  });
   picture("2_touch");
   key(Qt::Key_Escape);
   EXPECT_TRUE(eventually([this] { return !action("forces")->isChecked(); })) << "Escape stops them";
@@ -356,8 +357,7 @@ void JourneyTest::recordOnce() {
   key(Qt::Key_Escape);
   shortcut(Qt::Key_R);
   ASSERT_TRUE(eventually([&] { return recordings().size() == before + 1; }));
-  ASSERT_TRUE(eventually([this] { return said().contains("Recording saved"); }))
-      << said().toStdString();
+  ASSERT_TRUE(hears("Recording saved"));
   ASSERT_TRUE(eventually([this] { return child<QLabel>("status_recording")->text().isEmpty(); }));
   log_ = recordings().back();
 }
@@ -422,8 +422,7 @@ void JourneyTest::steerBySpaceMouse() {
                                              0x01, 0x75, 0x10, 0x95, 0x03, 0x09, 0x30,
                                              0x09, 0x31, 0x09, 0x32, 0x81, 0x06, 0xc0};
   hid_.plugIn(0, 0x256f, 0xc635, "SpaceMouse Compact", multi_axis);
-  ASSERT_TRUE(eventually([this] { return said().contains("SpaceMouse Compact connected"); }))
-      << said().toStdString();
+  ASSERT_TRUE(hears("SpaceMouse Compact connected"));
   if (byKeys()) {
     handByKeys(200, 100);
   } else {
@@ -452,7 +451,7 @@ void JourneyTest::steerBySpaceMouse() {
   moves->setCurrentIndex(0);
   window().detailView().straighten();
   hid_.unplug(0);
-  EXPECT_TRUE(eventually([this] { return said().contains("SpaceMouse"); })) << "is missed";
+  EXPECT_TRUE(hears("SpaceMouse")) << "is missed";
   shortcut(Qt::Key_Z);
   EXPECT_EQ(document().detail(), before);
 }
