@@ -87,6 +87,8 @@ void HapticsPlugin::connectParts() {
           [this] { felt_->feel(FeltPattern::yes); });
   connect(felt_.get(), &FeltPatterns::changed, this, &HapticsPlugin::applySettings);
   connect(announcer_.get(), &LoopAnnouncer::forcesEnd, this, &HapticsPlugin::dropForces);
+  connect(announcer_.get(), &LoopAnnouncer::faultTold, recording_.get(),
+          &RecordingControl::setFault);
   connect(buttons_.get(), &ButtonControl::changed, this, &HapticsPlugin::applySettings);
   connect(guide_.get(), &GuideControl::changed, this, &HapticsPlugin::applySettings);
   connect(guide_.get(), &GuideControl::forcesAsked, this, &HapticsPlugin::setForces);

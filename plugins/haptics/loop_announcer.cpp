@@ -35,7 +35,9 @@ void LoopAnnouncer::watchFault(const HapticSample& sample) {
   fault_ = sample.fault;
   if (fault_ == DeviceFault::none) return;
   dropForces();
-  announce(tr("Forces off: %1.").arg(messageText(messageOf(fault_))));
+  const QString sentence = tr("Forces off: %1.").arg(messageText(messageOf(fault_)));
+  announce(sentence);
+  Q_EMIT faultTold(sentence);
 }
 
 /// The loop has ended the forces already; the window follows.

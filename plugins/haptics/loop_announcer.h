@@ -25,6 +25,7 @@ class LoopAnnouncer : public QObject {
 
  Q_SIGNALS:
   void forcesEnd(relievo::SaidBecause why);  ///< They are to be switched off.
+  void faultTold(const QString& sentence);
 
  private:
   void announce(const QString& text, SaidBecause why = SaidBecause::noticed);

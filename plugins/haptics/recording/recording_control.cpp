@@ -91,15 +91,18 @@ QString textOf(const RecordingEnd& failed) {
 
 }  // namespace
 
+void RecordingControl::tellFlight(const RecordingEnd& flight) {
+  QString text = flight.error.empty()
+                     ? tr("The last %1 before the fault are kept: %2")
+                           .arg(durationText(flight.samples))
+                           .arg(shownFilePath(QFile::decodeName(flight.file.c_str())))
+                     : textOf(flight);
+  if (!fault_.isEmpty()) text.prepend(std::exchange(fault_, {}) + QLatin1Char(' '));
+  parts_.host.messages.announce(text, SaidBecause::noticed);
+}
+
 void RecordingControl::watch() {
-  if (const std::optional<RecordingEnd> flight = device_.session()->flight().written()) {
-    parts_.host.messages.announce(
-        flight->error.empty() ? tr("The last %1 before the fault are kept: %2")
-                                    .arg(durationText(flight->samples))
-                                    .arg(shownFilePath(QFile::decodeName(flight->file.c_str())))
-                              : textOf(*flight),
-        SaidBecause::noticed);
-  }
+  if (const auto flight = device_.session()->flight().written()) tellFlight(*flight);
   const std::optional<RecordingEnd> end = device_.session()->recorder().ended();
   if (!end) return;
   const QSignalBlocker blocker(parts_.actions.record);

@@ -24,6 +24,9 @@ class RecordingControl : public QObject {
   void setRecording(bool on);
   /// Waits until the running one is on the disk. Before its loop goes.
   void end();
+  /// What was said of a fault: what is said of its flight record, a moment later, begins with it,
+  /// because of two sentences the newest wins.
+  void setFault(const QString& sentence) { fault_ = sentence; }
   /// Says what became of a recording. Once a frame.
   void watch();
   /// Of the running recording, or of the next.
@@ -43,11 +46,13 @@ class RecordingControl : public QObject {
  private:
   void start();
   void addNote();
+  void tellFlight(const RecordingEnd& flight);
 
   TouchParts& parts_;
   HandDevice& device_;
   QString folder_;        // The running recording's.
   QString window_lines_;  // For the running recording's end.
+  QString fault_;         // Whose flight record is being written; empty: none.
   std::shared_ptr<const FirmnessMap> firmness_;
   QPointer<NoteDialog> note_;
 };
