@@ -69,6 +69,7 @@ TEST_P(ConformanceFaults, AreNamed) {
 INSTANTIATE_TEST_SUITE_P(
     All, ConformanceFaults,
     testing::Values(
+        Planted{"no_table", "C01", "exports no relievo_device_entry"},
         Planted{"other_major", "C01", "another major version"},
         Planted{"short_table", "C01", "too small"}, Planted{"null_function", "C01", "missing"},
         Planted{"init_fails", "C02", "init failed"},

@@ -29,6 +29,7 @@ using relievo::test::StandInEntry;
 
 enum class Fault {
   none,
+  no_table,  // Its name is another's: in CMakeLists.txt.
   other_major,
   short_table,
   null_function,
