@@ -85,6 +85,21 @@ TEST_F(ReplayTest, ShowsHandProxyAndWindowOfTheRecordingAtEachTime) {
   EXPECT_DOUBLE_EQ(document().project().region.side_mm, 100) << "and back";
 }
 
+TEST_F(ReplayTest, AViewThatIsTurnedMeanwhileLeavesItsReliefAlone) {
+  action("turn_relief")->setChecked(true);
+  replay();
+  ASSERT_TRUE(control().showing()) << window().message().toStdString();
+  const auto replayed = document().surface();
+  window().detailView().turnBy(10, 5);
+  EXPECT_TRUE(window().detailView().isTurned());
+  EXPECT_FALSE(document().loader().busy()) << "another relief would close the replay";
+  ASSERT_TRUE(window().runCommand("replay_close"));
+  EXPECT_EQ(document().surface(), replayed) << "nor is it made up for afterwards";
+  window().detailView().turnBy(5, 0);
+  EXPECT_TRUE(document().loader().busy()) << "as before the replay";
+  ASSERT_TRUE(waitFor([this] { return !document().loader().busy(); }));
+}
+
 TEST_F(ReplayTest, KeysAndSliderGoThroughTheRecordingAndPlotsKeepStep) {
   replay();
   auto& panel = *control().panel();
