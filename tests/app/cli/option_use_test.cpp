@@ -99,6 +99,11 @@ TEST_F(OptionUse, OfOtherVerbsLikewise) {
   video({"--eye-angle", "3"}, "--eye-angle needs a kind of --stereo");
   video({"--swap-eyes"}, "--swap-eyes needs a kind of --stereo");
   video({"--colours", "grey"}, "--colours needs a --relief with colours");
+  for (const char* size : {"640.5x480", "640x480.5"}) {
+    video({"--size", size}, "--size must be WIDTHxHEIGHT, like 1280x720.");
+  }
+  isRefused({"video", log, "--frame", "0", "-o", path("v.mp4")},
+            "A picture's name ends in .png or .tif; 'v.mp4' does not.", path("v.mp4"));
   isRefused({"project", "info", log, "-o", out}, "--output belongs to project new or relink", out);
   isRefused({"project", "new", log, "--to", m, "-o", out}, "--to belongs to project relink", out);
 }
