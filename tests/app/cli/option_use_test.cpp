@@ -128,6 +128,29 @@ TEST_F(OptionUse, ThatIsWrongIsToldInASentence) {
       << large.err;
 }
 
+TEST_F(OptionUse, ALogOrStrokeThatIsNotThereIsToldAsSuch) {
+  const std::string m = map(), missing = path("none.csv"), out = path("o.csv");
+  const auto told = [&](const Words& words, const std::string& why) {
+    const CommandResult result = runRelievo(words);
+    EXPECT_EQ(result.exit_code, 2) << words.front() << result.err;
+    EXPECT_NE(result.err.find(why), std::string::npos) << words.front() << result.err;
+    EXPECT_EQ(result.err.find(" log "), std::string::npos) << words.front() << result.err;
+    EXPECT_EQ(result.err.find(" stroke "), std::string::npos) << words.front() << result.err;
+  };
+  for (const auto& [file, why] :
+       {std::pair{missing,
+                  "Cannot read none.csv: there is no such file. Check the name and the "
+                  "folder."},
+        std::pair{path("none.h5"), "Cannot read none.h5: there is no such file."},
+        std::pair{path(""), "it is a folder. Choose one of the files in it."}}) {
+    told({"sound", file, "-o", path("s.wav")}, why);
+    told({"video", file, "-o", path("v.mp4")}, why);
+    told({"touch", m, "--stroke", file, "-o", out}, why);
+    told({"touch", m, "--device", "virtual", "--guide", file, "-o", out}, why);
+    told({"record", m, "--stroke", file, "--seconds", "0.1", "-o", out}, why);
+  }
+}
+
 TEST_F(OptionUse, ThatMeasuresNamesThePlaceAndTheSection) {
   const std::string m = map(), out = path("o.csv");
   isRefused({"measure", m, "--point", "900,9.25", "-o", out},
