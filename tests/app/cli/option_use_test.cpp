@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Options that could change nothing are refused by name, and misuse is told in a sentence.
+#include <fstream>
 #include <functional>
 
 #include "tests/app/command_test.h"
@@ -126,6 +127,40 @@ TEST_F(OptionUse, ThatIsWrongIsToldInASentence) {
       runRelievo({"figure", m, "--width-mm", "2000", "--dpi", "2400", "-o", out});
   EXPECT_NE(large.err.find("can hold, 536 million in all. Nothing was drawn."), std::string::npos)
       << large.err;
+}
+
+TEST_F(OptionUse, ARegionBesideTheMapIsRefusedByEveryVerbThatTakesOne) {
+  const std::string m = map(), nothing = "There is nothing of the object in this region.";
+  for (const char* beside : {"30,30,4,4", "11,2,4,4", "2,11,4,4"}) {
+    isRefused({"render", m, "--region", beside, "-o", path("r.png")}, nothing, path("r.png"));
+    isRefused({"figure", m, "--region", beside, "-o", path("f.png")}, nothing, path("f.png"));
+    isRefused({"touch", m, "--region", beside, "--stroke", kFlatStroke, "-o", path("t.csv")},
+              nothing, path("t.csv"));
+    isRefused({"convert", m, path("w.tif"), "--region", beside}, nothing, path("w.tif"));
+  }
+  isRefused({"record", m, "--region=-5,2,4,4", "--seconds", "0.1", "-o", path("t.csv")}, nothing,
+            path("t.csv"));
+  for (const char* partly : {"10,10,4,4", "-3,-3,4,4"}) {
+    const CommandResult drawn =
+        runRelievo({"render", m, std::string("--region=") + partly, "-o", path("p.png")});
+    EXPECT_EQ(drawn.exit_code, 0) << partly << drawn.err;
+  }
+}
+
+TEST_F(OptionUse, ThatALogHasIsNoMisuseWhenItIsReplayed) {
+  const std::string m = map(), log = path("log.csv"), old = path("old.csv");
+  const CommandResult touched = runRelievo(
+      {"touch", m, "--region", "2,2,4,4", "--gain", "1", "--stroke", kFlatStroke, "-o", log});
+  ASSERT_EQ(touched.exit_code, 0) << touched.err;
+  ASSERT_EQ(runRelievo({"replay", log, "--verify"}).exit_code, 0);
+  for (const auto& [now, then] : {std::pair{R"("2,2,4,4")", R"("30,30,4,4")"}}) {
+    std::string text = bytesOf(log);
+    const std::size_t at = text.find(now);
+    ASSERT_NE(at, std::string::npos) << now;
+    std::ofstream(old) << text.replace(at, std::string(now).size(), then);
+    const CommandResult replayed = runRelievo({"replay", old, "--verify"});
+    EXPECT_EQ(replayed.exit_code, 5) << "only its checksum tells: " << replayed.err;
+  }
 }
 
 TEST_F(OptionUse, ALogOrStrokeThatIsNotThereIsToldAsSuch) {
