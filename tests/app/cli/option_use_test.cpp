@@ -153,13 +153,46 @@ TEST_F(OptionUse, ThatALogHasIsNoMisuseWhenItIsReplayed) {
       {"touch", m, "--region", "2,2,4,4", "--gain", "1", "--stroke", kFlatStroke, "-o", log});
   ASSERT_EQ(touched.exit_code, 0) << touched.err;
   ASSERT_EQ(runRelievo({"replay", log, "--verify"}).exit_code, 0);
-  for (const auto& [now, then] : {std::pair{R"("2,2,4,4")", R"("30,30,4,4")"}}) {
+  for (const auto& [now, then] : {std::pair{R"("2,2,4,4")", R"("30,30,4,4")"},
+                                  std::pair{R"("--gain","1")", R"("--cells","7")"}}) {
     std::string text = bytesOf(log);
     const std::size_t at = text.find(now);
     ASSERT_NE(at, std::string::npos) << now;
     std::ofstream(old) << text.replace(at, std::string(now).size(), then);
     const CommandResult replayed = runRelievo({"replay", old, "--verify"});
     EXPECT_EQ(replayed.exit_code, 5) << "only its checksum tells: " << replayed.err;
+  }
+}
+
+TEST_F(OptionUse, OfRastersIsOnlyWhatARasterLeavesOpen) {
+  const std::string m = map(), out = path("d.tif");
+  const std::vector<Words> of_scans{{"--cells", "5"},     {"--spacing", "2"},
+                                    {"--rule", "median"}, {"--engine", "depthbuffer"},
+                                    {"--strays", "keep"}, {"--every", "2"}};
+  const std::vector<Words> of_others{{"--unit", "m"}, {"--view", "left"}, {"--turn", "0,9,0"}};
+  const auto refused = [&](const std::string& file, const Words& option, const std::string& what) {
+    for (const Words& verb : {Words{"depthmap", file}, Words{"render", file}}) {
+      const std::string to = verb[0] == "render" ? path("d.png") : out;
+      isRefused(joined(joined(verb, option), {"-o", to}), option[0] + what, to);
+    }
+  };
+  for (const Words& option : of_scans) refused(m, option, " needs a scan, for a raster keeps ");
+  const std::string ours = path("ours.tif"), tiles = path("tiles.tif");
+  ASSERT_EQ(runRelievo({"depthmap", m, "--unit", "cm", "-o", ours}).exit_code, 0);
+  ASSERT_EQ(runRelievo({"depthmap", m, "--memory", "400", "-o", tiles}).exit_code, 0);
+  for (const std::string& file : {ours, tiles}) {
+    for (const Words& option : of_scans) {
+      if (file == tiles && option[0] == "--engine") continue;  // It never comes as far.
+      isRefused(joined(joined({"render", file}, option), {"-o", path("d.png")}),
+                option[0] + " needs a scan, for a raster keeps ", path("d.png"));
+    }
+    for (const Words& option : of_others) {
+      isRefused(joined(joined({"render", file}, option), {"-o", path("d.png")}),
+                option[0] + " needs a scan or raster that relievo did not write.", path("d.png"));
+    }
+    const CommandResult taken = runRelievo(
+        {"render", file, "--unit", "mm", "--view", "top", "--rule", "auto", "-o", path("e.png")});
+    EXPECT_EQ(taken.exit_code, 0) << taken.err;
   }
 }
 
