@@ -44,6 +44,7 @@ struct MapArguments {
   std::optional<double> pixel_mm, height_mm, height_zero;  ///< Of a raster from elsewhere.
   double factor = 2;                                       ///< The paper's M.
   ScanArguments scan;
+  bool as_recorded = false;  ///< Of a log: what an earlier version passed over is no misuse.
 };
 void addMapOptions(CLI::App& verb, MapArguments& arguments);
 /// @throw ArgumentError  a value that is not of its option's form
@@ -55,10 +56,11 @@ struct RegionArguments {
   std::string region;  ///< "X,Y,W,H" in view mm; empty: the whole map.
   double gain = 1;
   bool gain_given = false;
-  std::string window_out;  ///< Empty: not written.
+  std::string window_out;    ///< Empty: not written.
+  bool as_recorded = false;  ///< Of a log: it may lie beside the map.
 };
 void addRegionOptions(CLI::App& verb, RegionArguments& arguments);
-/// @throw ArgumentError
+/// @throw ArgumentError  also if it lies beside the map, and no log has it so
 Region chosenRegion(const Surface& surface, const RegionArguments& arguments);
 
 /// Exactly `count` comma-separated numbers. @throw ArgumentError naming the option

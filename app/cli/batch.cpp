@@ -18,6 +18,7 @@
 #include "app/cli/drawing.h"
 #include "app/cli/library_versions.h"
 #include "app/cli/options/look_arguments.h"
+#include "app/cli/options/map_option_use.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/other_program.h"
 #include "app/cli/refusal_text.h"
@@ -155,8 +156,10 @@ void tell(const std::string& message) {
 }
 
 Surface loadForVerb(const MapArguments& arguments, const Task& task) {
-  return loadForVerb(arguments.file, surfaceOptions(arguments), importOptions(arguments.scan),
-                     task);
+  Surface surface =
+      loadForVerb(arguments.file, surfaceOptions(arguments), importOptions(arguments.scan), task);
+  requireUseOfMapOptions(arguments, surface);
+  return surface;
 }
 
 Surface loadForVerb(const std::string& file, const SurfaceOptions& options,

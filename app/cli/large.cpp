@@ -11,6 +11,7 @@
 
 #include "app/cli/json.h"
 #include "app/cli/map_report.h"
+#include "app/cli/options/map_option_use.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/state.h"
 #include "core/base/failure.h"
@@ -243,6 +244,7 @@ Surface openForVerb(const MapArguments& arguments, const Task& task) {
   if (!TiledMap::isOne(arguments.file)) return loadForVerb(arguments, task);
   surfaceOptions(arguments);  // Words that make no sense are refused here as well.
   Surface surface = openTiledSurface(arguments.file);
+  requireUseOfMapOptions(arguments, surface);
   if (surface.ladder.factor != arguments.factor) {
     tell("The map's levels were made with M = " + Json(surface.ladder.factor).dump() +
          " and are used as they are.");

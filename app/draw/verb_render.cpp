@@ -82,13 +82,8 @@ StereoOptions stereoOptions(const RenderArguments& a) {
           .swap_eyes = a.swap_eyes};
 }
 
-void checkEnding(const std::string& file) {
-  if (pictureFormatOf(file)) return;
-  throw failure<MessageId::picture_name>(std::filesystem::path(file).filename().string());
-}
-
 Stored fromArguments(const RenderArguments& a, const Task& task) {
-  checkEnding(a.out);
+  requirePictureName(a.out);
   const ReliefLook look = reliefLook(a.look);
   const StereoPrint print = stereoPrint(a.stereo).value_or(StereoPrint::off);
   const StereoOptions stereo = isTwoPictures(print) ? StereoOptions{} : stereoOptions(a);
@@ -121,7 +116,7 @@ Stored fromState(const RenderArguments& a, const Task& task) {
   const Region before = p.region;
   const bool chosen = showChosen(state, a.host_file, a.map.view, a.region);
   if (!chosen && !a.stereo_given && !a.pixels_given && !a.look_given && !a.scale_bar) return state;
-  checkEnding(a.out);
+  requirePictureName(a.out);
   p.look = p.figure.look = reliefLook(a.look, p.look);
   const StereoPrint print = stereoPrint(a.stereo).value_or(StereoPrint::off);
   if (a.stereo_given && isTwoPictures(print)) {
@@ -187,7 +182,7 @@ CommandResult runRender(const RenderArguments& a, const Task& task) {
     }
     return drawAsFigure(a, state, set, task);
   }
-  checkEnding(a.out);
+  requirePictureName(a.out);
   const Surface& surface = state.surface;
   Project& p = state.project;
   const RegionWindow window = windowOf(surface, p.region, p.gain);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -55,6 +56,9 @@ VideoRequest requestOf(const VideoArguments& a) {
   if (x == std::string::npos) throw failure<MessageId::option_size>();
   const std::vector<double> size =
       numberList("--size", a.size.substr(0, x) + "," + a.size.substr(x + 1), 2);
+  if (size[0] != std::trunc(size[0]) || size[1] != std::trunc(size[1])) {
+    throw failure<MessageId::option_size>();
+  }
   v.width_px = static_cast<int>(size[0]);
   v.height_px = static_cast<int>(size[1]);
   const bool grey = a.stereo.empty() && v.profile == VideoProfile::anaglyph;
@@ -65,7 +69,10 @@ VideoRequest requestOf(const VideoArguments& a) {
   requireUse("--eye-angle", a.eye_angle_deg.has_value(), eyes || a.both_eyes, what);
   requireUse("--swap-eyes", v.swap_eyes, eyes || a.both_eyes, what);
   v.eye_angle_deg = a.eye_angle_deg.value_or(v.eye_angle_deg);
-  if (a.frame) v.sound = false;
+  if (a.frame) {
+    v.sound = false;
+    requirePictureName(a.out);
+  }
   v.look = reliefLook(a.look, v.look);
   for (const std::string& part : a.without) {
     if (part == "plots") v.plots = false;
@@ -110,8 +117,14 @@ CommandResult drawOne(const Surface& surface, const TouchRecording* recording,
     throw failure<MessageId::video_frame_beyond>(frames.times().frames);
   }
   constexpr double kScreenDpi = 96;
-  writePng(a.out, frames.draw(*a.frame), kScreenDpi,
-           {{"Software", std::string("relievo ") + RELIEVO_VERSION_STRING}, {kStateEntry, state}});
+  const RgbaImage image = frames.draw(*a.frame);
+  const PictureText text{{"Software", std::string("relievo ") + RELIEVO_VERSION_STRING},
+                         {kStateEntry, state}};
+  if (pictureFormatOf(a.out) == PictureFormat::tiff) {
+    writeTiff(a.out, image, kScreenDpi, text);
+  } else {
+    writePng(a.out, image, kScreenDpi, text);
+  }
   return {.json = reportText(Json{{"file", a.out}, {"time_s", frames.times().ofFrame(*a.frame)}}),
           .lines = {a.out + ": one frame"}};
 }
@@ -230,7 +243,8 @@ void declareVideo(CLI::App& verb, VideoArguments& a) {
   verb.add_option("--colours", a.look.colours, listOf(kColourMapNames));
   takesList(verb.add_option("--light", a.look.light, "AZIMUTH,ELEVATION in degrees; 315,45"), 2,
             {.low = -360, .high = 360, .unit = "degrees"});
-  takes(verb.add_option("--frame", a.frame, "Only this frame, counted from 0, as a PNG"),
+  takes(verb.add_option("--frame", a.frame,
+                        "Only this frame, counted from 0, as a picture: .png or .tif"),
         {.low = 0, .high = 1e8});
 }
 

@@ -71,7 +71,7 @@ Recorded touched(const OpenedSurface& opened, const batch::TouchArguments& argum
                  const std::optional<Stroke>& given, const Task& task) {
   batch::check(batch::filesOf(arguments));
   batch::checkTouch(arguments);
-  const Stroke stroke = given ? *given : readStroke(arguments.stroke);
+  const Stroke stroke = given ? *given : batch::strokeFile(arguments.stroke);
   requireRoom(stroke);
   const batch::TouchSetup setup = batch::prepareTouch(arguments, opened.surface, task);
   auto recording = std::make_shared<Recording>();

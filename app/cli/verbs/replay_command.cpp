@@ -63,6 +63,7 @@ TouchArguments argumentsOf(const std::vector<std::string>& command) {
   } catch (const CLI::ParseError& error) {
     throw failure<MessageId::log_command_unknown>(error.what());
   }
+  arguments.map.as_recorded = arguments.region.as_recorded = true;
   return arguments;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -70,6 +71,9 @@ std::string feelJson(const TouchArguments& arguments);
 double strengthOf(const TouchArguments& arguments);
 /// Options that have no use together. @throw ArgumentError
 void checkTouch(const TouchArguments& arguments);
+
+/// The stroke in a file of the user's. @throw FileError  as `checkedFileSize` and `readStroke`
+Stroke strokeFile(const std::filesystem::path& file);
 
 /// What is touched, and how.
 struct TouchSetup {

@@ -111,7 +111,7 @@ CommandResult runRecord(const TouchArguments& asked, const Task& task) {
   if (!(asked.seconds > 0) || !(asked.seconds <= 86'400)) {
     throw failure<MessageId::option_seconds>();
   }
-  const Stroke stroke = asked.stroke.empty() ? Stroke{} : readStroke(asked.stroke);
+  const Stroke stroke = asked.stroke.empty() ? Stroke{} : strokeFile(asked.stroke);
   std::unique_ptr<Device> device = makeDevice(asked.device);
   if (asked.safety == "off" && !device->info().simulated) {
     throw failure<MessageId::option_safety>(asked.device);

@@ -18,6 +18,7 @@
 #include "app/cli/verbs/touch_setup.h"
 #include "core/base/failure.h"
 #include "core/file/output_set.h"
+#include "core/io/file_check.h"
 #include "core/io/formats/text_file.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
@@ -293,7 +294,7 @@ CommandResult runTouch(const TouchArguments& a, const Task& task) {
   if (a.stroke.empty() && a.guide.empty()) throw failure<MessageId::touch_needs_stroke>();
   checkTouch(a);
   std::optional<Stroke> stroke;
-  if (!a.stroke.empty()) stroke = readStroke(a.stroke);
+  if (!a.stroke.empty()) stroke = strokeFile(a.stroke);
   TouchSetup setup = prepareTouch(a, task);
   OutputSet beside;  // What lies beside the recording, which takes its place first.
   writeWindowIfAsked(a.region, setup.surface, setup.window, beside);
@@ -330,6 +331,11 @@ CommandResult runTouch(const TouchArguments& a, const Task& task) {
 }
 
 }  // namespace
+
+Stroke strokeFile(const std::filesystem::path& file) {
+  static_cast<void>(checkedFileSize(file));
+  return readStroke(file);
+}
 
 void checkTouch(const TouchArguments& a) {
   requireUse("--rounds", a.rounds.has_value(), !a.guide.empty() && !isGuideFile(a.guide),

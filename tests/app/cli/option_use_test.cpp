@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Options that could change nothing are refused by name, and misuse is told in a sentence.
+#include <fstream>
 #include <functional>
 
 #include "tests/app/command_test.h"
@@ -99,6 +100,11 @@ TEST_F(OptionUse, OfOtherVerbsLikewise) {
   video({"--eye-angle", "3"}, "--eye-angle needs a kind of --stereo");
   video({"--swap-eyes"}, "--swap-eyes needs a kind of --stereo");
   video({"--colours", "grey"}, "--colours needs a --relief with colours");
+  for (const char* size : {"640.5x480", "640x480.5"}) {
+    video({"--size", size}, "--size must be WIDTHxHEIGHT, like 1280x720.");
+  }
+  isRefused({"video", log, "--frame", "0", "-o", path("v.mp4")},
+            "A picture's name ends in .png or .tif; 'v.mp4' does not.", path("v.mp4"));
   isRefused({"project", "info", log, "-o", out}, "--output belongs to project new or relink", out);
   isRefused({"project", "new", log, "--to", m, "-o", out}, "--to belongs to project relink", out);
 }
@@ -121,6 +127,96 @@ TEST_F(OptionUse, ThatIsWrongIsToldInASentence) {
       runRelievo({"figure", m, "--width-mm", "2000", "--dpi", "2400", "-o", out});
   EXPECT_NE(large.err.find("can hold, 536 million in all. Nothing was drawn."), std::string::npos)
       << large.err;
+}
+
+TEST_F(OptionUse, ARegionBesideTheMapIsRefusedByEveryVerbThatTakesOne) {
+  const std::string m = map(), nothing = "There is nothing of the object in this region.";
+  for (const char* beside : {"30,30,4,4", "11,2,4,4", "2,11,4,4"}) {
+    isRefused({"render", m, "--region", beside, "-o", path("r.png")}, nothing, path("r.png"));
+    isRefused({"figure", m, "--region", beside, "-o", path("f.png")}, nothing, path("f.png"));
+    isRefused({"touch", m, "--region", beside, "--stroke", kFlatStroke, "-o", path("t.csv")},
+              nothing, path("t.csv"));
+    isRefused({"convert", m, path("w.tif"), "--region", beside}, nothing, path("w.tif"));
+  }
+  isRefused({"record", m, "--region=-5,2,4,4", "--seconds", "0.1", "-o", path("t.csv")}, nothing,
+            path("t.csv"));
+  for (const char* partly : {"10,10,4,4", "-3,-3,4,4"}) {
+    const CommandResult drawn =
+        runRelievo({"render", m, std::string("--region=") + partly, "-o", path("p.png")});
+    EXPECT_EQ(drawn.exit_code, 0) << partly << drawn.err;
+  }
+}
+
+TEST_F(OptionUse, ThatALogHasIsNoMisuseWhenItIsReplayed) {
+  const std::string m = map(), log = path("log.csv"), old = path("old.csv");
+  const CommandResult touched = runRelievo(
+      {"touch", m, "--region", "2,2,4,4", "--gain", "1", "--stroke", kFlatStroke, "-o", log});
+  ASSERT_EQ(touched.exit_code, 0) << touched.err;
+  ASSERT_EQ(runRelievo({"replay", log, "--verify"}).exit_code, 0);
+  for (const auto& [now, then] : {std::pair{R"("2,2,4,4")", R"("30,30,4,4")"},
+                                  std::pair{R"("--gain","1")", R"("--cells","7")"}}) {
+    std::string text = bytesOf(log);
+    const std::size_t at = text.find(now);
+    ASSERT_NE(at, std::string::npos) << now;
+    std::ofstream(old) << text.replace(at, std::string(now).size(), then);
+    const CommandResult replayed = runRelievo({"replay", old, "--verify"});
+    EXPECT_EQ(replayed.exit_code, 5) << "only its checksum tells: " << replayed.err;
+  }
+}
+
+TEST_F(OptionUse, OfRastersIsOnlyWhatARasterLeavesOpen) {
+  const std::string m = map(), out = path("d.tif");
+  const std::vector<Words> of_scans{{"--cells", "5"},     {"--spacing", "2"},
+                                    {"--rule", "median"}, {"--engine", "depthbuffer"},
+                                    {"--strays", "keep"}, {"--every", "2"}};
+  const std::vector<Words> of_others{{"--unit", "m"}, {"--view", "left"}, {"--turn", "0,9,0"}};
+  const auto refused = [&](const std::string& file, const Words& option, const std::string& what) {
+    for (const Words& verb : {Words{"depthmap", file}, Words{"render", file}}) {
+      const std::string to = verb[0] == "render" ? path("d.png") : out;
+      isRefused(joined(joined(verb, option), {"-o", to}), option[0] + what, to);
+    }
+  };
+  for (const Words& option : of_scans) refused(m, option, " needs a scan, for a raster keeps ");
+  const std::string ours = path("ours.tif"), tiles = path("tiles.tif");
+  ASSERT_EQ(runRelievo({"depthmap", m, "--unit", "cm", "-o", ours}).exit_code, 0);
+  ASSERT_EQ(runRelievo({"depthmap", m, "--memory", "400", "-o", tiles}).exit_code, 0);
+  for (const std::string& file : {ours, tiles}) {
+    for (const Words& option : of_scans) {
+      if (file == tiles && option[0] == "--engine") continue;  // It never comes as far.
+      isRefused(joined(joined({"render", file}, option), {"-o", path("d.png")}),
+                option[0] + " needs a scan, for a raster keeps ", path("d.png"));
+    }
+    for (const Words& option : of_others) {
+      isRefused(joined(joined({"render", file}, option), {"-o", path("d.png")}),
+                option[0] + " needs a scan or raster that relievo did not write.", path("d.png"));
+    }
+    const CommandResult taken = runRelievo(
+        {"render", file, "--unit", "mm", "--view", "top", "--rule", "auto", "-o", path("e.png")});
+    EXPECT_EQ(taken.exit_code, 0) << taken.err;
+  }
+}
+
+TEST_F(OptionUse, ALogOrStrokeThatIsNotThereIsToldAsSuch) {
+  const std::string m = map(), missing = path("none.csv"), out = path("o.csv");
+  const auto told = [&](const Words& words, const std::string& why) {
+    const CommandResult result = runRelievo(words);
+    EXPECT_EQ(result.exit_code, 2) << words.front() << result.err;
+    EXPECT_NE(result.err.find(why), std::string::npos) << words.front() << result.err;
+    EXPECT_EQ(result.err.find(" log "), std::string::npos) << words.front() << result.err;
+    EXPECT_EQ(result.err.find(" stroke "), std::string::npos) << words.front() << result.err;
+  };
+  for (const auto& [file, why] :
+       {std::pair{missing,
+                  "Cannot read none.csv: there is no such file. Check the name and the "
+                  "folder."},
+        std::pair{path("none.h5"), "Cannot read none.h5: there is no such file."},
+        std::pair{path(""), "it is a folder. Choose one of the files in it."}}) {
+    told({"sound", file, "-o", path("s.wav")}, why);
+    told({"video", file, "-o", path("v.mp4")}, why);
+    told({"touch", m, "--stroke", file, "-o", out}, why);
+    told({"touch", m, "--device", "virtual", "--guide", file, "-o", out}, why);
+    told({"record", m, "--stroke", file, "--seconds", "0.1", "-o", out}, why);
+  }
 }
 
 TEST_F(OptionUse, ThatMeasuresNamesThePlaceAndTheSection) {

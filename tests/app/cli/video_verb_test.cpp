@@ -58,6 +58,10 @@ TEST_F(VideoVerb, MakesTheMapOfALogAgainFromBothFormats) {
     const CommandResult frame =
         video({path(log), "-o", path(std::string(log) + ".png"), "--frame", "2"});
     EXPECT_EQ(frame.exit_code, 0) << frame.err;
+    const std::string tiff = path(std::string(log) + ".tif");
+    const CommandResult other = video({path(log), "-o", tiff, "--frame", "2"});
+    EXPECT_EQ(other.exit_code, 0) << other.err;
+    EXPECT_EQ(bytesOf(tiff).substr(0, 2), "II") << "its name says TIFF";
   }
 }
 
