@@ -65,10 +65,10 @@ class Journey : public GuiTest {
   std::vector<std::filesystem::path> recordings() const;
 
   std::unique_ptr<PluginLoader> plugins_;
+  std::unique_ptr<WindowHost> host_;
 
  private:
   std::string name_;
-  std::unique_ptr<WindowHost> host_;
 };
 
 /// Of any channel of any pixel; 255 where the sizes differ.
