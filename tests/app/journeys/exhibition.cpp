@@ -52,6 +52,7 @@ bool isOfAStall(const QString& sentence) {
 
 Exhibition::Exhibition(std::string name) : Journey(std::move(name)) {
   qputenv("PULSE_SERVER", "unix:" + path("no_such_server").toUtf8());
+  qputenv("MESA_SHADER_CACHE_DISABLE", "true");  // Its folder is that of the test before.
   constexpr int kTremorMs = 250;
   constexpr double kTremorMm = 0.3;
   tremor_.setInterval(kTremorMs);
@@ -189,9 +190,11 @@ void Exhibition::forgetHeard() {
   read_ = heard().size();
 }
 
-void Exhibition::mayHear(const QString& sentence) {
-  if (!eventually([&] { return heard().size() > read_; })) return;
-  if (heard().at(read_) == language_ + '|' + sentence) ++read_;
+bool Exhibition::mayHear(const QString& sentence) {
+  if (!eventually([&] { return heard().size() > read_; })) return false;
+  const bool is_it = heard().at(read_) == language_ + '|' + sentence;
+  if (is_it) ++read_;
+  return is_it;
 }
 
 double Exhibition::volume() const {
@@ -275,8 +278,15 @@ bool Exhibition::homeGrip() {
   return is_homed;
 }
 
+bool Exhibition::waitsForGrip() {
+  return lit(falcon::red) && eventually([this] {
+           return health().rfind("device: Please pull") != std::string::npos ||
+                  health().rfind("device: Straight out") != std::string::npos;
+         });
+}
+
 void Exhibition::begin() {
-  ASSERT_TRUE(lit(falcon::red)) << "the Falcon waits for its arms";
+  ASSERT_TRUE(waitsForGrip());
   press(kForward);
   ASSERT_TRUE(reaches(Visit::State::language));
   press(kCentre);
@@ -299,7 +309,7 @@ void Exhibition::passOverToTouch() {
   ASSERT_TRUE(eventually([this] { return action("forces")->isChecked(); }));
 }
 
-bool Exhibition::touch(double x_mm, double y_mm) {
+bool Exhibition::touch(double x_mm, double y_mm, double z) {
   const auto pushed = [this] {
     return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.2; }) && probe() &&
            probe()->touching;
@@ -310,7 +320,7 @@ bool Exhibition::touch(double x_mm, double y_mm) {
     if (!QTest::qWaitFor([this] { return probe() && probe()->forces_on; }, kPatienceMs)) {
       return false;
     }
-    handTo(x_mm, y_mm, kBelowZ);
+    handTo(x_mm, y_mm, z);
     return QTest::qWaitFor(pushed, kPatienceMs) && proxyNear(x_mm, y_mm, 5);
   });
 }
@@ -320,9 +330,13 @@ std::string Exhibition::health() const {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::string Exhibition::where() const {
+std::string Exhibition::where() {
   std::string text = "state " + std::to_string(static_cast<int>(visit().state())) + ", caption " +
                      exhibit_->control().caption().text().toStdString();
+  if (probe()) {
+    text += ", proxy " + std::to_string(probe()->proxy.x) + ", " + std::to_string(probe()->proxy.y);
+    text += probe()->touching ? " touching" : "";
+  }
   return text + "\nhealth: " + health();
 }
 

@@ -27,7 +27,8 @@ class Exhibition : public Journey {
  protected:
   static constexpr std::uint8_t kPlus = ButtonCommands::kPlus, kForward = ButtonCommands::kForward,
                                 kCentre = ButtonCommands::kCentre, kMinus = ButtonCommands::kMinus;
-  static constexpr double kAboveZ = 150, kBelowZ = 108;  // Of the grip, over and under the relief.
+  static constexpr double kAboveZ = 150, kOnZ = 124,
+                          kInZ = 116;   // Of the grip: over the relief, on a hill, in its ground.
   static constexpr double kLimitN = 4;                   // Of the exhibit.
   static constexpr double kMotorStepN = 0.2;             // Rounded counts, and how late the pose is.
   static constexpr int kPatienceMs = 20'000;             // Then a person tries again.
@@ -50,7 +51,7 @@ class Exhibition : public Journey {
   /// Everything up to now was heard.
   void forgetHeard();
   /// The next one, if it is this one.
-  void mayHear(const QString& sentence);
+  bool mayHear(const QString& sentence);
   /// What is said from now on lasts until a press cuts it, or until it is quick again.
   void speakSlowly(bool slowly) { speech_->speakSlowly(slowly); }
   /// In percent, of what was heard last.
@@ -71,6 +72,8 @@ class Exhibition : public Journey {
   void letGripLie();
   bool proxyNear(double x_mm, double y_mm, double within_mm);
   bool lit(int lights);
+  /// The Falcon waits for its arms, and the exhibit knows that.
+  bool waitsForGrip();
   /// Out, in and out: each arm finds its zero.
   bool homeGrip();
 
@@ -81,12 +84,12 @@ class Exhibition : public Journey {
   void passOverToTouch();
   /// Down on a place while touching. A busy computer may stop the forces for safety; then a person
   /// lifts the hand and holds the middle button.
-  bool touch(double x_mm, double y_mm);
+  bool touch(double x_mm, double y_mm, double z = kOnZ);
 
   /// Lines of the exhibit's log of its health.
   std::string health() const;
   /// For a failure's message.
-  std::string where() const;
+  std::string where();
 
   emulator::MockUsb usb_;
   std::shared_ptr<emulator::SharedFalcon> falcon_;

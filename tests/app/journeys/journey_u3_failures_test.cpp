@@ -75,8 +75,9 @@ TEST_F(JourneyU3Failures, WithoutTheServiceEspeakSaysItAndWithNeitherTheGripTaps
   speakSlowly(false);
   forgetHeard();
   press(kCentre);
-  ASSERT_TRUE(hears("", {"Touching: middle left, 3 centimetres high. Bookmark: Dome."}))
-      << "the other program says it";
+  ASSERT_TRUE(eventually([this] {
+    return heard().last().startsWith("Touching: middle left, 3 centimetres high. Bookmark: Dome.");
+  })) << "the other program says it";
   EXPECT_TRUE(action("forces")->isChecked()) << "the touch goes on";
 
   ASSERT_FALSE(action("feltPatterns")->isChecked());

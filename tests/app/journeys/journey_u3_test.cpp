@@ -45,6 +45,7 @@ class JourneyU3 : public Exhibition {
   void hearOfObject();
   void beLed();
   void lead();
+  void passOver();
   void restOnTheDome();
   void restOnTheHole();
   void goCloserAndBack();
@@ -62,7 +63,7 @@ void JourneyU3::wakeIt() {
   EXPECT_EQ(chime.readAll(), chimeWav(60)) << "as loud as the exhibit says";
   EXPECT_EQ(visit().state(), Visit::State::idle);
   EXPECT_TRUE(heard().isEmpty()) << heard().join('\n').toStdString();
-  ASSERT_TRUE(lit(8)) << "the Falcon waits for its arms";
+  ASSERT_TRUE(waitsForGrip());
 }
 
 /// U3.1 Any button begins; a press cuts what is being said; languages, and how loud.
@@ -107,10 +108,9 @@ void JourneyU3::finds(const QStringList& next) {
   bool is_first = true;
   EXPECT_TRUE(stalls_.repeatAfterStalls(2, [&] {
     if (!std::exchange(is_first, false)) return true;
-    const int before = heard().size();
-    mayHear("Yes.");
+    if (mayHear("Yes.")) return true;
     mayHear("Let us go on.");
-    return heard().contains("en|Yes.") && before > 0;
+    return false;
   })) << "not found";
   ASSERT_TRUE(hears(next));
 }
@@ -120,11 +120,11 @@ void JourneyU3::learnShapes() {
   ASSERT_TRUE(hears({"I switch the forces on now.", "They start softly.",
                      "There is a flat plate.", "Push towards it and slide."}));
   EXPECT_TRUE(action("forces")->isChecked());
-  gripTo({}, kBelowZ);
+  gripTo({}, kInZ);
   finds({"Now there is a bump.", "Find it."});
   gripTo({6, 8, 0}, kAboveZ);  // Over it, then down.
   QTest::qWait(1000);
-  gripTo({6, 8, 0}, kBelowZ);
+  gripTo({6, 8, 0}, kOnZ);
   finds({"The introduction has ended.", "The relief is under the hand again."});
   const double largest_n = forces_->takeLargestN();
   EXPECT_GT(largest_n, 0.5) << "they were felt";
@@ -195,6 +195,18 @@ void JourneyU3::lead() {
   EXPECT_EQ(visit().state(), Visit::State::touching);
 }
 
+/// Another one, who passes over everything up to here.
+void JourneyU3::passOver() {
+  begin();
+  if (HasFatalFailure()) return;
+  passOverToTouch();
+  if (HasFatalFailure()) return;
+  EXPECT_TRUE(eventually([this] {
+    return heard().last() == "en|Minus held: the whole relief, then other objects.";
+  }));
+  forgetHeard();
+}
+
 /// U3.8, U3.9 A hand that rests on the dome hears its name, once, and where it is when it asks.
 void JourneyU3::restOnTheDome() {
   ASSERT_TRUE(touch(kDomeX, kDomeY)) << where();
@@ -204,13 +216,15 @@ void JourneyU3::restOnTheDome() {
   press(kCentre);
   ASSERT_TRUE(hears({"Touching: middle left, 3 centimetres high.", "Bookmark: Dome.",
                      "9 centimetres from the left edge.", "10 centimetres from the bottom edge.",
-                     "Measured here.", "Resolution 1 of 4, 30 centimetres wide."}));
+                     "Measured here.", "Resolution 1 of 4, 30 centimetres wide.",
+                     "One centimetre of hand: nearly 4 centimetres of relief.",
+                     "Samples are 2 millimetres apart."}));
 }
 
 /// U3.11 Where nobody measured the relief.
 void JourneyU3::restOnTheHole() {
   forgetHeard();
-  ASSERT_TRUE(touch(kHoleX, kHoleY)) << where();
+  ASSERT_TRUE(touch(kHoleX, kHoleY, kInZ)) << where();
   ASSERT_TRUE(hears({"Not measured here.", "The real surface is missing in the scan."}));
 }
 
@@ -225,11 +239,34 @@ void JourneyU3::goCloserAndBack() {
   }));
   EXPECT_NEAR(probe()->proxy.x, before.x, 2);
   EXPECT_NEAR(probe()->proxy.y, before.y, 2);
-  ASSERT_TRUE(hears({"Detail"}));
+  ASSERT_TRUE(hears({"Resolution 2 of 4"}));
   ASSERT_TRUE(press(kMinus, [this] { return document().detail() == 1; }, kHeldMs));
 }
 
-void JourneyU3::moveAndMark() {}
+/// U3.12, U3.13 A marker, and the window goes a quarter to a side, and comes back.
+void JourneyU3::moveAndMark() {
+  ASSERT_TRUE(press(kPlus, [this] { return document().detail() == 2; }));
+  handTo(kDomeX, kDomeY, kAboveZ);
+  QTest::qWait(1500);
+  forgetHeard();
+  press(kForward, kHeldMs);
+  ASSERT_TRUE(hears({"Marker 1 set."}));
+  const Region from = document().project().region;
+  press(kForward);
+  ASSERT_TRUE(hears({"Move mode.", "Push the grip to a side; Forward when you are there."}));
+  const Triple at = grip();
+  gripTo({at[0] + 30, at[1], 0}, kAboveZ);
+  ASSERT_TRUE(eventually([&] { return document().project().region.x_mm != from.x_mm; }));
+  EXPECT_NEAR(document().project().region.x_mm, from.x_mm + from.side_mm / 4, 1e-6);
+  gripTo({at[0], at[1], 0}, kAboveZ);
+  QTest::qWait(1000);
+  forgetHeard();
+  press(kCentre);
+  ASSERT_TRUE(hears({"Back at the old window."}));
+  EXPECT_EQ(document().project().region, from);
+}
+
+/// U3.15 The middle button, held long, and none of it pushes any more.
 void JourneyU3::stopForces() {
   ASSERT_TRUE(touch(kDomeX, kDomeY)) << where();
   EXPECT_LE(forces_->takeLargestN(), kLimitN + kMotorStepN);
@@ -241,14 +278,44 @@ void JourneyU3::stopForces() {
   QTest::qWait(500);
   EXPECT_EQ(forces_->takePushes(), 0) << "the hand is deep in the relief";
 }
-void JourneyU3::goAway() {}
 
-TEST_F(JourneyU3, AVisitorWhoSeesNothingTouchesAReliefAloneAndLeaves) {
+/// U3.16, U3.17 A grip that nobody holds is free; nobody is there, and the next one begins anew.
+void JourneyU3::goAway() {
+  ASSERT_TRUE(touch(kDomeX, kDomeY)) << where();
+  forgetHeard();
+  letGripLie();
+  ASSERT_TRUE(hears({"Take the grip again to go on."}));
+  EXPECT_TRUE(eventually([this] { return forces_->isNeutral(); }));
+  EXPECT_EQ(visit().state(), Visit::State::let_go);
+  gripTo({10, 0, 0}, kAboveZ);
+  ASSERT_TRUE(reaches(Visit::State::touching)) << "it is taken again";
+  ASSERT_TRUE(eventually([this] { return action("forces")->isChecked(); }));
+  letGripLie();
+  forgetHeard();
+  ASSERT_TRUE(hears({"Are you still there? Press any button, or I will stop.", "Goodbye."}));
+  ASSERT_TRUE(reaches(Visit::State::idle));
+  EXPECT_TRUE(eventually([this] { return forces_->isNeutral(); }));
+  EXPECT_FALSE(action("forces")->isChecked());
+  EXPECT_TRUE(!document().isOpen() || window().project().places.size() == 1) << "no marker stays";
+  press(kForward);
+  ASSERT_TRUE(hears({"Welcome."}));
+}
+
+TEST_F(JourneyU3, AVisitorWhoSeesNothingLearnsShapesAndButtonsAndIsLed) {
   using Step = void (JourneyU3::*)();
   for (const Step step :
        {&JourneyU3::wakeIt, &JourneyU3::chooseLanguage, &JourneyU3::homeTheGrip,
         &JourneyU3::learnShapes, &JourneyU3::learnButtons, &JourneyU3::hearOfObject,
-        &JourneyU3::beLed, &JourneyU3::lead, &JourneyU3::restOnTheDome, &JourneyU3::restOnTheHole,
+        &JourneyU3::beLed, &JourneyU3::lead}) {
+    (this->*step)();
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST_F(JourneyU3, AVisitorWhoSeesNothingTouchesAReliefAndLeaves) {
+  using Step = void (JourneyU3::*)();
+  for (const Step step :
+       {&JourneyU3::passOver, &JourneyU3::restOnTheDome, &JourneyU3::restOnTheHole,
         &JourneyU3::goCloserAndBack, &JourneyU3::moveAndMark, &JourneyU3::stopForces,
         &JourneyU3::goAway}) {
     (this->*step)();
