@@ -71,7 +71,8 @@ void Exhibition::SetUp() {
   if (!emulator::MockUsb::works()) GTEST_SKIP() << "umockdev's library is not preloaded";
   RELIEVO_NEEDS_PROGRAM("speech-dispatcher");
   speech_ = std::make_unique<test::SpeechDispatcher>();
-  ASSERT_TRUE(eventually([this] { return speech_->isListening(); })) << speech_->log().toStdString();
+  ASSERT_TRUE(eventually([this] { return speech_->isListening(); }))
+      << speech_->log().toStdString();
   qputenv("SPEECHD_ADDRESS", "unix_socket:" + speech_->socket().toUtf8());
   writePrograms();
   const fs::path image = path("image.bin").toStdString();
@@ -121,8 +122,8 @@ void Exhibition::writePrograms() {
   write("espeak-ng", QStringLiteral("text=$(cat)\n[ -e %1 ] && exit 1\n"
                                     "[ -n \"$text\" ] && echo \"$text\" >>%2\nexit 0\n")
                          .arg(path("mute"), path("espeak_said")));
-  write("pw-play", QStringLiteral("echo chime >>%1\ncp \"$1\" %2\n")
-                       .arg(path("chimes"), path("chime.wav")));
+  write("pw-play",
+        QStringLiteral("echo chime >>%1\ncp \"$1\" %2\n").arg(path("chimes"), path("chime.wav")));
   qputenv("PATH", path("bin").toUtf8() + ":" + qgetenv("PATH"));
 }
 

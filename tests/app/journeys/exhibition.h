@@ -21,17 +21,17 @@ namespace relievo {
 
 /// A visitor who sees nothing at an exhibit of one relief: the program's window with its plugins, a
 /// Falcon emulated behind the real libusb, Debian's speech-dispatcher on a socket of its own with a
-/// module that writes down what it would say, and a program in espeak-ng's place that does the same.
-/// What is heard is read sentence by sentence, in order, and nothing may come between.
+/// module that writes down what it would say, and a program in espeak-ng's place that does the
+/// same. What is heard is read sentence by sentence, in order, and nothing may come between.
 class Exhibition : public Journey {
  protected:
   static constexpr std::uint8_t kPlus = ButtonCommands::kPlus, kForward = ButtonCommands::kForward,
                                 kCentre = ButtonCommands::kCentre, kMinus = ButtonCommands::kMinus;
   static constexpr double kAboveZ = 150, kOnZ = 124,
                           kInZ = 116;   // Of the grip: over the relief, on a hill, in its ground.
-  static constexpr double kLimitN = 4;                   // Of the exhibit.
-  static constexpr double kMotorStepN = 0.2;             // Rounded counts, and how late the pose is.
-  static constexpr int kPatienceMs = 20'000;             // Then a person tries again.
+  static constexpr double kLimitN = 4;  // Of the exhibit.
+  static constexpr double kMotorStepN = 0.2;  // Rounded counts, and how late the pose is.
+  static constexpr int kPatienceMs = 20'000;  // Then a person tries again.
 
   /// @param name  what its pictures begin with
   explicit Exhibition(std::string name);
