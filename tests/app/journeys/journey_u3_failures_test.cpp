@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A failure of journey U3, in the middle of a touch: the device is pulled out and comes back. That the program itself ends, and is started
-// again with the words "One moment please.", is app/exhibit/exhibit_program_test.
+// A failure of journey U3, in the middle of a touch: the device is pulled out and comes back. That
+// the program itself ends, and is started again with the words "One moment please.", is
+// app/exhibit/exhibit_program_test.
 #include <gmock/gmock.h>
 
 #include <QAction>
