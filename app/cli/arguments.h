@@ -44,7 +44,7 @@ struct MapArguments {
   std::optional<double> pixel_mm, height_mm, height_zero;  ///< Of a raster from elsewhere.
   double factor = 2;                                       ///< The paper's M.
   ScanArguments scan;
-  bool as_recorded = false;  ///< Of a log: what an earlier version passed over is no misuse.
+  bool as_recorded = false;  ///< Of a log: of what changed nothing nobody is told again.
 };
 void addMapOptions(CLI::App& verb, MapArguments& arguments);
 /// @throw ArgumentError  a value that is not of its option's form

@@ -158,7 +158,7 @@ void tell(const std::string& message) {
 Surface loadForVerb(const MapArguments& arguments, const Task& task) {
   Surface surface =
       loadForVerb(arguments.file, surfaceOptions(arguments), importOptions(arguments.scan), task);
-  requireUseOfMapOptions(arguments, surface);
+  tellUnusedMapOptions(arguments, surface);
   return surface;
 }
 

@@ -244,7 +244,7 @@ Surface openForVerb(const MapArguments& arguments, const Task& task) {
   if (!TiledMap::isOne(arguments.file)) return loadForVerb(arguments, task);
   surfaceOptions(arguments);  // Words that make no sense are refused here as well.
   Surface surface = openTiledSurface(arguments.file);
-  requireUseOfMapOptions(arguments, surface);
+  tellUnusedMapOptions(arguments, surface);
   if (surface.ladder.factor != arguments.factor) {
     tell("The map's levels were made with M = " + Json(surface.ladder.factor).dump() +
          " and are used as they are.");

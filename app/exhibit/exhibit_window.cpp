@@ -49,8 +49,8 @@ ExhibitWindow::ExhibitWindow(MainWindow& window, WindowHost& host, PluginLoader&
     : host_(host),
       control_(window, exhibit, waysOf(plugins, exhibit),
                qEnvironmentVariableIntValue("RELIEVO_EXHIBIT_STARTS")) {
+  host_.setExhibit(&control_);  // Which device is opened is nothing for visitors' ears.
   plugins.restore(QStringLiteral("haptics_plugin"), touchState(exhibit.touch));
-  host_.setExhibit(&control_);
 }
 
 ExhibitWindow::~ExhibitWindow() {

@@ -42,7 +42,7 @@ Visit::Visit(const VisitPlan& plan, const ExhibitTimes& times, double now_s)
 void Visit::enter(State state, double now_s) {
   state_ = state;
   since_s_ = input_s_ = now_s;
-  said_again_ = false;
+  said_again_ = free_is_due_ = false;
 }
 
 void Visit::begin(double now_s) {
@@ -342,7 +342,10 @@ void Visit::touchFreely(double now_s) {
 }
 
 void Visit::guided(double now_s) {
-  if (state_ == State::guiding) touchFreely(now_s);
+  if (state_ != State::guiding) return;
+  enter(State::touching, now_s);
+  free_is_due_ = true;
+  spoke_s_ = now_s;  // What the guide says last is heard to its end.
 }
 
 void Visit::stopped(double now_s) {
@@ -462,6 +465,10 @@ std::vector<Visit::Order> Visit::take(double now_s) {
     case State::list:
     case State::touching:
     case State::let_go:
+      if (free_is_due_ && isQuiet(now_s)) {
+        free_is_due_ = false;
+        order(Do::begin_free, object_);
+      }
       if (quiet_s >= times_.still_there_s) {
         before_ = state_;
         enter(State::still, now_s);

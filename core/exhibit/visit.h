@@ -200,6 +200,7 @@ class Visit {
   double since_s_ = 0, input_s_ = 0, chimed_s_ = 0, helped_s_ = 0, spoke_s_ = 0;
   bool said_again_ = false, is_retry_ = false;
   bool introduced_ = false;    // This visitor.
+  bool free_is_due_ = false;   // To say that the guide is over, once it has said why.
   std::size_t explained_ = 0;  // Buttons so far.
   VisitDevice device_ = VisitDevice::ready;
   double gone_s_ = 0;       // Since when it is.

@@ -183,10 +183,16 @@ void ExhibitControl::tick() {
       showPin();
     }
   }
+  // First, because what was ordered is seen as begun, or as ended, only once it has been begun.
+  carryOutOrders(now_s);
   watch(now_s);
-  for (const Visit::Order& order : visit_.take(now_s)) carryOut(order);
+  carryOutOrders(now_s);
   watchOpening();  // After the order to open, from which it counts.
   if (now_s - saved_s_ > kSaveS) saveCounts();
+}
+
+void ExhibitControl::carryOutOrders(double now_s) {
+  for (const Visit::Order& order : visit_.take(now_s)) carryOut(order);
 }
 
 void ExhibitControl::carryOut(const Visit::Order& order) {

@@ -77,6 +77,7 @@ class ExhibitControl : public QObject {
  private:
   void connectDocument();
   void watch(double now_s);
+  void carryOutOrders(double now_s);
   void carryOut(const Visit::Order& order);
   void carryOutTouch(const Visit::Order& order);
   bool isChecked(const char* command) const;

@@ -3,25 +3,28 @@
 
 #include <string>
 
-#include "app/cli/options/look_arguments.h"
+#include "app/cli/verb.h"
 
 namespace relievo::batch {
 
-void requireUseOfMapOptions(const MapArguments& a, const Surface& surface) {
+void tellUnusedMapOptions(const MapArguments& a, const Surface& surface) {
   if (!surface.is_raster || a.as_recorded) return;
-  const std::string scan = "a scan, for a raster keeps its cells and heights";
-  requireUse("--cells", a.cells.has_value(), false, scan);
-  requireUse("--spacing", a.spacing_mm.has_value(), false, scan);
-  requireUse("--engine", a.engine != MapArguments{}.engine, false, scan);
-  requireUse("--rule", !a.rule.empty() && a.rule != "auto", false, scan);
-  requireUse("--strays", a.strays != MapArguments{}.strays, false, scan);
-  requireUse("--every", a.scan.every != MapArguments{}.scan.every, false, scan);
+  const auto tellUnused = [](const std::string& option, bool given, const std::string& why) {
+    if (given) tell(option + " changes nothing here: " + why);
+  };
+  const std::string raster = "a raster keeps its cells and heights.";
+  tellUnused("--cells", a.cells.has_value(), raster);
+  tellUnused("--spacing", a.spacing_mm.has_value(), raster);
+  tellUnused("--engine", a.engine != MapArguments{}.engine, raster);
+  tellUnused("--rule", !a.rule.empty() && a.rule != "auto", raster);
+  tellUnused("--strays", a.strays != MapArguments{}.strays, raster);
+  tellUnused("--every", a.scan.every != MapArguments{}.scan.every, raster);
+  if (surface.engine != "as stored") return;
   // What says no more than what is: millimetres, seen from above.
-  const bool own_map = surface.engine == "as stored";
-  const std::string another = "a scan or raster that relievo did not write";
-  requireUse("--unit", !a.unit.empty() && a.unit != "mm", !own_map, another);
-  requireUse("--view", !a.view.empty() && a.view != "top" && a.view != "auto", !own_map, another);
-  requireUse("--turn", !a.turn.empty(), !own_map, another);
+  const std::string own = "a map that relievo wrote is taken as it is.";
+  tellUnused("--unit", !a.unit.empty() && a.unit != "mm", own);
+  tellUnused("--view", !a.view.empty() && a.view != "top" && a.view != "auto", own);
+  tellUnused("--turn", !a.turn.empty(), own);
 }
 
 }  // namespace relievo::batch

@@ -6,9 +6,9 @@
 
 namespace relievo::batch {
 
-/// A raster keeps its cells and heights, a map of ours its view and unit as well: options that
-/// choose them are refused, as the window's dialog has their fields off.
-/// @throw ArgumentError  naming the option
-void requireUseOfMapOptions(const MapArguments& arguments, const Surface& surface);
+/// A raster keeps its cells and heights, a map of ours its view and unit as well: of options that
+/// would choose them it is told on stderr that they change nothing. They are no misuse, for the
+/// same options may go to scans and maps alike.
+void tellUnusedMapOptions(const MapArguments& arguments, const Surface& surface);
 
 }  // namespace relievo::batch

@@ -45,6 +45,10 @@ void Journey::attach() {
   ASSERT_TRUE(plugins_->has("haptics_plugin")) << plugins_->problems().join(' ').toStdString();
 }
 
+WindowHost& Journey::host() {
+  return *host_;
+}
+
 void Journey::detach() {
   if (plugins_) plugins_->detachAll();
   plugins_.reset();

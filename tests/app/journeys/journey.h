@@ -69,6 +69,7 @@ class Journey : public GuiTest {
   std::vector<std::filesystem::path> recordings() const;
 
   std::unique_ptr<PluginLoader> plugins_;
+  WindowHost& host();
 
  private:
   class HearingHost;

@@ -255,6 +255,8 @@ TEST_F(WholeVisitTest, ShapesButtonsObjectAndGuideComeOneAfterTheOther) {
   EXPECT_THAT(silence(40), IsEmpty());
   visit_.guided(now_s_);
   EXPECT_EQ(visit_.state(), State::touching);
+  EXPECT_THAT(speech(2), IsEmpty()) << "the guide says why it ended";
+  EXPECT_THAT(silence(0.8), ElementsAre(Order{Do::begin_free, 0})) << "once that was heard";
 }
 
 TEST_F(WholeVisitTest, WherePlusAndMinusAreFreeTheyAreTheVolumeAndCentreSaysItAgain) {

@@ -273,6 +273,48 @@ TEST_F(ExhibitControlTest, AVisitorIsToldOfButtonsObjectAndGuideAndThenTouches) 
   EXPECT_TRUE(caption().contains("Now Plus is louder and Minus is softer."));
 }
 
+/// In the plugin's place: shapes and a guide that last until somebody ends them.
+TEST_F(ExhibitControlTest, ShapesAndGuideAreOverWhenTheyEndAndNotBeforeTheyBegan) {
+  const auto add = [this](const char* name) {
+    auto* made = new QAction(QString::fromLatin1(name));
+    made->setObjectName(QString::fromLatin1(name));
+    made->setCheckable(true);
+    window().addToMenu(QStringLiteral("Touch"), made);
+    return made;
+  };
+  QAction* const shapes = add("touchIntroduction");
+  QAction* const guide = add("guide");
+  begin(true);
+  press("whereAmI");
+  press("whereAmI");
+  press("whereAmI");
+  ASSERT_TRUE(waitFor([this] {
+    after(0.5);
+    return control_->visit().state() == Visit::State::introduction;
+  }));
+  for (int i = 0; i < 20; ++i) after(0.5);
+  EXPECT_EQ(control_->visit().state(), Visit::State::introduction) << "there are shapes";
+  EXPECT_TRUE(shapes->isChecked());
+  shapes->setChecked(false);
+  after(0.1);
+  EXPECT_EQ(control_->visit().state(), Visit::State::buttons);
+  press("beacon");
+  press("moveMode");
+  ASSERT_EQ(control_->visit().state(), Visit::State::offer);
+  press("finer");
+  for (int i = 0; i < 20; ++i) after(0.5);
+  EXPECT_EQ(control_->visit().state(), Visit::State::guiding) << "the hand is led";
+  EXPECT_TRUE(guide->isChecked());
+  guide->setChecked(false);
+  after(0.1);
+  EXPECT_EQ(control_->visit().state(), Visit::State::touching);
+  EXPECT_FALSE(caption().startsWith("Now touch as you like.")) << "first the guide says why";
+  ASSERT_TRUE(waitFor([this] {
+    after(0.5);
+    return caption().startsWith("Now touch as you like.");
+  }));
+}
+
 TEST_F(ExhibitControlTest, WhereAHandRestsOnWhatNobodyMeasuredIsSaidOnceAndAGripThatLiesIsFree) {
   begin(true);
   press("whereAmI");
