@@ -111,7 +111,9 @@ void WindowHost::showStatus(const TouchStatus& status) {
   readout.recording = status.recording;
   readout.recorded_samples = status.recorded_samples;
   window_.controllers().touch.show(readout);
-  if (exhibit_ != nullptr) exhibit_->noteDevice(visitDevice(status.state));
+  if (exhibit_ == nullptr) return;
+  exhibit_->noteDevice(visitDevice(status.state));
+  if (status.grip) exhibit_->noteGrip(*status.grip);
 }
 
 void WindowHost::announce(const QString& text, SaidBecause why) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <QObject>
 #include <QString>
 #include <span>
@@ -123,6 +124,9 @@ struct TouchStatus {
   bool recording = false;
   quint64 recorded_samples = 0;
   double stiffness_n_per_mm = 0;
+  /// Where the grip of a device is, mm of hand, also while nothing is open; none: the mouse's hand,
+  /// or the device does not tell.
+  std::optional<DeviceMm> grip;
 };
 
 /// Where the hand is, in the views, the plots and the status bar.

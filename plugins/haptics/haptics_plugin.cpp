@@ -308,6 +308,9 @@ void HapticsPlugin::tellStatus(const LoopReport& report) {
   status.recording = session()->recorder().running();
   status.recorded_samples = session()->recorder().samples();
   status.stiffness_n_per_mm = report.sample.stiffness_n_per_mm;
+  if (!session()->isSteered() && report.sample.fault == DeviceFault::none) {
+    status.grip = report.sample.hip;
+  }
   parts_->host.touch.showStatus(status);
 }
 

@@ -103,6 +103,23 @@ TEST_F(HaplyInTheList, EveryDeviceThatTheServiceSeesStandsThereByItsId) {
       << "to look changes nothing";
 }
 
+TEST_F(HaplyInTheList, WhereItsGripIsIsToldWhileNothingIsOpen) {
+  mock_.with([](HaplyWorld& world) { world.hold({3, 4, 5}); });
+  lookAtTheList();
+  ASSERT_TRUE(eventually([this] { return isListed("haply:049D"); }));
+  EXPECT_FALSE(host_.status.grip) << "the mouse has none";
+  devices()->setCurrentIndex(devices()->findData("haply:049D"));
+  ASSERT_TRUE(said("Haply device ready."));
+  EXPECT_TRUE(eventually([this] {
+    const auto& grip = host_.status.grip;
+    return grip && norm(*grip - DeviceMm{3, 4, 5}) < 0.01;
+  }));
+  EXPECT_TRUE(host_.probes.empty()) << "of which no probe tells";
+  mock_.with([](HaplyWorld& world) { world.fault = HaplyFault::device_absent; });
+  EXPECT_TRUE(eventually([this] { return !host_.status.grip; }))
+      << "where it was is not where it is";
+}
+
 TEST_F(HaplyInTheList, WhatTheServiceTellsOfItsGripIsSaidOnceAndOfPlugsByTheStateAlone) {
   setenv("RELIEVO_HAPLY_EVENTS", std::to_string(mock_.eventsPort()).c_str(), 1);
   lookAtTheList();

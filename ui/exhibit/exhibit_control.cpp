@@ -114,6 +114,14 @@ void ExhibitControl::feel(const Probe& probe) {
   if (hand_.moved(at, now_s)) visit_.stir(now_s);
 }
 
+void ExhibitControl::noteGrip(const DeviceMm& at) {
+  constexpr double kFallS = 3;  // Where a visitor lets go, forces end and the grip sinks.
+  const double now_s = ways_.now_s();
+  const bool is_idle = visit_.state() == Visit::State::idle;
+  if (!is_idle) grip_falls_until_s_ = now_s + kFallS;
+  if (grip_.moved(at, now_s) && !(is_idle && now_s < grip_falls_until_s_)) visit_.stir(now_s);
+}
+
 bool ExhibitControl::isChecked(const char* command) const {
   const QAction* action = window_.commands().named(QString::fromLatin1(command));
   return action != nullptr && action->isChecked();

@@ -58,6 +58,9 @@ class ExhibitControl : public QObject {
   void noteError(const QString& code);
   /// How the device is.
   void noteDevice(VisitDevice device) { visit_.device(device, ways_.now_s()); }
+  /// Where its grip is, mm of hand, told now and then: it wakes the exhibit while nothing is open,
+  /// of which no probe could tell.
+  void noteGrip(const DeviceMm& at);
   /// Whether a command may be run now: those of visitors, while the staff is not asked.
   bool allows(const QString& command) const;
   /// Where the hand is.
@@ -121,9 +124,9 @@ class ExhibitControl : public QObject {
   std::size_t language_ = 0;  // That is spoken now.
   int open_object_ = -1;      // That the document has, or is being opened.
   double opening_since_s_ = 0;
-  double pin_key_s_ = 0, saved_s_ = 0, felt_s_ = 0;
-  double read_until_s_ = 0;  // Who reads what was said needs so long.
-  HandWatch hand_;
+  double pin_key_s_ = 0, saved_s_ = 0, felt_s_ = 0, grip_falls_until_s_ = 0;
+  double read_until_s_ = 0;            // Who reads what was said needs so long.
+  HandWatch hand_, grip_;              // On what is open; of the device.
   Probe probe_;                        // The newest.
   std::set<std::string> told_places_;  // To this visitor.
   std::vector<Message> said_;          // Last.

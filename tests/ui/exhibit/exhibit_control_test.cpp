@@ -93,6 +93,31 @@ TEST_F(ExhibitControlTest, AVisitorGoesThroughThePlaylistByButtons) {
   EXPECT_TRUE(control_->press(QStringLiteral("whole"))) << "and back to the list";
 }
 
+TEST_F(ExhibitControlTest, AGripThatIsMovedWakesItBeforeAnythingIsOpen) {
+  begin();
+  ASSERT_EQ(control_->visit().state(), Visit::State::idle);
+  ASSERT_FALSE(document().isOpen());
+  control_->noteGrip({0, 0, 0});
+  control_->noteGrip({2, 0, 0});
+  after(0.1);
+  EXPECT_EQ(control_->visit().state(), Visit::State::idle) << "a grip that lies there trembles";
+  control_->noteGrip({2, 0, 7});
+  after(0.1);
+  EXPECT_EQ(control_->visit().state(), Visit::State::language);
+  ASSERT_TRUE(waitFor([this] {  // Whoever it was has gone.
+    after(5);
+    control_->noteGrip({2, 0, 7});
+    return control_->visit().state() == Visit::State::idle;
+  }));
+  control_->noteGrip({2, -30, 7});
+  after(0.1);
+  EXPECT_EQ(control_->visit().state(), Visit::State::idle) << "nobody holds it any more: it sinks";
+  after(5);
+  control_->noteGrip({2, -20, 7});
+  after(0.1);
+  EXPECT_EQ(control_->visit().state(), Visit::State::language) << "the next one";
+}
+
 TEST_F(ExhibitControlTest, TheSameGoesByKeys) {
   begin();
   key(Qt::Key_Return);
