@@ -212,6 +212,7 @@ TEST_F(OptionUse, ALogOrStrokeThatIsNotThereIsToldAsSuch) {
         std::pair{path(""), "it is a folder. Choose one of the files in it."}}) {
     told({"sound", file, "-o", path("s.wav")}, why);
     told({"video", file, "-o", path("v.mp4")}, why);
+    told({"figure", m, "--layout", "plot", "--recording", file, "-o", path("f.png")}, why);
     told({"touch", m, "--stroke", file, "-o", out}, why);
     told({"touch", m, "--device", "virtual", "--guide", file, "-o", out}, why);
     told({"record", m, "--stroke", file, "--seconds", "0.1", "-o", out}, why);
