@@ -307,7 +307,7 @@ void ExhibitControl::useLanguage(std::size_t index) {
 }
 
 void ExhibitControl::openObject(std::size_t index) {
-  opening_since_s_ = ways_.now_s();
+  nothing_comes_s_ = 0;
   if (open_object_ == static_cast<int>(index) && window_.document().isOpen() &&
       !window_.document().loader().busy()) {
     run("whole");
@@ -352,8 +352,12 @@ void ExhibitControl::objectFailed(const QString& why) {
 
 /// What was refused by a question that nobody here can answer.
 void ExhibitControl::watchOpening() {
-  if (visit_.state() != Visit::State::opening || window_.document().loader().busy()) return;
-  if (ways_.now_s() - opening_since_s_ > kNothingComesS) objectFailed(window_.message());
+  constexpr double kLongestLookS = 1;  // A window that stood still longer has not waited so long.
+  const double now_s = ways_.now_s();
+  const double since_s = std::min(now_s - std::exchange(looked_s_, now_s), kLongestLookS);
+  if (visit_.state() != Visit::State::opening) return;
+  nothing_comes_s_ = window_.document().loader().busy() ? 0 : nothing_comes_s_ + since_s;
+  if (nothing_comes_s_ > kNothingComesS) objectFailed(window_.message());
 }
 
 void ExhibitControl::endTouch() {

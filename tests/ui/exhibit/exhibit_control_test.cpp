@@ -208,6 +208,20 @@ TEST_F(ExhibitControlTest, ADeviceThatWasLostIsTakenBackForTheNextVisitor) {
   EXPECT_TRUE(forces->isChecked());
 }
 
+TEST_F(ExhibitControlTest, AWindowThatStoodStillHasNotWaitedForAnObjectInVain) {
+  begin();
+  press("whereAmI");
+  press("whereAmI");
+  press("whereAmI");
+  ASSERT_EQ(control_->visit().state(), Visit::State::opening);
+  document().loader().cancel();  // As where nobody answers what is asked: nothing comes.
+  ASSERT_TRUE(waitFor([this] { return !document().loader().busy(); }));
+  after(30);
+  EXPECT_EQ(control_->visit().state(), Visit::State::opening) << "in one look";
+  for (int i = 0; i < 6; ++i) after(1);
+  EXPECT_EQ(control_->visit().state(), Visit::State::list) << "in six";
+}
+
 TEST_F(ExhibitControlTest, ItIsLeftByThePinAlone) {
   begin();
   EXPECT_FALSE(window().close()) << "as the window manager asks";
