@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/failure.h"
-#include "core/io/file_check.h"
+#include "core/io/pipe_or_file.h"
 #include "core/outline/outline.h"
 #include "core/region/edges.h"
 #include "core/region/hand.h"
@@ -38,7 +38,7 @@ GuidePath pathAlong(const Outline& outline, const TouchSetup& setup, std::uint32
 
 GuidePath pathAlongWay(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
   std::vector<TimedPlace> way;
-  static_cast<void>(checkedFileSize(a.guide));
+  requirePipeOrFile(a.guide);
   for (const WayPoint& point : readWay(a.guide, task)) {
     way.push_back({point.t_s, setup.space->deviceFromView(point.place)});
   }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/failure.h"
-#include "core/io/file_check.h"
+#include "core/io/pipe_or_file.h"
 #include "core/project/embedded_state.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/parameters_json.h"
@@ -112,7 +112,7 @@ void takeEvents(TouchRecording& recording, const LogTable& log) {
 }  // namespace
 
 TouchRecording readRecording(const std::filesystem::path& file, const Task& task) {
-  static_cast<void>(checkedFileSize(file));  // A name that is wrong is no damaged recording.
+  requirePipeOrFile(file);  // A name that is wrong is no damaged recording.
   LogTable log = readLog(file, LogUse::show, task);
   TouchRecording recording;
   recording.name = file.filename().string();

@@ -9,7 +9,7 @@
 #include <QPainter>
 
 #include "core/base/failure.h"
-#include "core/io/file_check.h"
+#include "core/io/pipe_or_file.h"
 #include "core/project/caption.h"
 #include "core/project/embedded_state.h"
 #include "core/session/large/tiled_surface.h"
@@ -81,7 +81,7 @@ std::vector<Reading> readAll(const Surface& surface, const Project& project) {
 /// here.
 std::vector<ForcePoint> curveOf(const Project& project, const Task& task) {
   const std::string& file = project.figure.recording;
-  checkedFileSize(file);  // One that is not there is told as any other file.
+  requirePipeOrFile(file);  // One that is not there is told as any other file.
   std::vector<ForcePoint> rows = readForceCurve(file, task);
   const std::optional<Project> touched = embeddedProject(file);
   if (touched && !touched->sha256.empty() && !project.sha256.empty() &&

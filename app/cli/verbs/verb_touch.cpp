@@ -18,8 +18,8 @@
 #include "app/cli/verbs/touch_setup.h"
 #include "core/base/failure.h"
 #include "core/file/output_set.h"
-#include "core/io/file_check.h"
 #include "core/io/formats/text_file.h"
+#include "core/io/pipe_or_file.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/name_text.h"
@@ -333,7 +333,7 @@ CommandResult runTouch(const TouchArguments& a, const Task& task) {
 }  // namespace
 
 Stroke strokeFile(const std::filesystem::path& file) {
-  static_cast<void>(checkedFileSize(file));
+  requirePipeOrFile(file);
   return readStroke(file);
 }
 
