@@ -115,11 +115,8 @@ void ExhibitControl::feel(const Probe& probe) {
 }
 
 void ExhibitControl::noteGrip(const DeviceMm& at) {
-  constexpr double kFallS = 3;  // Where a visitor lets go, forces end and the grip sinks.
   const double now_s = ways_.now_s();
-  const bool is_idle = visit_.state() == Visit::State::idle;
-  if (!is_idle) grip_falls_until_s_ = now_s + kFallS;
-  if (grip_.moved(at, now_s) && !(is_idle && now_s < grip_falls_until_s_)) visit_.stir(now_s);
+  if (hand_.gripMoved(at, visit_.state() == Visit::State::idle, now_s)) visit_.stir(now_s);
 }
 
 bool ExhibitControl::isChecked(const char* command) const {
@@ -307,7 +304,7 @@ void ExhibitControl::useLanguage(std::size_t index) {
 }
 
 void ExhibitControl::openObject(std::size_t index) {
-  nothing_comes_s_ = 0;
+  nothing_.look(false, ways_.now_s());
   if (open_object_ == static_cast<int>(index) && window_.document().isOpen() &&
       !window_.document().loader().busy()) {
     run("whole");
@@ -352,12 +349,11 @@ void ExhibitControl::objectFailed(const QString& why) {
 
 /// What was refused by a question that nobody here can answer.
 void ExhibitControl::watchOpening() {
-  constexpr double kLongestLookS = 1;  // A window that stood still longer has not waited so long.
-  const double now_s = ways_.now_s();
-  const double since_s = std::min(now_s - std::exchange(looked_s_, now_s), kLongestLookS);
-  if (visit_.state() != Visit::State::opening) return;
-  nothing_comes_s_ = window_.document().loader().busy() ? 0 : nothing_comes_s_ + since_s;
-  if (nothing_comes_s_ > kNothingComesS) objectFailed(window_.message());
+  const bool nothing_comes =
+      visit_.state() == Visit::State::opening && !window_.document().loader().busy();
+  if (nothing_.look(nothing_comes, ways_.now_s()) > kNothingComesS) {
+    objectFailed(window_.message());
+  }
 }
 
 void ExhibitControl::endTouch() {

@@ -121,12 +121,12 @@ class ExhibitControl : public QObject {
   VisitCounts counts_;
   RotatingLog health_;
   QTimer timer_;
-  std::size_t language_ = 0;                   // That is spoken now.
-  int open_object_ = -1;                       // That the document has, or is being opened.
-  double looked_s_ = 0, nothing_comes_s_ = 0;  // For it.
-  double pin_key_s_ = 0, saved_s_ = 0, felt_s_ = 0, grip_falls_until_s_ = 0;
-  double read_until_s_ = 0;            // Who reads what was said needs so long.
-  HandWatch hand_, grip_;              // On what is open; of the device.
+  std::size_t language_ = 0;  // That is spoken now.
+  int open_object_ = -1;      // That the document has, or is being opened.
+  WaitWatch nothing_;         // Comes of what is being opened.
+  double pin_key_s_ = 0, saved_s_ = 0, felt_s_ = 0;
+  double read_until_s_ = 0;  // Who reads what was said needs so long.
+  HandWatch hand_;
   Probe probe_;                        // The newest.
   std::set<std::string> told_places_;  // To this visitor.
   std::vector<Message> said_;          // Last.

@@ -105,7 +105,7 @@ TEST_F(ExhibitControlTest, AGripThatIsMovedWakesItBeforeAnythingIsOpen) {
   after(0.1);
   EXPECT_EQ(control_->visit().state(), Visit::State::language);
   ASSERT_TRUE(waitFor([this] {  // Whoever it was has gone.
-    after(5);
+    after(1);
     control_->noteGrip({2, 0, 7});
     return control_->visit().state() == Visit::State::idle;
   }));
