@@ -174,11 +174,11 @@ class InTheBrowser(unittest.TestCase):
             self.assertEqual(self.browser.complaints, [], file)
 
     def results(self):
-        """The pages that the search lists, once it has finished."""
+        """The pages that the search lists, once it has finished: until then points follow its first word."""
         while True:
             found = self.browser.value(
                 "document.querySelector('.search-summary')"
-                " && document.querySelector('#search-results h2').textContent != 'Searching'"
+                " && !document.querySelector('#search-results h2').textContent.startsWith('Searching')"
                 " ? [...document.querySelectorAll('ul.search li a')].map(a => a.href) : null")
             if found is not None:
                 return found

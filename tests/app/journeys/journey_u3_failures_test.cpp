@@ -20,6 +20,10 @@ class JourneyU3Failures : public Exhibition {
  protected:
   JourneyU3Failures() : Exhibition("u3_failures") {}
   void SetUp() override {
+    if (!qEnvironmentVariableIsSet("RELIEVO_JOURNEY_U3")) {
+      GTEST_SKIP() << "a visit is timed by the clock, and ends where the computer stalls: set "
+                      "RELIEVO_JOURNEY_U3=1 on a quiet one";
+    }
     Exhibition::SetUp();
     if (IsSkipped() || HasFatalFailure()) return;
     begin();
