@@ -14,7 +14,7 @@
 namespace relievo::foreign {
 
 namespace {
-constexpr int kLookMs = 20;
+constexpr int kLookMs = 10;
 }  // namespace
 
 ForeignDevice::ForeignDevice(std::filesystem::path file, std::string own_id, std::string id,

@@ -24,6 +24,7 @@ namespace {
 constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kOverdueNs = 5 * kMs;  // A step may wait for its device so long.
 constexpr std::int64_t kEndNs = 900 * kMs;    // From the wish to end until the process goes.
+constexpr int kHungLooks = 20;                // The same, of a step that hung at the wish already.
 constexpr int kDevicePriority = 75, kGuardPriority = 76;
 constexpr int kOverdueExit = 3;
 
@@ -70,6 +71,8 @@ void guard(Drive& drive) {
   std::uint32_t cuts = drive.page->cuts.load(std::memory_order_acquire);
   std::int64_t cut_for_ns = 0;  // The step that it was cut for: once each.
   std::int64_t ending_since_ns = 0;
+  std::int64_t ended_in_ns = 0;  // The step that the wish to end came into; 0: none.
+  int looks_since_end = 0;
   for (std::int64_t look_ns = monotonicNs(); !drive.over.load(std::memory_order_acquire);) {
     look_ns = std::max(look_ns, monotonicNs()) + kMs;
     sleepUntil(look_ns);
@@ -87,9 +90,14 @@ void guard(Drive& drive) {
     }
     if (ending_since_ns == 0 && endIsWanted(drive)) {
       ending_since_ns = now_ns;
+      ended_in_ns = since_ns;
       drive.ending.store(true, std::memory_order_release);
       if (since_ns != 0) cut(drive);  // Else the next round sends zero, a millisecond later.
     }
+    // By looks, not by the clock: a process that stood still as a whole gets its time. The force
+    // was cut at the wish, and a device whose step hangs cannot be closed.
+    const bool hangs = ended_in_ns != 0 && since_ns == ended_in_ns;
+    if (hangs && ++looks_since_end > kHungLooks) ::_exit(kOverdueExit);
     if (ending_since_ns != 0 && now_ns - ending_since_ns > kEndNs) {
       cut(drive);
       ::_exit(kOverdueExit);
