@@ -13,11 +13,11 @@
 #include "app/cli/map_report.h"
 #include "app/cli/options/map_option_use.h"
 #include "app/cli/options/number_option.h"
-#include "app/cli/state.h"
 #include "core/base/failure.h"
+#include "core/base/time_left.h"
 #include "core/io/raster/colour_raster.h"
 #include "core/project/caption.h"
-#include "core/provenance/program.h"
+#include "core/project/tiled_work.h"
 #include "core/region/smoothing.h"
 #include "core/session/input_names.h"
 #include "core/session/large/large_map.h"
@@ -124,30 +124,20 @@ Json reportOf(const LargeMap& map, double factor) {
   return json;
 }
 
-/// What makes the work what it is: another file, option or program would make other files.
-JobFacts jobFacts(const MapArguments& arguments, const ReadFiles& read) {
-  Provenance same;  // But for what is known only when it is made.
-  same.options = surfaceOptions(arguments);
-  same.accept_incomplete = arguments.scan.accept_incomplete;
-  same.scan = importOptions(arguments.scan).scan;
-  same.input = {.file = "-", .sha256 = {}};
-  const auto line = [](const InputFile& file) {
-    return file.sha256 + " " + std::to_string(file.bytes) + "\n";
-  };
-  std::string files = read.files.empty() ? line(read.input) : "";
-  for (const InputFile& file : read.files) files += line(file);
-  return {{"the program", std::string(programVersion()) + " " + std::string(programCommit())},
-          {"what the files hold", files},
-          {"an option", toJson(same, -1)}};
+std::vector<std::filesystem::path> namesOf(const MapArguments& arguments,
+                                           const TileArguments& tiles) {
+  std::vector<std::filesystem::path> names{arguments.file};
+  names.insert(names.end(), tiles.more.begin(), tiles.more.end());
+  return names;
 }
 
 }  // namespace
 
 std::string timeLeftWords(double seconds, double began_at, double fraction) {
-  constexpr double kSoonS = 3, kMinuteS = 60, kHourS = 3600;
-  const double done = fraction - began_at;
-  if (seconds < kSoonS || !(done > 0.01) || !(fraction < 1)) return {};  // Nothing to judge by.
-  const double left = seconds * (1 - fraction) / done;
+  constexpr double kMinuteS = 60, kHourS = 3600;
+  const std::optional<double> estimate = secondsLeft(seconds, began_at, fraction);
+  if (!estimate) return {};
+  const double left = *estimate;
   const auto about = [](double number, const char* unit) {
     return ", about " + std::to_string(static_cast<long>(std::ceil(number))) + unit + " left of it";
   };
@@ -187,9 +177,7 @@ bool areGiven(const TileArguments& tiles) {
 std::vector<std::filesystem::path> filesOf(const MapArguments& arguments,
                                            const TileArguments& tiles) {
   if (!tiles.memory_mb) return {arguments.file};
-  std::vector<std::filesystem::path> names{arguments.file};
-  names.insert(names.end(), tiles.more.begin(), tiles.more.end());
-  return filesNamed(names);
+  return filesNamed(namesOf(arguments, tiles));
 }
 
 CommandResult runByTiles(const MapArguments& arguments, const TileArguments& tiles,
@@ -200,31 +188,22 @@ CommandResult runByTiles(const MapArguments& arguments, const TileArguments& til
   }
   const ImportOptions import = importOptions(arguments.scan);
   if (import.scan.every != 1) throw failure<MessageId::option_every_by_tiles>();
-  const std::vector<std::filesystem::path> files = filesOf(arguments, tiles);
   ProgressLine line(::isatty(STDERR_FILENO) != 0);
   const Task shown{.stop = task.stop, .progress = [&](std::string_view step, double fraction) {
                      line.show(step, fraction);
                    }};
-  std::optional<ReadFiles> read;
-  LargeMapOptions large{.file = finest,
-                        .memory_bytes = static_cast<std::uint64_t>(memory_mb * 1e6),
-                        .threads = tiles.threads.value_or(0),
-                        .on_view =
-                            [&](const Surface& view) {
-                              line.clear();
-                              sayView(view);
-                            },
-                        .state =
-                            [&](const LargeMap& map) {
-                              if (!read) read = readFilesOf(arguments, files, finest, task);
-                              return toJson(provenanceOfVerb(arguments, map, *read), -1);
-                            },
-                        .job = {}};
-  if (!tiles.job.empty()) {
-    read = readFilesOf(arguments, files, finest, shown);
-    large.job = {.folder = tiles.job, .facts = jobFacts(arguments, *read)};
-  }
-  const LargeMap map = makeLargeMap(files, surfaceOptions(arguments), large, import, shown);
+  TiledWork work{.names = namesOf(arguments, tiles),
+                 .out = finest,
+                 .options = surfaceOptions(arguments),
+                 .import = import,
+                 .memory_bytes = static_cast<std::uint64_t>(memory_mb * 1e6),
+                 .threads = tiles.threads.value_or(0),
+                 .job_folder = tiles.job,
+                 .on_view = [&](const Surface& view) {
+                   line.clear();
+                   sayView(view);
+                 }};
+  const LargeMap map = makeTiledMap(work, shown);
   line.clear();
   for (const std::string& message : map.messages) tell(message);
   for (const std::string& left : map.not_done) tell(left);

@@ -93,30 +93,6 @@ Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surfac
   return withInput(provenanceOf(surface, surfaceOptions(arguments)), arguments, std::move(input));
 }
 
-Provenance provenanceOfVerb(const MapArguments& arguments, const LargeMap& map, ReadFiles read) {
-  Provenance provenance =
-      withInput(provenanceOf(map, surfaceOptions(arguments)), arguments, std::move(read.input));
-  provenance.files = std::move(read.files);
-  return provenance;
-}
-
-ReadFiles readFilesOf(const MapArguments& arguments, const std::vector<fs::path>& files,
-                      const fs::path& out, const Task& task) {
-  if (files.size() == 1) {
-    MapArguments one = arguments;
-    one.file = files.front().string();
-    return {.input = inputOf(one, out, task)};
-  }
-  const fs::path parent = out.parent_path(), folder = parent.empty() ? fs::path(".") : parent;
-  ReadFiles read;
-  for (const fs::path& file : files) read.files.push_back(inputFile(file, folder, task));
-  // One name may stand for all; of several it is where the first is.
-  const bool is_folder = fs::is_directory(arguments.file);
-  read.input = togetherOf(is_folder ? fs::path(arguments.file) : files.front().parent_path(),
-                          folder, read.files);
-  return read;
-}
-
 Project projectOfVerb(const MapArguments& arguments, const Surface& surface, const Region& region,
                       double gain, const Task& task) {
   Project p;

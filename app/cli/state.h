@@ -25,17 +25,6 @@ struct ChangedInputError : FileError {
 Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,
                             const std::filesystem::path& out, const Task& task);
 
-/// One file that was read, or several as one.
-struct ReadFiles {
-  InputFile input;
-  std::vector<InputFile> files = {};  ///< As Provenance::files.
-};
-Provenance provenanceOfVerb(const MapArguments& arguments, const LargeMap& map, ReadFiles read);
-/// @param files  that `arguments` name; at least one @throw FileError, Cancelled
-ReadFiles readFilesOf(const MapArguments& arguments,
-                      const std::vector<std::filesystem::path>& files,
-                      const std::filesystem::path& out, const Task& task);
-
 /// The same as a project, for pictures; `file` is as given.
 Project projectOfVerb(const MapArguments& arguments, const Surface& surface, const Region& region,
                       double gain, const Task& task);

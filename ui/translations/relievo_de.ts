@@ -798,6 +798,30 @@
         <source>Align and join</source>
         <translation>Ausrichten und verbinden</translation>
     </message>
+    <message>
+        <source>What is being done</source>
+        <translation>Was gerade geschieht</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>Stop the work</source>
+        <translation>Die Arbeit anhalten</translation>
+    </message>
+    <message>
+        <source>Map by tiles</source>
+        <translation>Karte in Kacheln</translation>
+    </message>
 </context>
 <context>
     <name>relievo::AddressDialog</name>
@@ -2041,6 +2065,14 @@
         <source>While the view is turned, the relief is made anew again and again, and the hand feels the object turn</source>
         <translation>Während die Ansicht gedreht wird, wird das Relief immer wieder neu berechnet, und die Hand spürt, wie sich das Objekt dreht</translation>
     </message>
+    <message>
+        <source>Map by &amp;tiles…</source>
+        <translation>&amp;Karte in Kacheln…</translation>
+    </message>
+    <message>
+        <source>Make the map of a scan that is larger than the memory</source>
+        <translation>Die Karte eines Scans machen, der größer als der Speicher ist</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2207,6 +2239,10 @@
     <message>
         <source>rotate orbit object under the hand while touching live</source>
         <translation>drehen rotieren Objekt unter der Hand beim Berühren mitdrehen live</translation>
+    </message>
+    <message>
+        <source>large huge out of core memory build pyramid survey site LAS</source>
+        <translation>groß riesig Speicher Pyramide Vermessung Gelände Fundstätte LAS</translation>
     </message>
 </context>
 <context>
@@ -12344,6 +12380,212 @@
     <message>
         <source>not counted; %1 % of the cells on the base plane, %2 % interpolated</source>
         <translation>nicht gezählt; %1 % der Zellen auf der Grundebene, %2 % interpoliert</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::TiledMapDialog</name>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>LAS, LAZ or binary PLY files and folders of them, which are one scan, or one height raster</source>
+        <translation>LAS-, LAZ- oder binäre PLY-Dateien und Ordner davon, die ein Scan sind, oder ein Höhenraster</translation>
+    </message>
+    <message>
+        <source>F&amp;iles…</source>
+        <translation>Da&amp;teien…</translation>
+    </message>
+    <message>
+        <source>Take files into the list</source>
+        <translation>Dateien in die Liste aufnehmen</translation>
+    </message>
+    <message>
+        <source>Fo&amp;lder…</source>
+        <translation>&amp;Ordner…</translation>
+    </message>
+    <message>
+        <source>Take all LAS, LAZ and PLY files of a folder</source>
+        <translation>Alle LAS-, LAZ- und PLY-Dateien eines Ordners aufnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the chosen entries from the list</source>
+        <translation>Die gewählten Einträge aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>Einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Where the finest level is written; the others lie beside it</source>
+        <translation>Wohin die feinste Ebene geschrieben wird; die anderen liegen daneben</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>Length unit of the file&apos;s coordinates</source>
+        <translation>Längeneinheit der Koordinaten in der Datei</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>From which side the object is seen</source>
+        <translation>Von welcher Seite das Objekt gesehen wird</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>What the work may take beside the program itself</source>
+        <translation>Was die Arbeit neben dem Programm selbst belegen darf</translation>
+    </message>
+    <message>
+        <source>Cores</source>
+        <translation>Rechenkerne</translation>
+    </message>
+    <message>
+        <source>How many work at once</source>
+        <translation>Wie viele gleichzeitig arbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Keep what is finished, to go on after a stop</source>
+        <translation>Fertiges &amp;behalten, um nach einem Abbruch weiterzumachen</translation>
+    </message>
+    <message>
+        <source>Keep what is finished, to go on after a stop</source>
+        <translation>Fertiges behalten, um nach einem Abbruch weiterzumachen</translation>
+    </message>
+    <message>
+        <source>In a folder beside the map, until the map is made</source>
+        <translation>In einem Ordner neben der Karte, bis die Karte gemacht ist</translation>
+    </message>
+    <message>
+        <source>&amp;Open the map when it is made</source>
+        <translation>Karte ö&amp;ffnen, wenn sie gemacht ist</translation>
+    </message>
+    <message>
+        <source>Open the map when it is made</source>
+        <translation>Karte öffnen, wenn sie gemacht ist</translation>
+    </message>
+    <message>
+        <source>In the place of what is open</source>
+        <translation>Anstelle dessen, was offen ist</translation>
+    </message>
+    <message>
+        <source>What is ready</source>
+        <translation>Was fertig ist</translation>
+    </message>
+    <message>
+        <source>From the file</source>
+        <translation>Aus der Datei</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Map by tiles</source>
+        <translation>Karte in Kacheln</translation>
+    </message>
+    <message>
+        <source>Scans and height rasters (*.las *.laz *.ply *.tif *.tiff *.asc *.png);;All files (*)</source>
+        <translation>Scans und Höhenraster (*.las *.laz *.ply *.tif *.tiff *.asc *.png);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Map</source>
+        <translation>&amp;Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of the file</source>
+        <translation>E&amp;inheit der Datei</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>A&amp;nsicht</translation>
+    </message>
+    <message>
+        <source>M&amp;emory</source>
+        <translation>S&amp;peicher</translation>
+    </message>
+    <message>
+        <source>What is ready of the map</source>
+        <translation>Was von der Karte fertig ist</translation>
+    </message>
+    <message>
+        <source>While the map is made, what is ready of it is shown here.</source>
+        <translation>Während die Karte gemacht wird, steht hier, was von ihr fertig ist.</translation>
+    </message>
+    <message>
+        <source>M&amp;ake</source>
+        <translation>Karte &amp;machen</translation>
+    </message>
+    <message>
+        <source>Make the map</source>
+        <translation>Die Karte machen</translation>
+    </message>
+    <message>
+        <source>GeoTIFF (*.tif)</source>
+        <translation>GeoTIFF (*.tif)</translation>
+    </message>
+    <message>
+        <source>Nothing of it can be seen yet.</source>
+        <translation>Noch ist nichts von ihr zu sehen.</translation>
+    </message>
+    <message>
+        <source>Sca&amp;n</source>
+        <translation>&amp;Scan</translation>
+    </message>
+    <message>
+        <source>&amp;Cores</source>
+        <translation>&amp;Rechenkerne</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::TilesController</name>
+    <message>
+        <source>about %1 s left of it</source>
+        <translation>noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min left of it</source>
+        <translation>noch etwa %1 min</translation>
+    </message>
+    <message>
+        <source>about %1 h left of it</source>
+        <translation>noch etwa %1 h</translation>
+    </message>
+    <message>
+        <source>From a sample of the points: %1 × %2 cells of %3, %4 high.</source>
+        <translation>Aus einer Stichprobe der Punkte: %1 × %2 Zellen von %3, %4 hoch.</translation>
+    </message>
+    <message>
+        <source>Cancelled. No map was made.</source>
+        <translation>Abgebrochen. Es wurde keine Karte gemacht.</translation>
+    </message>
+    <message>
+        <source>Cancelled. No map was made; what was finished is kept in %1, and the same choices go on there.</source>
+        <translation>Abgebrochen. Es wurde keine Karte gemacht; was fertig war, liegt in %1, und mit derselben Auswahl geht es dort weiter.</translation>
+    </message>
+    <message>
+        <source>%1 is made: %2 × %3 cells, %4 levels.</source>
+        <translation>%1 ist gemacht: %2 × %3 Zellen, %4 Ebenen.</translation>
     </message>
 </context>
 <context>

@@ -798,6 +798,30 @@
         <source>Align and join</source>
         <translation>संरेखित करें और जोड़ें</translation>
     </message>
+    <message>
+        <source>What is being done</source>
+        <translation>क्या हो रहा है</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>समस्या</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>प्रगति</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>रोकें (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Stop the work</source>
+        <translation>काम रोकें</translation>
+    </message>
+    <message>
+        <source>Map by tiles</source>
+        <translation>टाइलों से मानचित्र</translation>
+    </message>
 </context>
 <context>
     <name>relievo::AddressDialog</name>
@@ -2041,6 +2065,14 @@
         <source>While the view is turned, the relief is made anew again and again, and the hand feels the object turn</source>
         <translation>दृश्य घुमाते समय उभार बार-बार नया बनता है, और हाथ वस्तु का घूमना महसूस करता है</translation>
     </message>
+    <message>
+        <source>Map by &amp;tiles…</source>
+        <translation>टाइलों से मानचित्र (&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Make the map of a scan that is larger than the memory</source>
+        <translation>ऐसे स्कैन का मानचित्र बनाएँ जो मेमोरी से बड़ा है</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2207,6 +2239,10 @@
     <message>
         <source>rotate orbit object under the hand while touching live</source>
         <translation>घुमाना चक्कर वस्तु हाथ के नीचे छूते हुए</translation>
+    </message>
+    <message>
+        <source>large huge out of core memory build pyramid survey site LAS</source>
+        <translation>बड़ा विशाल मेमोरी पिरामिड सर्वेक्षण स्थल LAS</translation>
     </message>
 </context>
 <context>
@@ -12344,6 +12380,212 @@
     <message>
         <source>not counted; %1 % of the cells on the base plane, %2 % interpolated</source>
         <translation>गिने नहीं गए; %1 % कोष्ठ आधार तल पर, %2 % अंतर्वेशित</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::TiledMapDialog</name>
+    <message>
+        <source>Scan</source>
+        <translation>स्कैन</translation>
+    </message>
+    <message>
+        <source>LAS, LAZ or binary PLY files and folders of them, which are one scan, or one height raster</source>
+        <translation>LAS, LAZ या बाइनरी PLY फ़ाइलें और उनके फ़ोल्डर, जो मिलकर एक स्कैन हैं, या एक ऊँचाई रास्टर</translation>
+    </message>
+    <message>
+        <source>F&amp;iles…</source>
+        <translation>फ़ाइलें (&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Take files into the list</source>
+        <translation>फ़ाइलें सूची में लें</translation>
+    </message>
+    <message>
+        <source>Fo&amp;lder…</source>
+        <translation>फ़ोल्डर (&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Take all LAS, LAZ and PLY files of a folder</source>
+        <translation>किसी फ़ोल्डर की सभी LAS, LAZ और PLY फ़ाइलें लें</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>हटाएँ (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Take the chosen entries from the list</source>
+        <translation>चुनी हुई प्रविष्टियाँ सूची से हटाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>ढूँढें (&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>दूसरी जगह चुनें</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>मानचित्र</translation>
+    </message>
+    <message>
+        <source>Where the finest level is written; the others lie beside it</source>
+        <translation>सबसे बारीक स्तर कहाँ लिखा जाए; बाक़ी उसके पास रहते हैं</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>फ़ाइल की इकाई</translation>
+    </message>
+    <message>
+        <source>Length unit of the file&apos;s coordinates</source>
+        <translation>फ़ाइल के निर्देशांकों की लंबाई इकाई</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>दृश्य</translation>
+    </message>
+    <message>
+        <source>From which side the object is seen</source>
+        <translation>वस्तु किस ओर से देखी जाती है</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>मेमोरी</translation>
+    </message>
+    <message>
+        <source>What the work may take beside the program itself</source>
+        <translation>प्रोग्राम के अलावा काम कितनी मेमोरी ले सकता है</translation>
+    </message>
+    <message>
+        <source>Cores</source>
+        <translation>कोर</translation>
+    </message>
+    <message>
+        <source>How many work at once</source>
+        <translation>एक साथ कितने काम करें</translation>
+    </message>
+    <message>
+        <source>&amp;Keep what is finished, to go on after a stop</source>
+        <translation>जो पूरा हुआ उसे रखें, ताकि रुकने के बाद आगे बढ़ा जा सके (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Keep what is finished, to go on after a stop</source>
+        <translation>जो पूरा हुआ उसे रखें, ताकि रुकने के बाद आगे बढ़ा जा सके</translation>
+    </message>
+    <message>
+        <source>In a folder beside the map, until the map is made</source>
+        <translation>मानचित्र के पास एक फ़ोल्डर में, जब तक मानचित्र न बन जाए</translation>
+    </message>
+    <message>
+        <source>&amp;Open the map when it is made</source>
+        <translation>बन जाने पर मानचित्र खोलें (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Open the map when it is made</source>
+        <translation>बन जाने पर मानचित्र खोलें</translation>
+    </message>
+    <message>
+        <source>In the place of what is open</source>
+        <translation>जो खुला है उसकी जगह</translation>
+    </message>
+    <message>
+        <source>What is ready</source>
+        <translation>जो तैयार है</translation>
+    </message>
+    <message>
+        <source>From the file</source>
+        <translation>फ़ाइल से</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>सभी</translation>
+    </message>
+    <message>
+        <source>Map by tiles</source>
+        <translation>टाइलों से मानचित्र</translation>
+    </message>
+    <message>
+        <source>Scans and height rasters (*.las *.laz *.ply *.tif *.tiff *.asc *.png);;All files (*)</source>
+        <translation>स्कैन और ऊँचाई रास्टर (*.las *.laz *.ply *.tif *.tiff *.asc *.png);;सभी फ़ाइलें (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Map</source>
+        <translation>मानचित्र (&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of the file</source>
+        <translation>फ़ाइल की इकाई (&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>दृश्य (&amp;V)</translation>
+    </message>
+    <message>
+        <source>M&amp;emory</source>
+        <translation>मेमोरी (&amp;E)</translation>
+    </message>
+    <message>
+        <source>What is ready of the map</source>
+        <translation>मानचित्र का जो हिस्सा तैयार है</translation>
+    </message>
+    <message>
+        <source>While the map is made, what is ready of it is shown here.</source>
+        <translation>मानचित्र बनते समय उसका तैयार हिस्सा यहाँ दिखता है।</translation>
+    </message>
+    <message>
+        <source>M&amp;ake</source>
+        <translation>बनाएँ (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Make the map</source>
+        <translation>मानचित्र बनाएँ</translation>
+    </message>
+    <message>
+        <source>GeoTIFF (*.tif)</source>
+        <translation>GeoTIFF (*.tif)</translation>
+    </message>
+    <message>
+        <source>Nothing of it can be seen yet.</source>
+        <translation>अभी उसका कुछ दिखता नहीं।</translation>
+    </message>
+    <message>
+        <source>Sca&amp;n</source>
+        <translation>स्कैन (&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Cores</source>
+        <translation>कोर (&amp;C)</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::TilesController</name>
+    <message>
+        <source>about %1 s left of it</source>
+        <translation>लगभग %1 से॰ शेष</translation>
+    </message>
+    <message>
+        <source>about %1 min left of it</source>
+        <translation>लगभग %1 मि॰ शेष</translation>
+    </message>
+    <message>
+        <source>about %1 h left of it</source>
+        <translation>लगभग %1 घं॰ शेष</translation>
+    </message>
+    <message>
+        <source>From a sample of the points: %1 × %2 cells of %3, %4 high.</source>
+        <translation>बिंदुओं के एक नमूने से: %3 की %1 × %2 कोशिकाएँ, ऊँचाई %4।</translation>
+    </message>
+    <message>
+        <source>Cancelled. No map was made.</source>
+        <translation>रद्द किया गया। कोई मानचित्र नहीं बना।</translation>
+    </message>
+    <message>
+        <source>Cancelled. No map was made; what was finished is kept in %1, and the same choices go on there.</source>
+        <translation>रद्द किया गया। कोई मानचित्र नहीं बना; जो पूरा हुआ वह %1 में रखा है, और यही विकल्प वहीं से आगे बढ़ते हैं।</translation>
+    </message>
+    <message>
+        <source>%1 is made: %2 × %3 cells, %4 levels.</source>
+        <translation>%1 बन गया: %2 × %3 कोशिकाएँ, %4 स्तर।</translation>
     </message>
 </context>
 <context>

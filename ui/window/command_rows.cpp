@@ -18,6 +18,8 @@ const std::array<CommandRow, kCommandCount>& CommandTable::rows() {
        QT_TR_NOOP("Open all scans of a folder: parts of one object")},
       {C::open_address, "open_address", M::file, QT_TR_NOOP("Open &web address\u2026"),
        "Ctrl+Alt+O", QT_TR_NOOP("Open a map that was published on the web, by its address")},
+      {C::tiled_map, "tiled_map", M::file, QT_TR_NOOP("Map by &tiles\u2026"), "",
+       QT_TR_NOOP("Make the map of a scan that is larger than the memory"), Needs::nothing, kGroup},
       {C::save_project, "save_project", M::file, QT_TR_NOOP("&Save project"), "Ctrl+S",
        QT_TR_NOOP("Keep this state: file, depth map, window, measurements")},
       {C::save_project_as, "save_project_as", M::file, QT_TR_NOOP("Save project &as\u2026"),

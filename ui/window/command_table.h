@@ -23,6 +23,7 @@ enum class Command {
   open,
   open_folder,
   open_address,
+  tiled_map,
   save_project,
   save_project_as,
   figure,

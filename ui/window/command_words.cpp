@@ -12,11 +12,14 @@ struct OtherWords {
   const char* words;
 };
 
-constexpr std::array<OtherWords, 45> kWords{
+constexpr std::array<OtherWords, 46> kWords{
     {{"open", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import file read")},
      {"open_folder", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import directory images")},
      {"open_address", QT_TRANSLATE_NOOP("relievo::CommandWords",
                                         "internet network URL link online server remote https")},
+     {"tiled_map",
+      QT_TRANSLATE_NOOP("relievo::CommandWords",
+                        "large huge out of core memory build pyramid survey site LAS")},
      {"save_project", QT_TRANSLATE_NOOP("relievo::CommandWords", "store keep session")},
      {"figure", QT_TRANSLATE_NOOP("relievo::CommandWords",
                                   "export publish print paper PDF SVG TIFF screenshot")},

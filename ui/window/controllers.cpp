@@ -30,13 +30,16 @@ Controllers::Controllers(const ControllerParts& parts, WorkArea& area)
       recordings_end(videos.control(), replays.noting(), nullptr),
       pictures(parts, area.detail(), area.reference(), foreign),
       exports(parts, {area.detail(), area.reference(), *area.panels().measure, pictures}),
+      tiles(parts),
       questions(parts),
       pointer(parts, area.detail()),
       surface(parts, area.detail(), area.scan(), touch),
       study(parts, look),
       web(parts, opening),
       turns(parts, area.detail(), touch) {
-  saving.watch({pictures, packages, exports, videos});
+  saving.watch({pictures, packages, exports, tiles, videos});
+  QObject::connect(&tiles, &TilesController::openAsked, &opening,
+                   [this](const QString& file) { opening.open(file); });
   QObject::connect(&opening, &OpenController::recordingChosen, &replays, &ReplayController::open);
   QObject::connect(&opening, &OpenController::begun, &replays.control(),
                    &ReplayControl::forgetWaiting);

@@ -9,6 +9,7 @@
 #include "ui/control/output/package_controller.h"
 #include "ui/control/output/picture_controller.h"
 #include "ui/control/output/save_controller.h"
+#include "ui/control/output/tiles_controller.h"
 #include "ui/control/output/video_controller.h"
 #include "ui/control/place_controller.h"
 #include "ui/control/pointer_controller.h"
@@ -42,6 +43,7 @@ struct Controllers {
   RecordingsEnd recordings_end;
   PictureController pictures;
   ExportController exports;
+  TilesController tiles;
   QuestionController questions;
   PointerController pointer;
   SurfaceController surface;

@@ -16,6 +16,7 @@
 #include "ui/control/output/export_controller.h"
 #include "ui/control/output/package_controller.h"
 #include "ui/control/output/picture_controller.h"
+#include "ui/control/output/tiles_controller.h"
 #include "ui/control/output/video_controller.h"
 #include "ui/language/core_text.h"
 #include "ui/language/error_text.h"
@@ -50,6 +51,7 @@ void SaveController::watch(const Writers& writers) {
   connect(&writers.pictures, &PictureController::ended, this, &SaveController::closeIfAwaited);
   connect(&writers.packages, &PackageController::ended, this, &SaveController::closeIfAwaited);
   connect(&writers.exports, &ExportController::ended, this, &SaveController::closeIfAwaited);
+  connect(&writers.tiles, &TilesController::ended, this, &SaveController::closeIfAwaited);
   connect(&writers.videos.control(), &VideoControl::ended, this, &SaveController::closeIfAwaited);
 }
 
@@ -141,7 +143,7 @@ bool SaveController::writing() const {
   if (!writers_) return false;
   const VideoControl& video = writers_->videos.control();
   return writers_->pictures.busy() || writers_->packages.busy() || writers_->exports.busy() ||
-         video.writing() || video.live();
+         writers_->tiles.busy() || video.writing() || video.live();
 }
 
 bool SaveController::closesWhenAllIsWritten() {
@@ -151,8 +153,9 @@ bool SaveController::closesWhenAllIsWritten() {
   if (video.live()) video.stopLive();
   closes_when_saved_ = writing();
   if (!closes_when_saved_) return false;
-  announce(writers_->packages.busy()  ? tr("relievo closes when the package is written")
-           : writers_->exports.busy() ? tr("relievo closes when the map is written")
+  announce(writers_->packages.busy() ? tr("relievo closes when the package is written")
+           : writers_->exports.busy() || writers_->tiles.busy()
+               ? tr("relievo closes when the map is written")
            : video.writing() || video.live()
                ? tr("relievo closes when the video is saved; Escape stops both")
                : tr("relievo closes when the picture is saved"));

@@ -11,6 +11,7 @@ namespace relievo {
 class ExportController;
 class PackageController;
 class PictureController;
+class TilesController;
 class VideoController;
 
 /// Saving the work, what would be lost if the window closed or showed another scan, and how it
@@ -25,6 +26,7 @@ class SaveController : public Controller {
     const PictureController& pictures;
     const PackageController& packages;
     const ExportController& exports;
+    const TilesController& tiles;
     VideoController& videos;
   };
   void watch(const Writers& writers);
