@@ -240,6 +240,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     first_draws_.reset();
     window_->follow(&scene_);
     scene_.attachTo(window_);
+    scene_.keepSurface(true);
     stage_ = Stage::warm;
   }
   void prepare() {
