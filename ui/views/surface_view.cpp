@@ -250,6 +250,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     // Lines and the scale bar grow with the screen's density and, like text, with its size and the
     // dots that the desktop asks for.
     const int width = std::max(1, pixels.width()), height = std::max(1, pixels.height());
+    scene_.setCoarse(seen_coarse_);
     scene_.setMarkScale(fittingMarkScale(
         ratio * std::max(1.0, logicalDpiX() / kPlainDpi) * textScale(), width, height));
     // Qt tells a size when it changes. What warmed up was a speck, and a widget that had its size

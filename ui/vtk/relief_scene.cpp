@@ -366,6 +366,10 @@ void ReliefScene::keepSurface(bool keep) {
   impl_->lowest->keep(keep);
 }
 
+void ReliefScene::setCoarse(bool coarse) {
+  if (impl_->relief.setCoarse(coarse)) ++impl_->changes;
+}
+
 void ReliefScene::stopBy(const std::stop_token& stop) {
   impl_->relief.stopBy(stop);
 }

@@ -103,6 +103,8 @@ class ReliefScene {
   /// The surface's picture is kept and used until something of it changes, as while only the hand
   /// moves; no pixel tells. At first it is not: for windows that are drawn often.
   void keepSurface(bool keep);
+  /// Of the surface every second sample each way is drawn, while something moves; not copied.
+  void setCoarse(bool coarse);
   /// A render that finds this asked to stop leaves the rest of the surface out; not copied.
   void stopBy(const std::stop_token& stop);
   vtkRenderer* renderer();  ///< The one of the surface; for its camera and viewport.

@@ -164,6 +164,8 @@ std::vector<Change> allChanges() {
       {"both eyes", [](DrawnScene& d) { d.scene().setStereo(anaglyph(2)); }},
       {"the hand in stereo", [](DrawnScene& d) { d.scene().setProbe(probeAt(12), 1); }},
       {"farther apart", [](DrawnScene& d) { d.scene().setStereo(anaglyph(5)); }},
+      {"coarse", [](DrawnScene& d) { d.scene().setCoarse(true); }},
+      {"fine", [](DrawnScene& d) { d.scene().setCoarse(false); }},
       {"one eye", [](DrawnScene& d) { d.scene().setStereo({}); }},
       {"size", [](DrawnScene& d) { d.setSize(200, 90); }},
       {"a size as before", [](DrawnScene& d) { d.setSize(160, 120); }},
