@@ -362,8 +362,11 @@ void ReliefScene::prepare(int width_px, int height_px, const std::optional<Pictu
                            .origin = {static_cast<double>(drawn.x), static_cast<double>(drawn.y)}});
 }
 
+// On screen nothing is transparent: whoever shows the picture need not see to that.
 void ReliefScene::keepSurface(bool keep) {
   impl_->lowest->keep(keep);
+  impl_->lowest->SetBackgroundAlpha(keep ? 1 : 0);
+  ++impl_->changes;
 }
 
 void ReliefScene::setCoarse(bool coarse) {
