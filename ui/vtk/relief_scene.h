@@ -101,7 +101,8 @@ class ReliefScene {
   /// @param tile  draw only this part of the picture; nothing: all of it
   void prepare(int width_px, int height_px, const std::optional<PictureTile>& tile = {});
   /// The surface's picture is kept and used until something of it changes, as while only the hand
-  /// moves; no pixel tells. At first it is not: for windows that are drawn often.
+  /// moves; no colour tells, and the background is opaque. At first it is not: for windows that are
+  /// drawn often.
   void keepSurface(bool keep);
   /// Of the surface every second sample each way is drawn, while something moves; not copied.
   void setCoarse(bool coarse);
