@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Distinct pictures a second of both views while the pink window, the detail view, the hand and the
 // camera are dragged, mono and anaglyph, and the processor's share at rest: for
-// docs/dev/ui-figures.md. picture_rate [SCAN [SECONDS]]; needs a display. What is counted are
-// pictures whose middle differs from the one before as the window composes them, not swaps.
+// docs/dev/ui-figures.md. picture_rate [SCAN [SECONDS [ROW]]]; needs a display; of the rows only
+// those whose name contains ROW. What is counted are pictures whose middle differs from the one
+// before as the window composes them, not swaps.
 #include <QVTKOpenGLNativeWidget.h>
 #include <chrono>
 #include <clocale>
@@ -21,6 +22,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QtTest/QTest>
+#include <string>
 
 #include "app/host.h"
 #include "app/plugin_loader.h"
@@ -142,7 +144,7 @@ void print(const char* what, const Rates& rates) {
   std::fflush(stdout);
 }
 
-void run(const QString& scan, double seconds) {
+void run(const QString& scan, double seconds, const std::string& row) {
   MainWindow window(captureDepths);
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());
@@ -177,18 +179,24 @@ void run(const QString& scan, double seconds) {
     QTest::qWait(500);
     const QPointF middle = reference.pointOf(x, y);
     const QPointF over(0.5 * detail.width(), 0.5 * detail.height());
-    print(("pink window dragged" + mode).c_str(),
-          bench.drag(reference, middle, 30, Qt::LeftButton));
-    print(("detail view dragged" + mode).c_str(), bench.drag(detail, over, 60, Qt::RightButton));
-    print(("detail view turned" + mode).c_str(), bench.drag(detail, over, 60, Qt::MiddleButton));
+    const auto drag = [&](const std::string& what, QWidget& on, const QPointF& about, double radius,
+                          Qt::MouseButton button) {
+      if ((what + mode).find(row) == std::string::npos) return;
+      print((what + mode).c_str(), bench.drag(on, about, radius, button));
+    };
+    drag("pink window dragged", reference, middle, 30, Qt::LeftButton);
+    drag("detail view dragged", detail, over, 60, Qt::RightButton);
+    drag("detail view turned", detail, over, 60, Qt::MiddleButton);
     detail.straighten();
-    print(("hand hovers" + mode).c_str(), bench.drag(detail, over, 40, Qt::NoButton));
-    print(("hand presses" + mode).c_str(), bench.drag(detail, over, 40, Qt::LeftButton));
+    drag("hand hovers", detail, over, 40, Qt::NoButton);
+    drag("hand presses", detail, over, 40, Qt::LeftButton);
   }
+  const std::string at_rest = "at rest";
+  if (at_rest.find(row) == std::string::npos) return plugins.detachAll();
   sendMouse(detail, QEvent::MouseMove, {5, 5}, Qt::NoButton, Qt::NoButton);
   QTest::qWait(15'000);  // The plots show the last ten seconds.
   const Rates rest = bench.count();
-  print("at rest", rest);
+  print(at_rest.c_str(), rest);
   std::printf("\ncomposed at rest: %.1f a second\n", bench.composed() / seconds);
   plugins.detachAll();
 }
@@ -210,6 +218,6 @@ int main(int argc, char** argv) {
   std::setlocale(LC_NUMERIC, "C");
   relievo::run(argc > 1 ? QString::fromLocal8Bit(argv[1])
                         : QStringLiteral(RELIEVO_SOURCE_DIR "/data/samples/panel.ply"),
-               argc > 2 ? std::atof(argv[2]) : 6);
+               argc > 2 ? std::atof(argv[2]) : 6, argc > 3 ? argv[3] : "");
   return 0;
 }

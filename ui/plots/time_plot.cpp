@@ -18,7 +18,8 @@ namespace relievo {
 namespace {
 
 constexpr double kShownS = 10;
-constexpr int kRedrawMs = 40;
+// As often as curves are read: each time costs as much as a picture of a view does.
+constexpr int kRedrawMs = 100;
 // Less than a tenth of a pixel of the least ranges.
 constexpr double kSameForceN = 1e-3, kSameHeightMm = 5e-5;
 constexpr double kNearlyShownS = kShownS - 0.1;

@@ -5,6 +5,8 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLState.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkUnsignedCharArray.h>
 #include <algorithm>
@@ -207,8 +209,12 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     if (!std::exchange(unseen_, false) && same_place) return;
     seen_pixels_ = pixels;
     seen_in_ = defaultFramebufferObject();
-    prepare();  // After a change of size VTK draws in here.
-    QVTKOpenGLNativeWidget::paintGL();
+    prepare();
+    if (same_place) {
+      handOver(pixels);
+    } else {
+      QVTKOpenGLNativeWidget::paintGL();  // After a change of size VTK draws in here.
+    }
   }
 
  private:
@@ -236,10 +242,27 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     }
     scheduler_.schedule(this, [this] { warmUpStep(); });
   }
+  /// As VTK's widget copies a picture into Qt's frame buffer, but pixel by pixel where both have as
+  /// many: VTK interpolates then, too, and makes opaque afterwards what is so already; in software
+  /// both cost as much as drawing all of what a hand is shown by.
+  void handOver(const QSize& pixels) {
+    vtkOpenGLState* const state = window_->GetState();
+    state->Reset();
+    state->Push();
+    state->vtkglDisable(GL_SCISSOR_TEST);
+    context()->functions()->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+    const int* const drawn = window_->GetRenderFramebuffer()->GetLastSize();
+    const bool as_many = drawn[0] == pixels.width() && drawn[1] == pixels.height();
+    window_->BlitDisplayFramebuffer(0, 0, 0, drawn[0], drawn[1], 0, 0, pixels.width(),
+                                    pixels.height(), GL_COLOR_BUFFER_BIT,
+                                    as_many ? GL_NEAREST : GL_LINEAR);
+    state->Pop();
+  }
   void attachScene() {
     first_draws_.reset();
     window_->follow(&scene_);
     scene_.attachTo(window_);
+    scene_.keepSurface(true);
     stage_ = Stage::warm;
   }
   void prepare() {
@@ -249,6 +272,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     // Lines and the scale bar grow with the screen's density and, like text, with its size and the
     // dots that the desktop asks for.
     const int width = std::max(1, pixels.width()), height = std::max(1, pixels.height());
+    scene_.setCoarse(seen_coarse_);
     scene_.setMarkScale(fittingMarkScale(
         ratio * std::max(1.0, logicalDpiX() / kPlainDpi) * textScale(), width, height));
     // Qt tells a size when it changes. What warmed up was a speck, and a widget that had its size

@@ -23,6 +23,8 @@ class ReliefActor {
   /// A painted relief that is not lit keeps its colours whatever the lamps do.
   void show(const SurfaceGrid& grid);
   void hide();
+  /// As SurfaceMesh::setCoarse.
+  bool setCoarse(bool coarse) { return mesh_.setCoarse(coarse); }
   /// How interpolated cells are marked.
   void mark(InterpolatedMark how);
   void setHatchPeriod(double period_mm);

@@ -14,6 +14,7 @@
 #include <vtkSmartPointer.h>
 
 #include "core/base/failure.h"
+#include "ui/vtk/kept_surface.h"
 #include "ui/vtk/probe_actors.h"
 #include "ui/vtk/relief_actor.h"
 #include "ui/vtk/scene_view.h"
@@ -110,13 +111,16 @@ struct ReliefScene::Impl {
   SceneContent asked;
 
   // What draws it. Layer 0: surface; 1: proxy, line, arrow; 2: HIP, pink window, scale bar.
-  std::array<vtkNew<vtkRenderer>, 3> layers;
+  vtkNew<KeptSurface> lowest;
+  std::array<vtkSmartPointer<vtkRenderer>, 3> layers{lowest, vtkSmartPointer<vtkRenderer>::New(),
+                                                     vtkSmartPointer<vtkRenderer>::New()};
   vtkNew<vtkCamera> vtk_camera;
   ExhibitLights lights;
   ReliefActor relief;
   ProbeActors probe_actors;
   ScreenMarks marks;
   vtkSmartPointer<vtkRenderWindow> window;
+  double changes = 0;  ///< Of what the surface's picture depends on beside the camera.
 
   Impl();
   const SurfaceMesh& mesh() const { return relief.mesh(); }
@@ -131,6 +135,7 @@ struct ReliefScene::Impl {
   }
   double reachMm(const SceneView& view) const;
   void placeCamera(const SceneView& view, const PictureTile& tile);
+  KeptSurface::Sight sight(const SceneView& view, const PictureTile& tile) const;
   void applyStereo();
   void applyColourless() {
     probe_actors.setColourless(asked.colourless || asked.stereo.mode == StereoMode::anaglyph);
@@ -191,6 +196,26 @@ void ReliefScene::Impl::placeCamera(const SceneView& v, const PictureTile& tile)
   vtk_camera->Modified();
 }
 
+KeptSurface::Sight ReliefScene::Impl::sight(const SceneView& v, const PictureTile& tile) const {
+  const ReliefCamera& c = asked.camera;
+  return {changes,
+          c.rect.x_mm,
+          c.rect.y_mm,
+          c.rect.width_mm,
+          c.rect.height_mm,
+          c.azimuth_deg,
+          c.elevation_deg,
+          zeroPlane(),
+          asked.eye_turn_deg,
+          asked.mark_scale,
+          static_cast<double>(v.width_px),
+          static_cast<double>(v.height_px),
+          static_cast<double>(tile.x),
+          static_cast<double>(tile.y),
+          static_cast<double>(tile.width),
+          static_cast<double>(tile.height)};
+}
+
 void ReliefScene::Impl::applyStereo() {
   if (!window) return;
   if (asked.stereo.mode == StereoMode::off) {
@@ -215,11 +240,13 @@ void ReliefScene::setSurface(const SurfaceGrid& grid) {
   impl_->relief.show(grid);
   impl_->asked.surface.hold(grid);
   impl_->asked.has_surface = true;
+  ++impl_->changes;
 }
 
 void ReliefScene::clearSurface() {
   impl_->relief.hide();
   impl_->asked.has_surface = false;
+  ++impl_->changes;
 }
 
 void ReliefScene::setCamera(const ReliefCamera& camera) {
@@ -237,21 +264,25 @@ void ReliefScene::setStereo(const StereoOptions& stereo) {
   impl_->asked.stereo = stereo;
   impl_->applyStereo();
   impl_->applyColourless();
+  ++impl_->changes;
 }
 
 void ReliefScene::setLight(const LightOptions& light) {
   impl_->asked.light = light;
   impl_->lights.place(light);
+  ++impl_->changes;
 }
 
 void ReliefScene::setBackground(double red, double green, double blue) {
   impl_->asked.background = {red, green, blue};
   impl_->layers[0]->SetBackground(red, green, blue);
+  ++impl_->changes;
 }
 
 void ReliefScene::setTransparent(bool transparent) {
   impl_->asked.transparent = transparent;
   if (transparent) impl_->layers[0]->SetBackground(0, 0, 0);
+  ++impl_->changes;
 }
 
 void ReliefScene::setEyeTurn(double turn_deg) {
@@ -261,6 +292,7 @@ void ReliefScene::setEyeTurn(double turn_deg) {
 void ReliefScene::setInterpolated(InterpolatedMark mark) {
   impl_->asked.interpolated = mark;
   impl_->relief.mark(mark);
+  ++impl_->changes;
 }
 
 void ReliefScene::setMarkScale(double pixels) {
@@ -309,6 +341,7 @@ void ReliefScene::prepare(int width_px, int height_px, const std::optional<Pictu
   const PictureTile drawn = tile.value_or(PictureTile{0, 0, width_px, height_px});
   const SceneView view = impl_->view(width_px, height_px);
   impl_->placeCamera(view, drawn);
+  impl_->lowest->show(impl_->sight(view, drawn));
   impl_->probe_actors.face(view);
   const SceneContent& asked = impl_->asked;
   impl_->relief.setHatchPeriod(kHatchPeriodPx * asked.mark_scale * view.mm_per_pixel);
@@ -327,6 +360,17 @@ void ReliefScene::prepare(int width_px, int height_px, const std::optional<Pictu
                            .scale = asked.mark_scale,
                            .dpi = impl_->window ? impl_->window->GetDPI() : 72,
                            .origin = {static_cast<double>(drawn.x), static_cast<double>(drawn.y)}});
+}
+
+// On screen nothing is transparent: whoever shows the picture need not see to that.
+void ReliefScene::keepSurface(bool keep) {
+  impl_->lowest->keep(keep);
+  impl_->lowest->SetBackgroundAlpha(keep ? 1 : 0);
+  ++impl_->changes;
+}
+
+void ReliefScene::setCoarse(bool coarse) {
+  if (impl_->relief.setCoarse(coarse)) ++impl_->changes;
 }
 
 void ReliefScene::stopBy(const std::stop_token& stop) {

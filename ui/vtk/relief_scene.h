@@ -100,6 +100,12 @@ class ReliefScene {
   /// To be called before each render: camera aspect, scale bar length, window frame in pixels.
   /// @param tile  draw only this part of the picture; nothing: all of it
   void prepare(int width_px, int height_px, const std::optional<PictureTile>& tile = {});
+  /// The surface's picture is kept and used until something of it changes, as while only the hand
+  /// moves; no colour tells, and the background is opaque. At first it is not: for windows that are
+  /// drawn often.
+  void keepSurface(bool keep);
+  /// Of the surface every second sample each way is drawn, while something moves; not copied.
+  void setCoarse(bool coarse);
   /// A render that finds this asked to stop leaves the rest of the surface out; not copied.
   void stopBy(const std::stop_token& stop);
   vtkRenderer* renderer();  ///< The one of the surface; for its camera and viewport.

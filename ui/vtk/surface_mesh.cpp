@@ -227,28 +227,50 @@ void SurfaceMesh::rebuildColours(const SurfaceGrid& grid) {
   poly_->GetPointData()->SetScalars(colours);
 }
 
+namespace {
+
+/// Vertices, of `count` in a row, that cells have corners at: all, or every second one and the
+/// last.
+std::vector<int> cornersOf(int count, bool coarse) {
+  std::vector<int> corners;
+  for (int i = 0; i + 1 < count; i += coarse ? 2 : 1) corners.push_back(i);
+  corners.push_back(count - 1);
+  return corners;
+}
+
+}  // namespace
+
+bool SurfaceMesh::setCoarse(bool coarse) {
+  if (coarse == is_coarse_) return false;
+  is_coarse_ = coarse;
+  if (frame_.size.count() != 0) rebuildCells();
+  poly_->Modified();
+  return true;
+}
+
 void SurfaceMesh::rebuildCells() {
   const GridSize size = frame_.size, mesh = withRing(size);
-  const std::size_t quads_at_most =
-      static_cast<std::size_t>(mesh.cols - 1) * static_cast<std::size_t>(mesh.rows - 1);
+  const std::vector<int> across = cornersOf(mesh.cols, is_coarse_);
+  const std::vector<int> up = cornersOf(mesh.rows, is_coarse_);
+  const std::size_t quads_at_most = (across.size() - 1) * (up.size() - 1);
   vtkNew<vtkTypeInt32Array> offsets, corners;
   corners->SetNumberOfValues(4 * static_cast<vtkIdType>(quads_at_most));
   vtkTypeInt32* out = corners->GetPointer(0);
   vtkIdType quads = 0;
-  for (int j = 0; j + 1 < mesh.rows; ++j) {
-    const int low = sampleOf(j, size.rows), high = sampleOf(j + 1, size.rows);
-    for (int i = 0; i + 1 < mesh.cols; ++i) {
-      const int left = sampleOf(i, size.cols), right = sampleOf(i + 1, size.cols);
+  for (std::size_t row = 0; row + 1 < up.size(); ++row) {
+    const int j = up[row], next_j = up[row + 1];
+    const int low = sampleOf(j, size.rows), high = sampleOf(next_j, size.rows);
+    for (std::size_t col = 0; col + 1 < across.size(); ++col) {
+      const int i = across[col], next_i = across[col + 1];
+      const int left = sampleOf(i, size.cols), right = sampleOf(next_i, size.cols);
       if (!(inside_[size.index({left, low})] | inside_[size.index({right, low})] |
             inside_[size.index({left, high})] | inside_[size.index({right, high})])) {
         continue;
       }
-      const auto a = static_cast<vtkTypeInt32>(mesh.index({i, j}));
-      const auto d = static_cast<vtkTypeInt32>(mesh.index({i, j + 1}));
-      *out++ = a;
-      *out++ = a + 1;
-      *out++ = d + 1;
-      *out++ = d;
+      *out++ = static_cast<vtkTypeInt32>(mesh.index({i, j}));
+      *out++ = static_cast<vtkTypeInt32>(mesh.index({next_i, j}));
+      *out++ = static_cast<vtkTypeInt32>(mesh.index({next_i, next_j}));
+      *out++ = static_cast<vtkTypeInt32>(mesh.index({i, next_j}));
       ++quads;
     }
   }

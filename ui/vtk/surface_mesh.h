@@ -26,6 +26,10 @@ class SurfaceMesh {
   /// far as they changed: a window that moves keeps its cells.
   void update(const SurfaceGrid& grid);
 
+  /// With half as many cells each way, whose corners are every second vertex; the rest stays.
+  /// @return whether it was not so before
+  bool setCoarse(bool coarse);
+
   vtkPolyData* poly() { return poly_; }
   ViewMm middle() const { return middle_; }
   double minMm() const { return min_mm_; }
@@ -52,6 +56,7 @@ class SurfaceMesh {
   std::vector<std::uint8_t> inside_, inside_of_cells_;
   GridSize size_of_cells_;
   bool all_inside_ = false, origins_are_zero_ = false;
+  bool is_coarse_ = false;
 };
 
 }  // namespace relievo

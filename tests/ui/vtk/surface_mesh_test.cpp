@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 #include <vtkCellArray.h>
@@ -72,6 +73,35 @@ TEST(SurfaceMesh, TheRimIsLitLikeTheEdgeBesideIt) {
   normals->GetTuple(vertexOf(relief.frame, {12, 10}), rim);
   EXPECT_NEAR(inside[2], 1 / std::sqrt(5), 1e-6);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(rim[k], inside[k], 1e-6);
+}
+
+/// Of the points that cells have corners at: xmin, xmax, ymin, ymax, zmin, zmax.
+std::array<double, 6> boundsOfCells(SurfaceMesh& mesh) {
+  std::array<double, 6> bounds{};
+  mesh.poly()->GetCellsBounds(bounds.data());
+  return bounds;
+}
+
+TEST(SurfaceMesh, HasAQuarterOfTheCellsOverTheSameRectangleWhileCoarse) {
+  for (const int samples : {20, 21}) {
+    const SyntheticRelief relief = makeRelief(samples, 10, [](double x, double) { return 2 * x; });
+    SurfaceMesh mesh;
+    EXPECT_FALSE(mesh.setCoarse(false)) << "it is not";
+    mesh.update(relief.grid());
+    const auto whole = boundsOfCells(mesh);
+    const vtkIdType all = mesh.poly()->GetNumberOfPolys();
+    EXPECT_EQ(all, (samples + 1) * (samples + 1));
+    EXPECT_TRUE(mesh.setCoarse(true));
+    EXPECT_FALSE(mesh.setCoarse(true));
+    const vtkIdType across = samples / 2 + 1;
+    EXPECT_EQ(mesh.poly()->GetNumberOfPolys(), across * across);
+    EXPECT_EQ(boundsOfCells(mesh), whole);
+    mesh.update(relief.grid());
+    EXPECT_EQ(mesh.poly()->GetNumberOfPolys(), across * across) << "of another window, too";
+    EXPECT_TRUE(mesh.setCoarse(false));
+    EXPECT_EQ(mesh.poly()->GetNumberOfPolys(), all);
+    EXPECT_EQ(boundsOfCells(mesh), whole);
+  }
 }
 
 TEST(SurfaceMesh, KeepsItsCellsWhileOnlyHeightsAndPlaceChange) {
