@@ -227,6 +227,7 @@ VerbFiles filesOf(const RenderArguments& a) {
   files.writes(a.caption);
   files.writesMap(a.region.window_out);
   return files;
+  files.namesMap("--window-out", a.region.window_out);
 }
 
 /// What the image says must not be said again, differently.

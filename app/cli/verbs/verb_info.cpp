@@ -7,6 +7,7 @@
 
 #include "app/cli/json.h"
 #include "app/cli/map_report.h"
+#include "app/cli/options/map_option_use.h"
 #include "app/cli/published/published_input.h"
 #include "app/cli/report_text.h"
 #include "app/cli/verb.h"
@@ -122,6 +123,7 @@ FileFacts readFacts(const InfoArguments& a, const InputFacts& facts, const Task&
             .strays = {},
             .suspect_height = suspect,
             .box_in_use = suspect ? boundsWithout(raster, suspect->value) : raster.info.bounds};
+    tellUnusedScanOptions(a.scan);
   }
   return factsOf(*source.scan, task);
 }
