@@ -116,7 +116,6 @@ CommandResult drawOne(const Surface& surface, const TouchRecording* recording,
   if (*a.frame >= frames.times().frames) {
     throw failure<MessageId::video_frame_beyond>(frames.times().frames);
   }
-  constexpr double kScreenDpi = 96;
   const RgbaImage image = frames.draw(*a.frame);
   const PictureText text{{"Software", std::string("relievo ") + RELIEVO_VERSION_STRING},
                          {kStateEntry, state}};
