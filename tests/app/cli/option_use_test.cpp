@@ -109,6 +109,24 @@ TEST_F(OptionUse, OfOtherVerbsLikewise) {
   isRefused({"project", "new", log, "--to", m, "-o", out}, "--to belongs to project relink", out);
 }
 
+TEST_F(OptionUse, TheAngleBetweenTheEyesHasOneRange) {
+  const std::string m = map(), out = path("e.png");
+  for (const char* angle : {"0.009", "60.1"}) {
+    const std::string why =
+        std::string("--eye-angle: '") + angle + "' is not a number from 0.01 to 60 degrees.";
+    for (const char* verb : {"render", "figure", "video"}) {
+      isRefused({verb, m, "--stereo", "half", "--eye-angle", angle, "-o", out}, why, out);
+    }
+  }
+  for (const char* angle : {"0.01", "60"}) {
+    for (const char* verb : {"render", "figure"}) {
+      const CommandResult drawn =
+          runRelievo({verb, m, "--stereo", "half", "--eye-angle", angle, "-o", out});
+      EXPECT_EQ(drawn.exit_code, 0) << verb << drawn.err;
+    }
+  }
+}
+
 TEST_F(OptionUse, AMapIsNotGivenTheNameOfSomethingElse) {
   const std::string m = map();
   const auto sentence = [](const std::string& option, const std::string& out) {
