@@ -55,14 +55,6 @@ StrayRule strayRule(const std::string& text) {
   throw failure<MessageId::option_none_of>("--strays", text, "drop, keep and drop-groups");
 }
 
-/// A window beside the map would be a picture of nothing, and a touch of the plane around it.
-void requireMapIn(const DetailLadder& map, const Region& region) {
-  const bool apart =
-      region.x_mm >= map.left_mm + map.width_mm || region.x_mm + region.side_mm <= map.left_mm ||
-      region.y_mm >= map.bottom_mm + map.height_mm || region.y_mm + region.side_mm <= map.bottom_mm;
-  if (apart) throw failure<MessageId::nothing_in_region>();
-}
-
 std::optional<NodataChoice> nodataChoice(const std::string& text) {
   if (text.empty()) return std::nullopt;
   if (text == "none") return NodataChoice{};
@@ -235,7 +227,10 @@ Region chosenRegion(const Surface& surface, const RegionArguments& a) {
     const std::vector<double> r = numberList("--region", a.region, 4);
     const Region region = regionFromRect(
         surface.ladder, {.x_mm = r[0], .y_mm = r[1], .width_mm = r[2], .height_mm = r[3]}, level);
-    if (!a.as_recorded) requireMapIn(surface.ladder, region);
+    // A window beside the map would be a picture of nothing, and a touch of the plane around it.
+    if (!a.as_recorded && !onMap(surface.ladder, region)) {
+      throw failure<MessageId::nothing_in_region>();
+    }
     return region;
   }
   const Region whole = wholeRegion(surface.ladder);

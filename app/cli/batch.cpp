@@ -17,7 +17,6 @@
 
 #include "app/cli/drawing.h"
 #include "app/cli/library_versions.h"
-#include "app/cli/options/look_arguments.h"
 #include "app/cli/options/map_option_use.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/other_program.h"
@@ -172,11 +171,7 @@ Surface loadForVerb(const std::string& file, const SurfaceOptions& options,
   } else {
     throw NeedsDrawing{};
   }
-  const bool has_scale = surface.raster_scale.has_value();
-  const std::string raster = "a raster that relievo did not write";
-  requireUse("--pixel-size", options.raster.pixel_mm.has_value(), has_scale, raster);
-  requireUse("--height-scale", options.raster.height_mm.has_value(), has_scale, raster);
-  requireUse("--height-zero", options.raster.zero.has_value(), has_scale, raster);
+  requireRasterUse(options, surface);
   for (const std::string& message : surface.messages) tell(message);
   for (const std::string& message : surface.not_done) tell(message);
   return surface;

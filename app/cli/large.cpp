@@ -207,6 +207,7 @@ CommandResult runByTiles(const MapArguments& arguments, const TileArguments& til
   line.clear();
   for (const std::string& message : map.messages) tell(message);
   for (const std::string& left : map.not_done) tell(left);
+  tellUnusedMapOptions(arguments, map);
   const Json json = reportOf(map, arguments.factor);
   CommandResult outcome{.json = reportText(json), .lines = {}};
   for (const Json& level : json["levels"]) {

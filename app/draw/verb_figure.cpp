@@ -158,6 +158,7 @@ VerbFiles filesOf(const Arguments& a) {
   files.reads(a.figure.recording, "the recording that is read");
   for (const auto& out : namesOf(figureFiles(a))) files.writes(out);
   files.writesMap(a.region.window_out);
+  files.namesMap("--window-out", a.region.window_out);
   return files;
 }
 

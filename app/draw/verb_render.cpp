@@ -5,6 +5,7 @@
 #include "app/cli/drawing.h"
 #include "app/cli/json.h"
 #include "app/cli/large.h"
+#include "app/cli/options/eye_angle_range.h"
 #include "app/cli/options/look_arguments.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/report_text.h"
@@ -226,6 +227,7 @@ VerbFiles filesOf(const RenderArguments& a) {
   }
   files.writes(a.caption);
   files.writesMap(a.region.window_out);
+  files.namesMap("--window-out", a.region.window_out);
   return files;
 }
 
@@ -273,7 +275,7 @@ Verb renderVerb() {
                           "Also write NAME.left.png and NAME.right.png");
             takes(verb.add_option("--eye-angle", arguments->eye_angle_deg,
                                   "Angle between the eyes' directions in degrees"),
-                  {.low = 0.5, .high = 10, .unit = "degrees"});
+                  kEyeAngles);
             takes(verb.add_option("--zero-plane", arguments->zero_plane_mm,
                                   "Height of zero parallax in mm; default mid height"),
                   {.low = -kFarMm, .high = kFarMm, .unit = "mm"});

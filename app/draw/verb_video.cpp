@@ -6,6 +6,7 @@
 
 #include "app/cli/drawing.h"
 #include "app/cli/json.h"
+#include "app/cli/options/eye_angle_range.h"
 #include "app/cli/options/look_arguments.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/report_text.h"
@@ -116,7 +117,6 @@ CommandResult drawOne(const Surface& surface, const TouchRecording* recording,
   if (*a.frame >= frames.times().frames) {
     throw failure<MessageId::video_frame_beyond>(frames.times().frames);
   }
-  constexpr double kScreenDpi = 96;
   const RgbaImage image = frames.draw(*a.frame);
   const PictureText text{{"Software", std::string("relievo ") + RELIEVO_VERSION_STRING},
                          {kStateEntry, state}};
@@ -234,8 +234,7 @@ void declareVideo(CLI::App& verb, VideoArguments& a) {
       ->check(CLI::IsMember({"plots", "overview", "scalebar", "sound"}));
   verb.add_option("--stereo", a.stereo,
                   "off, grey, half, dubois, sidebyside, overunder or interlaced; anaglyph: grey");
-  takes(verb.add_option("--eye-angle", a.eye_angle_deg, "Degrees between the eyes; 4"),
-        {.low = 0.01, .high = 20, .unit = "degrees"});
+  takes(verb.add_option("--eye-angle", a.eye_angle_deg, "Degrees between the eyes; 4"), kEyeAngles);
   verb.add_flag("--both-eyes", a.both_eyes,
                 "Also write each eye's video, NAME.left.mp4 and NAME.right.mp4");
   verb.add_flag("--swap-eyes", a.request.swap_eyes, "Red for the right eye");

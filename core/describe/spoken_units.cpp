@@ -61,23 +61,28 @@ Message length(double value) {
 
 struct Unit {
   std::string_view sign;
-  Words words;
+  Words words = nullptr;     ///< Of a number that is rounded as one says it.
+  Words as_it_is = nullptr;  ///< Of one that keeps its digits and its unit.
 };
 
+template <Words words>
+constexpr Unit unitOf(std::string_view sign) {
+  return {sign, sayable<words>, words};
+}
+
 /// Longer signs before those that they begin with.
-constexpr std::array<Unit, 12> kUnits{
-    {{"N/mm", sayable<measured<MessageId::sayable_newton_per_mm>>},
-     {"N", sayable<counted<MessageId::sayable_newton, MessageId::sayable_part_newton>>},
-     {"mm²", sayable<measured<MessageId::sayable_square_mm>>},
-     {"mm³", sayable<measured<MessageId::sayable_cubic_mm>>},
-     {"mm", length<1>},
-     {"cm", length<10>},
-     {"m", length<1000>},
-     {"%", sayable<measured<MessageId::share_percent>>},
-     {"°", sayable<counted<MessageId::sayable_degree, MessageId::sayable_part_degree>>},
-     {"Hz", sayable<measured<MessageId::sayable_hertz>>},
-     {"s", sayable<counted<MessageId::sayable_second, MessageId::sayable_part_second>>},
-     {"", nullptr}}};
+constexpr std::array<Unit, 11> kUnits{
+    {unitOf<measured<MessageId::sayable_newton_per_mm>>("N/mm"),
+     unitOf<counted<MessageId::sayable_newton, MessageId::sayable_part_newton>>("N"),
+     unitOf<measured<MessageId::sayable_square_mm>>("mm²"),
+     unitOf<measured<MessageId::sayable_cubic_mm>>("mm³"),
+     {"mm", length<1>, counted<MessageId::sayable_mm, MessageId::sayable_part_mm>},
+     {"cm", length<10>, counted<MessageId::sayable_cm, MessageId::sayable_part_cm>},
+     {"m", length<1000>, counted<MessageId::sayable_m, MessageId::sayable_part_m>},
+     unitOf<measured<MessageId::share_percent>>("%"),
+     unitOf<counted<MessageId::sayable_degree, MessageId::sayable_part_degree>>("°"),
+     unitOf<measured<MessageId::sayable_hertz>>("Hz"),
+     unitOf<counted<MessageId::sayable_second, MessageId::sayable_part_second>>("s")}};
 
 bool isDigit(char c) {
   return c >= '0' && c <= '9';
@@ -98,8 +103,8 @@ std::size_t blanksAt(std::string_view text) {
 
 /// Could a number begin here, or is it part of a word or of a number?
 bool mayBeginAfter(std::string_view before) {
-  for (const std::string_view blank : {"\u00a0", "\u202f"}) {
-    if (before.ends_with(blank)) return true;
+  for (const std::string_view between : {"\u00a0", "\u202f", "–"}) {
+    if (before.ends_with(between)) return true;
   }
   return before.empty() || (!isOfWord(before.back()) && before.back() != '.');
 }
@@ -154,7 +159,7 @@ std::optional<Number> numberAt(const MessageLanguage& language, std::string_view
 /// Numbers with a cross between them, and the unit behind the last.
 struct Quantity {
   std::vector<double> values;
-  Words words = nullptr;
+  Unit unit;
   std::size_t bytes = 0;
 };
 
@@ -178,23 +183,24 @@ std::optional<Quantity> quantityAt(const MessageLanguage& language, std::string_
   const std::size_t blanks = blanksAt(rest);
   rest.remove_prefix(blanks);
   for (const Unit& unit : kUnits) {
-    if (unit.words == nullptr || !rest.starts_with(unit.sign)) continue;
+    if (!rest.starts_with(unit.sign)) continue;
     if (!endsAt(rest.substr(unit.sign.size()))) continue;
     // "Room 3N" is a name.
     const bool may_be_close = unit.sign == "%" || unit.sign == "°";
     if (blanks == 0 && !may_be_close) continue;
-    found.words = unit.words;
+    found.unit = unit;
     found.bytes = text.size() - rest.size() + unit.sign.size();
     return found;
   }
   return std::nullopt;
 }
 
-std::string textOf(const MessageLanguage& language, const Quantity& quantity) {
+std::string textOf(const MessageLanguage& language, const Quantity& quantity, bool as_it_is) {
+  const Words words_of = as_it_is ? quantity.unit.as_it_is : quantity.unit.words;
   std::string text;
   for (const double value : quantity.values) {
     if (!text.empty()) text += " " + textIn(language, said<MessageId::sayable_by>()) + " ";
-    const Message words = quantity.words(std::abs(value));
+    const Message words = words_of(std::abs(value));
     text += value < 0 ? textIn(language, said<MessageId::sayable_minus>(words))
                       : textIn(language, words);
   }
@@ -202,7 +208,7 @@ std::string textOf(const MessageLanguage& language, const Quantity& quantity) {
 }
 
 /// Whether a number without a unit stands just before, as in "312.0, 207.0 mm": both are of one
-/// kind then, and a single one in other words would be heard as something else.
+/// kind then, and one that is rounded or in another unit would be heard as something else.
 bool isSecondOfTwo(std::string_view before) {
   while (!before.empty() && before.back() == ' ') before.remove_suffix(1);
   for (const std::string_view between : {",", "–"}) {
@@ -219,11 +225,10 @@ std::string spokenUnits(const MessageLanguage& language, std::string_view text) 
   std::string spoken;
   for (std::size_t at = 0; at < text.size();) {
     const std::string_view before = text.substr(0, at);
-    const auto quantity = mayBeginAfter(before) && !isSecondOfTwo(before)
-                              ? quantityAt(language, text.substr(at))
-                              : std::nullopt;
+    const auto quantity =
+        mayBeginAfter(before) ? quantityAt(language, text.substr(at)) : std::nullopt;
     if (quantity) {
-      spoken += textOf(language, *quantity);
+      spoken += textOf(language, *quantity, isSecondOfTwo(before));
       at += quantity->bytes;
     } else {
       spoken += text[at++];

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/failure.h"
+#include "core/relief/eye_angle.h"
 
 namespace relievo {
 
@@ -28,7 +29,7 @@ void check(const FigureRequest& f) {
   requireWithin<MessageId::figure_width>(f.width_mm, 20, 2000);
   requireWithin<MessageId::figure_dpi>(f.dpi, 30, 2400);
   requireWithin<MessageId::figure_text_size>(f.text_pt, 4, 36);
-  requireWithin<MessageId::figure_eye_angle>(f.eye_angle_deg, 0.01, 20);
+  requireWithin<MessageId::figure_eye_angle>(f.eye_angle_deg, kLeastEyeAngleDeg, kMostEyeAngleDeg);
   if (f.scale_1_to && !(*f.scale_1_to > 0)) {
     throw failure<MessageId::figure_scale>();
   }

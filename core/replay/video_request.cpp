@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/failure.h"
+#include "core/relief/eye_angle.h"
 
 namespace relievo {
 namespace {
@@ -57,7 +58,7 @@ void check(const VideoRequest& v) {
   requireWithin<MessageId::video_height>(v.height_px, 64, 4096);
   requireWithin<MessageId::video_rate>(v.fps, 1, 120);
   requireWithin<MessageId::video_speed>(v.speed, 0.01, 100);
-  requireWithin<MessageId::video_eye_angle>(v.eye_angle_deg, 0.01, 20);
+  requireWithin<MessageId::video_eye_angle>(v.eye_angle_deg, kLeastEyeAngleDeg, kMostEyeAngleDeg);
   if (v.width_px % 2 != 0 || v.height_px % 2 != 0) {
     throw failure<MessageId::video_size_odd>();
   }

@@ -29,6 +29,7 @@
 #include "core/relief/stereo.h"
 #include "core/session/large/memory_guard.h"
 #include "tests/ui/gui_fixture.h"
+#include "ui/dialogs/depth_map_dialog.h"
 #include "ui/figure/figure.h"
 #include "ui/language/error_text.h"
 #include "ui/language/language.h"
@@ -209,6 +210,18 @@ TEST_F(PseudoTest, ErrorsOfProjectsAndOfOddFilesAreTranslatedAndNameNoLibrary) {
       EXPECT_TRUE(said.contains(" 3)")) << "the line: " << said.toStdString();
     }
   }
+}
+
+TEST_F(PseudoTest, TheDepthMapsDialogSaysOfAnUnknownUnitInTheWindowsLanguage) {
+  window().open(writeRelief());
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
+  ASSERT_EQ(document().surface()->unit_source, UnitSource::assumed);
+  ASSERT_TRUE(window().runCommand("depth_map"));
+  const auto* dialog = window().findChild<DepthMapDialog*>();
+  ASSERT_TRUE(waitFor([dialog] { return !dialog->isStale(); }));
+  EXPECT_FALSE(dialog->summary().contains("one file unit")) << dialog->summary().toStdString();
+  EXPECT_TRUE(dialog->summary().contains(QString::fromUtf8("cárry nó ünít")))
+      << dialog->summary().toStdString();
 }
 
 TEST_F(PseudoTest, ErrorsOfMemoryAndDiskAreTranslatedAndOthersStayAsTheyAre) {

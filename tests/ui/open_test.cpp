@@ -65,6 +65,22 @@ TEST_F(OpenTest, AScanOpensWholeWithBothViewsFilled) {
   EXPECT_TRUE(window().windowTitle().contains("relief.ply"));
 }
 
+TEST_F(OpenTest, ARegionBesideTheMapIsToldAndTheWholeMapIsShown) {
+  OpenRequest request;
+  request.file = writeRelief();
+  request.unit = LengthUnit::mm;
+  request.view = ViewChoice{"top", {}};
+  request.region = RectMm{.x_mm = 900, .y_mm = 20, .width_mm = 50, .height_mm = 50};
+  window().open(request);
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
+  EXPECT_EQ(window().message(), "There is nothing of the object in this region. Choose another.");
+  EXPECT_EQ(document().project().region, wholeRegion(document().surface()->ladder));
+  request.region->x_mm = 220;  // A part of it lies on the map.
+  window().open(request);
+  ASSERT_TRUE(waitFor([this] { return document().project().region.x_mm == 220; }));
+  EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
+}
+
 TEST_F(OpenTest, AMissingFileIsSaidAboveTheViewsAndKeepsTheScanBefore) {
   openRelief();
   const DocumentState before = document().state();

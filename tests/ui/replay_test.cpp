@@ -337,6 +337,52 @@ TEST(StripPlot, EventsAreMarkedAtTheirTimes) {
   EXPECT_NEAR(late.center().x() - early.center().x(), ends.width() / 2, 3);
 }
 
+/// From left to right, [first, last] columns with ink; parts of one number lie closer than `gap`.
+QVector<QPair<int, int>> inkOf(const QImage& image, int gap) {
+  QVector<QPair<int, int>> runs;
+  for (int x = 0; x < image.width(); ++x) {
+    bool is_ink = false;
+    // The upper third has the marks of the scale.
+    for (int y = image.height() / 3; y < image.height() && !is_ink; ++y) {
+      is_ink = qGray(image.pixel(x, y)) < 128;
+    }
+    if (!is_ink) continue;
+    if (!runs.isEmpty() && x - runs.back().second < gap) {
+      runs.back().second = x;
+    } else {
+      runs.append({x, x});
+    }
+  }
+  return runs;
+}
+
+TEST(StripPlot, NumbersOfSecondsDoNotTouchEachOtherHoweverNarrowThePlotIs) {
+  QWidget parent;
+  StripPlot plot("Height", "z (mm)", {"Hand"}, 10, &parent);
+  plot.setColours(Qt::white, Qt::lightGray, Qt::black, {QPen(Qt::blue)});
+  QFont large = parent.font();
+  large.setPointSizeF(20);
+  plot.takeFont(large);
+  large.setPointSizeF(0.85 * large.pointSizeF());
+  const QFontMetrics metrics(large);
+  QWidget* axis = plot.widget()->findChild<QWidget*>("QwtPlotAxisXBottom");
+  ASSERT_NE(axis, nullptr);
+  QVector<int> counts;
+  for (const int width : {1200, 500, 320, 290}) {
+    plot.widget()->resize(width, 200);
+    plot.replot();
+    plot.widget()->grab();  // Lays out what was resized while it was not shown.
+    const QImage image = plot.widget()->grab(axis->geometry()).toImage();
+    const auto numbers = inkOf(image, metrics.horizontalAdvance('0') / 2);
+    counts << numbers.size();
+    for (const auto& [first, last] : numbers) {
+      EXPECT_LE(last - first, metrics.horizontalAdvance("-10")) << width;
+    }
+  }
+  EXPECT_EQ(counts.front(), 6) << "every two seconds";
+  EXPECT_EQ(counts.back(), 2) << "one at each end";
+}
+
 TEST(StripPlot, ARoundingDoesNotLookLikeAJump) {
   QWidget parent;
   StripPlot plot("Height", "z (mm)", {"z"}, 10, &parent);

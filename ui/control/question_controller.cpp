@@ -10,6 +10,7 @@
 #include "core/depth/rules/rasterize.h"
 #include "core/session/source/unit_guess.h"
 #include "ui/dialogs/raster_scale_dialog.h"
+#include "ui/language/unit_doubt.h"
 #include "ui/style/text.h"
 #include "ui/work/pictures/depth_map_picture.h"
 
@@ -194,46 +195,21 @@ void QuestionController::askFace(const std::vector<std::pair<std::string, QImage
 void QuestionController::askUnit() {
   const Surface& surface = *document_.surface();
   if (!surface.info.bounds) return;
-  const FilePoint size = surface.info.bounds->max - surface.info.bounds->min;
-  const auto number = [](double v) {
-    return QLocale().toString(v, 'g', 4).remove(QLocale().groupSeparator());
-  };
-  const bool guessed = surface.unit_source == UnitSource::guessed;
-  const bool assumed = surface.unit_source == UnitSource::assumed || guessed;
+  const bool assumed =
+      surface.unit_source == UnitSource::assumed || surface.unit_source == UnitSource::guessed;
   const LengthUnit likely = assumed ? guessUnit(surface.info).unit : surface.unit;
   std::vector<MessageStrip::Button> buttons;
-  QStringList sizes;
-  // Rare ones are left out; the panel has every unit. Of map projections there are no small ones.
-  const std::vector<LengthUnit> units =
-      guessed   ? std::vector{LengthUnit::m, LengthUnit::ft, LengthUnit::us_ft, LengthUnit::mm}
-      : assumed ? std::vector{LengthUnit::mm, LengthUnit::cm, LengthUnit::m}
-                : std::vector{LengthUnit::mm, LengthUnit::cm, LengthUnit::m, LengthUnit::in};
+  const std::vector<LengthUnit> units = unitsToOffer(surface);
   for (const LengthUnit unit : units) {
     QString text = unitText(unit);
     text[0] = text[0].toUpper();
     const MessageStrip::Button button{text, [this, unit] { chooseUnit(unit); }};
     buttons.insert(unit == likely ? buttons.begin() : buttons.end(), button);  // For Ctrl+Return.
-    const double mm = mmPer(unit);
-    sizes << tr("in %1 %2").arg(unitText(unit), sizeText({mm * size.x, mm * size.y, mm * size.z}));
   }
-  const QString numbers =
-      tr("%1 \u00d7 %2 \u00d7 %3").arg(number(size.x), number(size.y), number(size.z));
-  if (!assumed) {
-    messages_.show(tr("%1: %2. Which unit?").arg(numbers, sizes.join(QStringLiteral("; "))),
-                   buttons);
-    return;
-  }
-  if (guessed) {
-    messages_.show(tr("The points carry no unit. %1 \u2013 %2. The coordinates are those of a map "
-                      "projection; shown as %3 until you say. (E103)")
-                       .arg(numbers, sizes.join(QStringLiteral("; ")), unitText(likely)),
-                   buttons);
-    return;
-  }
-  messages_.show(tr("The points carry no unit. %1 \u2013 %2. Most likely %3. Shown as millimetres "
-                    "until you say. (E103)")
-                     .arg(numbers, sizes.join(QStringLiteral("; ")), unitText(likely)),
-                 buttons);
+  messages_.show(
+      assumed ? unitDoubt(surface)
+              : tr("%1: %2. Which unit?").arg(unitlessSize(surface), sizesInUnits(surface, units)),
+      buttons);
 }
 
 // A picture of heights says neither how far apart its pixels lie nor how high a step is.

@@ -9,6 +9,7 @@
 #include "ui/control/touch_controller.h"
 #include "ui/dialogs/depth_map_dialog.h"
 #include "ui/style/mnemonic.h"
+#include "ui/style/text.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/scan_view.h"
 
@@ -88,9 +89,7 @@ void SurfaceController::moveWindow(double dx, double dy, const QString& moved) {
   }
   const Region& region = document_.project().region;
   announce(tr("%1. Window at %2, %3 mm")
-               .arg(moved)
-               .arg(region.x_mm, 0, 'f', 1)
-               .arg(region.y_mm, 0, 'f', 1));
+               .arg(moved, numberText(region.x_mm, 1), numberText(region.y_mm, 1)));
 }
 
 void SurfaceController::useThisView() {

@@ -12,8 +12,10 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "core/session/source/unit_guess.h"
 #include "ui/dialogs/depth_map_form.h"
 #include "ui/language/core_text.h"
+#include "ui/language/unit_doubt.h"
 #include "ui/style/dialog_size.h"
 #include "ui/style/text.h"
 
@@ -103,7 +105,11 @@ QString detailsText(const Surface& surface) {
   lines << holesText(surface);
   if (surface.losses) lines << lossesText(*surface.losses);
   for (const std::string& undone : surface.not_done) lines << QString::fromStdString(undone);
-  for (const std::string& message : surface.messages) lines << QString::fromStdString(message);
+  const std::string unit = unitWords(surface.info, {surface.unit, surface.unit_source});
+  for (const std::string& message : surface.messages) {
+    const bool is_of_unit = message == unit && surface.info.bounds;
+    lines << (is_of_unit ? unitDoubt(surface) : QString::fromStdString(message));
+  }
   return lines.join('\n');
 }
 

@@ -18,8 +18,8 @@
 #include <QStyle>
 #include <QVBoxLayout>
 
+#include "core/relief/eye_angle.h"
 #include "core/relief/look.h"
-#include "core/relief/stereo.h"
 #include "ui/dialogs/device_trust_box.h"
 #include "ui/language/core_text.h"
 #include "ui/language/language.h"
@@ -144,9 +144,9 @@ void PreferencesDialog::addChoice(const Field& about, const QVariant& fallback,
 void PreferencesDialog::addNumber(const Field& about, double fallback, double low, double high,
                                   double step, const QString& suffix) {
   auto* box = new QDoubleSpinBox;
+  box->setDecimals(low < 0.1 && low > 0 ? 2 : step < 1 ? 1 : 0);  // Else the least would be 0.
   box->setRange(low, high);
   box->setSingleStep(step);
-  box->setDecimals(step < 1 ? 1 : 0);
   box->setSuffix(suffix);
   box->setKeyboardTracking(false);  // A size typed halfway would change the window under it.
   box->setValue(settings_.choice(QString::fromLatin1(about.key), fallback).toDouble());
@@ -267,7 +267,8 @@ void PreferencesDialog::makeStereo() {
             true);
   addNumber({"stereo_angle", tr("Eye separation"),
              tr("Angle between the two eyes' directions at the start, without automatic depth")},
-            StereoOptions{}.eye_angle_deg, 0.5, kMostEyeAngleDeg, 0.5, QStringLiteral("\u00b0"));
+            StereoOptions{}.eye_angle_deg, kLeastEyeAngleDeg, kMostEyeAngleDeg, 0.5,
+            QStringLiteral("\u00b0"));
   addSwitch({"stereo_comfort", tr("Keep comfortable"),
              tr("Less eye separation where it would pass 1 degree of parallax")},
             true);

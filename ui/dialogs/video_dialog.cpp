@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "core/relief/eye_angle.h"
 #include "ui/language/core_text.h"
 #include "ui/style/dialog_size.h"
 #include "ui/style/mnemonic.h"
@@ -167,7 +168,7 @@ void VideoDialog::addStereo(QFormLayout* form) {
   }
   angle_ = field<QDoubleSpinBox>(form, tr("Eye sep&aration"), "video_eye_angle",
                                  tr("Angle between the two eyes' directions"));
-  angle_->setRange(0.5, 20);
+  angle_->setRange(kLeastEyeAngleDeg, kMostEyeAngleDeg);
   angle_->setSingleStep(0.5);
   angle_->setSuffix(QStringLiteral("\u00b0"));
   angle_->setValue(start_.request.eye_angle_deg);

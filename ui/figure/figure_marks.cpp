@@ -5,11 +5,11 @@
 #include <QPainterPath>
 
 #include "ui/figure/label_place.h"
+#include "ui/vtk/window_pink.h"
 
 namespace relievo {
 namespace {
 
-const QColor kWindowPink(0xff, 0x4f, 0xa3);
 const QColor kWindowRim(40, 12, 26);
 
 void outline(FigureInk& ink, const PanelSpace& space, const Region& r) {
@@ -17,7 +17,7 @@ void outline(FigureInk& ink, const PanelSpace& space, const Region& r) {
   ink.painter().setBrush(Qt::NoBrush);
   ink.painter().setPen(ink.pen(kWindowRim, 2.2));
   ink.painter().drawRect(frame);
-  ink.painter().setPen(ink.pen(kWindowPink, 1.2));
+  ink.painter().setPen(ink.pen(QColor(kPink[0], kPink[1], kPink[2]), 1.2));
   ink.painter().drawRect(frame);
 }
 

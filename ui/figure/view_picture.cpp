@@ -23,8 +23,6 @@
 namespace relievo {
 namespace {
 
-constexpr double kScreenDpi = 96;  // A TIFF must say one.
-
 /// @param colour  "#rrggbb"
 std::array<double, 3> channels(const std::string& colour) {
   const auto channel = [&](std::size_t at) {

@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <QPainter>
 
+#include "ui/vtk/window_pink.h"
+
 namespace relievo {
 namespace {
 
 constexpr QSize kSize(150, 110);
 constexpr int kMargin = 16;  // From the view's corner.
 constexpr double kPadding = 8;
-constexpr QRgb kPink = 0xffff4fa3;
 
 }  // namespace
 
@@ -46,7 +47,7 @@ void OverviewInset::paintEvent(QPaintEvent* /*event*/) {
   painter.setBrush(QColor(200, 197, 190, 60));
   painter.drawRect(QRectF(map.left_mm, map.bottom_mm, map.width_mm, map.height_mm));
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(pen(QColor::fromRgb(kPink), 2));
+  painter.setPen(pen(QColor(kPink[0], kPink[1], kPink[2]), 2));
   painter.drawRect(QRectF(region.x_mm, region.y_mm, region.side_mm, region.side_mm));
 }
 

@@ -15,6 +15,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "core/relief/eye_angle.h"
 #include "ui/frame/side_panels.h"
 #include "ui/language/core_text.h"
 #include "ui/style/text.h"
@@ -92,9 +93,9 @@ StereoPanel::StereoPanel(QWidget* parent)
   angle_->setToolTip(
       tr("Angle between the two eyes' directions; more gives more depth. A value of "
          "your own ends the automatic depth"));
-  angle_->setRange(0.5, kMostEyeAngleDeg);
+  angle_->setDecimals(2);
+  angle_->setRange(kLeastEyeAngleDeg, kMostEyeAngleDeg);
   angle_->setSingleStep(0.5);
-  angle_->setDecimals(1);
   angle_->setSuffix(QStringLiteral("\u00b0"));
   angle_->setValue(first.eye_angle_deg);
   automatic_->setObjectName(QStringLiteral("zero_plane_auto"));
@@ -229,7 +230,7 @@ StereoOptions StereoPanel::options() const {
 
 StereoOptions StereoPanel::optionsFor(const Shown& shown) const {
   StereoOptions o = wanted_;
-  o.eye_angle_deg = std::max(drawnDeg(shown), 0.01);
+  o.eye_angle_deg = std::max(drawnDeg(shown), kLeastEyeAngleDeg);
   return o;
 }
 

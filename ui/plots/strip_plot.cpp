@@ -11,6 +11,8 @@
 #include <qwt_scale_draw.h>
 #include <qwt_scale_map.h>
 #include <qwt_text.h>
+#include <algorithm>
+#include <array>
 #include <QFont>
 #include <QFontMetrics>
 #include <QPainter>
@@ -21,9 +23,11 @@ namespace relievo {
 namespace {
 
 constexpr double kLabelSize = 0.85;      // Of the window's text.
-constexpr double kLargeTextPoints = 14;  // From here on fewer numbers fit beside the plot.
+constexpr double kLargeTextPoints = 14;  // From here on fewer heights fit beside the plot.
 constexpr int kLeastLines = 5;
-constexpr double kTickEveryS = 2, kLargeTickEveryS = 5;
+constexpr std::array<double, 2> kTicksEveryS{2, 5};  // The closest first; else one at each end.
+constexpr double kApart = 1.3;                       // Middles of numbers, in their widths.
+constexpr int kMostNumbers = 8;
 
 /// Small triangles at the upper edge, as the axes in colour and size.
 class EventMarks : public QwtPlotItem {
@@ -45,6 +49,54 @@ class EventMarks : public QwtPlotItem {
   }
 };
 
+/// As many numbers of seconds below the curves as do not touch each other.
+class NumberedPlot : public QwtPlot {
+ public:
+  explicit NumberedPlot(QWidget* parent) : QwtPlot(parent) {}
+
+  void showLast(double seconds) { setTimes(-seconds, 0, true); }
+  void showBetween(double low_s, double high_s) { setTimes(low_s, high_s, false); }
+  void updateLayout() override {
+    QwtPlot::updateLayout();
+    fitNumbers();
+  }
+
+ private:
+  void setTimes(double low_s, double high_s, bool is_last) {
+    low_s_ = low_s;
+    high_s_ = high_s;
+    is_last_ = is_last;
+    step_s_ = 0;
+    setAxisScale(xBottom, low_s, high_s);
+    fitNumbers();
+  }
+  double numberWidth() const {
+    const QwtScaleDraw* draw = axisScaleDraw(xBottom);
+    const QFont font = axisFont(xBottom);
+    return std::max(draw->label(low_s_).textSize(font).width(),
+                    draw->label(high_s_).textSize(font).width());
+  }
+  void fitNumbers() {
+    const double between = canvas()->width() / std::max(1.0, kApart * numberWidth());
+    if (!is_last_) {
+      setAxisMaxMajor(xBottom, std::clamp(static_cast<int>(between), 1, kMostNumbers));
+      return;
+    }
+    const double length_s = high_s_ - low_s_;
+    const auto fits = [&](double step_s) { return length_s / step_s <= between; };
+    const auto* const step = std::find_if(kTicksEveryS.begin(), kTicksEveryS.end(), fits);
+    const double every_s = step == kTicksEveryS.end() ? length_s : *step;
+    if (every_s == step_s_) return;
+    step_s_ = every_s;
+    setAxisScale(xBottom, low_s_, high_s_, every_s);
+    updateAxes();
+  }
+
+  double low_s_ = 0, high_s_ = 1;
+  double step_s_ = 0;  ///< Between numbers; 0: not known yet.
+  bool is_last_ = false;
+};
+
 QwtText labelIn(const QFont& font, QwtText label) {
   label.setFont(font);
   return label;
@@ -54,7 +106,7 @@ QwtText labelIn(const QFont& font, QwtText label) {
 
 StripPlot::StripPlot(const QString& name, const QString& axis, const QStringList& curves,
                      double seconds, QWidget* parent)
-    : plot_(new QwtPlot(parent)), seconds_(seconds) {
+    : plot_(new NumberedPlot(parent)) {
   plot_->setAccessibleName(name);
   plot_->setToolTip(name);
   plot_->setAxisTitle(QwtPlot::yLeft, axis);
@@ -79,6 +131,7 @@ StripPlot::StripPlot(const QString& name, const QString& axis, const QStringList
   auto* legend = new QwtLegend;
   legend->setMaxColumns(1);
   plot_->insertLegend(legend, QwtPlot::RightLegend);
+  static_cast<NumberedPlot*>(plot_)->showLast(seconds);
   takeFont(plot_->font());
 }
 
@@ -97,10 +150,7 @@ void StripPlot::takeFont(const QFont& text) {
   plot_->setMinimumHeight(kLeastLines * QFontMetrics(font).height());
   const bool large = text.pointSizeF() >= kLargeTextPoints;
   plot_->setAxisMaxMajor(QwtPlot::yLeft, large ? 2 : 4);
-  plot_->setAxisMaxMajor(QwtPlot::xBottom, large ? 4 : 8);
-  if (seconds_ > 0) {
-    plot_->setAxisScale(QwtPlot::xBottom, -seconds_, 0, large ? kLargeTickEveryS : kTickEveryS);
-  }
+  plot_->updateLayout();
 }
 
 QWidget* StripPlot::widget() const {
@@ -126,8 +176,7 @@ void StripPlot::setCurve(int index, const QVector<QPointF>& points) {
 }
 
 void StripPlot::setTimes(double low_s, double high_s) {
-  seconds_ = 0;
-  plot_->setAxisScale(QwtPlot::xBottom, low_s, high_s);
+  static_cast<NumberedPlot*>(plot_)->showBetween(low_s, high_s);
 }
 
 void StripPlot::setCursor(double x_s) {

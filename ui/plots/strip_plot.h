@@ -44,7 +44,6 @@ class StripPlot {
 
  private:
   QwtPlot* plot_;
-  double seconds_;                   ///< On show before now; 0: what setTimes() said.
   QVector<QwtPlotCurve*> curves_;    ///< Owned by the plot.
   QwtPlotMarker* cursor_ = nullptr;  ///< Likewise; null: never set.
   QwtPlotItem* events_ = nullptr;    ///< Likewise.

@@ -20,9 +20,9 @@ namespace relievo {
 namespace {
 
 /// NAME-prepared.ply, NAME-prepared-2.ply, ... beside the scan: the first that is free.
-QString freeName(const QFileInfo& scan) {
-  const QString base = scan.absolutePath() + '/' +
-                       stemOf(scan.filePath(), QStringLiteral("-prepared-9999.recipe.json"));
+QString freeName(const QString& scan) {
+  const QString base =
+      QDir(folderFor(scan)).filePath(stemOf(scan, QStringLiteral("-prepared-9999.recipe.json")));
   QString file = base + QLatin1String("-prepared.ply");
   for (int n = 2; QFileInfo::exists(file); ++n) {
     file = QStringLiteral("%1-prepared-%2.ply").arg(base).arg(n);
@@ -56,7 +56,7 @@ PreparedFileRow::PreparedFileRow() {
 }
 
 void PreparedFileRow::suggestBeside(const QString& scan) {
-  file_->setText(QDir::toNativeSeparators(freeName(QFileInfo(scan))));
+  file_->setText(QDir::toNativeSeparators(freeName(scan)));
 }
 
 QString PreparedFileRow::file() const {

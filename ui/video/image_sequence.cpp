@@ -13,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kScreenDpi = 96;
-
 fs::path frameName(const fs::path& folder, std::uint64_t number) {
   std::array<char, 32> name{};
   std::snprintf(name.data(), name.size(), "frame_%06llu.png",

@@ -15,11 +15,12 @@
 #include "core/prepare/recipe.h"
 #include "ui/style/palette.h"
 #include "ui/style/text.h"
+#include "ui/views/view_pixels.h"
+#include "ui/vtk/window_pink.h"
 
 namespace relievo {
 namespace {
 
-constexpr int kFocusFrame = 2;   // Pixels around the picture that show the focus.
 constexpr double kReachPx = 12;  // Of the cross.
 constexpr double kTurnDeg = 5;   // A key press; with Shift a degree.
 constexpr double kDragDegPerPx = 0.4;
@@ -29,8 +30,6 @@ constexpr double kFreehandPx = 4;    // Between corners of an outline drawn with
 constexpr std::size_t kFluentPoints = 120'000;  // Drawn in a blink without a graphics card.
 constexpr int kStillMs = 200;
 constexpr int kFreehandCorners = 3;  // A drag that set so many drew the whole outline.
-
-const QColor kPink(0xff, 0x4f, 0xa3);
 
 }  // namespace
 
@@ -244,16 +243,16 @@ void CloudView::shiftBy(const QPointF& pixels) {
 }
 
 PictureSize CloudView::pictureSize() const {
-  return {std::max(1, width() - 2 * kFocusFrame), std::max(1, height() - 2 * kFocusFrame)};
+  return {std::max(1, width() - 2 * kFocusFramePx), std::max(1, height() - 2 * kFocusFramePx)};
 }
 
 QPointF CloudView::toPicture(const QPointF& at) const {
-  return at - QPointF(kFocusFrame, kFocusFrame);
+  return at - QPointF(kFocusFramePx, kFocusFramePx);
 }
 
 QPointF CloudView::pixelOf(const FilePoint& p) const {
   const PicturePlace place = placeOf(camera_, pictureSize(), p);
-  return QPointF(place.x, place.y) + QPointF(kFocusFrame, kFocusFrame);
+  return QPointF(place.x, place.y) + QPointF(kFocusFramePx, kFocusFramePx);
 }
 
 std::optional<FilePoint> CloudView::pointAt(const QPointF& at) const {
@@ -487,7 +486,8 @@ void CloudView::resizeEvent(QResizeEvent* /*event*/) {
   if (tool_ == Tool::turn || !QRectF(rect()).contains(cross_)) cross_ = QRectF(rect()).center();
   if (fitted_) fit();
   // Draws at once: after the camera is right.
-  canvas_->setGeometry(rect().adjusted(kFocusFrame, kFocusFrame, -kFocusFrame, -kFocusFrame));
+  canvas_->setGeometry(
+      rect().adjusted(kFocusFramePx, kFocusFramePx, -kFocusFramePx, -kFocusFramePx));
   overlay_->setGeometry(rect());
   overlay_->raise();
   canvas_->requestRender();
@@ -513,6 +513,7 @@ void CloudView::focusOutEvent(QFocusEvent* event) {
 
 void CloudView::drawOver(QPainter& painter) const {
   const double scale = textScale();
+  const QColor pink(kPink[0], kPink[1], kPink[2]);
   // A dark line below a light one shows on any ground.
   const auto stroke = [&](const auto& draw, const QColor& colour) {
     painter.setPen(QPen(Qt::black, 4 * scale));
@@ -526,17 +527,17 @@ void CloudView::drawOver(QPainter& painter) const {
     const PictureSize size = pictureSize();
     const double unit = camera_.height / size.height;
     for (const auto& c : outline_->corners) {
-      polygon << QPointF(0.5 * size.width + (c[0] - middle[0]) / unit + kFocusFrame,
-                         0.5 * size.height - (c[1] - middle[1]) / unit + kFocusFrame);
+      polygon << QPointF(0.5 * size.width + (c[0] - middle[0]) / unit + kFocusFramePx,
+                         0.5 * size.height - (c[1] - middle[1]) / unit + kFocusFramePx);
     }
     stroke([&] { outline_open_ ? painter.drawPolyline(polygon) : painter.drawPolygon(polygon); },
-           kPink);
+           pink);
   }
   for (const Mark& mark : marks_) {
     const QPointF at = pixelOf(mark.at);
     const double r = 6 * scale;
     painter.setBrush(Qt::NoBrush);
-    stroke([&] { painter.drawEllipse(at, r, r); }, kPink);
+    stroke([&] { painter.drawEllipse(at, r, r); }, pink);
     QFont bold = font();
     bold.setBold(true);
     painter.setFont(bold);

@@ -28,6 +28,7 @@
 #include "ui/views/overlays/cell_legend.h"
 #include "ui/views/overlays/colour_bar.h"
 #include "ui/views/overlays/grid_painter.h"
+#include "ui/views/view_pixels.h"
 #include "ui/vtk/scale_length.h"
 #include "ui/vtk/shader_warmup.h"
 #include "ui/work/scheduling/render_scheduler.h"
@@ -35,8 +36,6 @@
 namespace relievo {
 namespace {
 
-constexpr double kPlainDpi = 96;
-constexpr int kFocusFrame = 2;  // Pixels around the picture that show the focus.
 constexpr int kPatienceMs = 100;
 
 class AccessibleView : public QAccessibleWidget {
@@ -568,7 +567,8 @@ void SurfaceView::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void SurfaceView::resizeEvent(QResizeEvent* /*event*/) {
-  canvas_->setGeometry(rect().adjusted(kFocusFrame, kFocusFrame, -kFocusFrame, -kFocusFrame));
+  canvas_->setGeometry(
+      rect().adjusted(kFocusFramePx, kFocusFramePx, -kFocusFramePx, -kFocusFramePx));
   bar_->place();
   legend_->place();
   labels_->place();

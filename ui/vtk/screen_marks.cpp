@@ -13,6 +13,8 @@
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "ui/vtk/window_pink.h"
+
 namespace relievo {
 namespace {
 

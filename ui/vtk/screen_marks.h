@@ -17,8 +17,6 @@
 
 namespace relievo {
 
-inline constexpr std::array<std::uint8_t, 3> kPink{0xff, 0x4f, 0xa3};
-
 /// What is drawn flat on the picture, in whole pixels, over everything else: the pink window and
 /// the scale bar.
 class ScreenMarks {

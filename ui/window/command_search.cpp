@@ -108,7 +108,9 @@ void CommandSearch::showMatches() {
     for (int i = 0; i < commands_.size(); ++i) {
       const QAction* command = commands_[i];
       if (match(command, words) != wanted) continue;
-      QString text = QStringLiteral("%1 \u2013 %2").arg(nameOf(command), command->whatsThis());
+      QString text = nameOf(command);
+      const QString explained = command->whatsThis();
+      if (!explained.isEmpty() && explained != text) text += QStringLiteral(" \u2013 ") + explained;
       if (!command->shortcuts().isEmpty()) {
         text += QStringLiteral("  (%1)").arg(
             command->shortcuts().front().toString(QKeySequence::NativeText));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <QFileInfo>
 
+#include "core/base/failure.h"
 #include "core/provenance/program.h"
 #include "ui/language/error_text.h"
 #include "ui/work/file_names.h"
@@ -95,7 +96,11 @@ QString placeWindow(const LoadJob& job, DocumentState& next) {
   }
   if (job.kept) keepPlace(*job.kept, ladder, next.project);
   try {
-    if (job.open.region) region = regionFromRect(ladder, *job.open.region);
+    if (job.open.region) {
+      const Region asked = regionFromRect(ladder, *job.open.region);
+      if (!onMap(ladder, asked)) throw failure<MessageId::nothing_in_region>();
+      region = asked;
+    }
     for (int d = 1; job.open.detail && d < *job.open.detail && !job.open.region; ++d) {
       const StepAbout about{region.centreX(), region.centreY(), false};
       region = finer(ladder, region, about).value_or(region);

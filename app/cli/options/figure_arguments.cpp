@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/options/eye_angle_range.h"
 #include "app/cli/options/number_option.h"
 #include "core/base/failure.h"
 
@@ -66,7 +67,7 @@ void addFigureOptions(CLI::App& verb, FigureArguments& a) {
   addLookOptions(verb, a.look);
   verb.add_option("--stereo", a.stereo, listOf(kPaperStereoNames));
   takes(verb.add_option("--eye-angle", a.eye_angle_deg, "Between the eyes' directions, degrees; 4"),
-        {.low = 0.01, .high = 20, .unit = "degrees"});
+        kEyeAngles);
   takes(verb.add_option("--zero-plane", a.zero_plane_mm, "Height of zero parallax, mm; mid height"),
         {.low = -kFarMm, .high = kFarMm, .unit = "mm"});
   verb.add_flag("--swap-eyes", a.swap_eyes, "Left and right eye change places");

@@ -3,28 +3,63 @@
 
 #include <string>
 
+#include "app/cli/options/look_arguments.h"
 #include "app/cli/verb.h"
+#include "core/session/large/large_map.h"
 
 namespace relievo::batch {
+namespace {
 
-void tellUnusedMapOptions(const MapArguments& a, const Surface& surface) {
-  if (!surface.is_raster || a.as_recorded) return;
-  const auto tellUnused = [](const std::string& option, bool given, const std::string& why) {
-    if (given) tell(option + " changes nothing here: " + why);
-  };
-  const std::string raster = "a raster keeps its cells and heights.";
-  tellUnused("--cells", a.cells.has_value(), raster);
-  tellUnused("--spacing", a.spacing_mm.has_value(), raster);
-  tellUnused("--engine", a.engine != MapArguments{}.engine, raster);
-  tellUnused("--rule", !a.rule.empty() && a.rule != "auto", raster);
-  tellUnused("--strays", a.strays != MapArguments{}.strays, raster);
-  tellUnused("--every", a.scan.every != MapArguments{}.scan.every, raster);
-  if (surface.engine != "as stored") return;
+constexpr const char* kRaster = "a raster keeps its cells and heights.";
+
+void tellUnused(const std::string& option, bool given, const std::string& why) {
+  if (given) tell(option + " changes nothing here: " + why);
+}
+
+/// @param is_own  relievo wrote the raster
+void tellUnusedOfRaster(const MapArguments& a, bool is_own) {
+  const MapArguments none;
+  tellUnused("--cells", a.cells.has_value(), kRaster);
+  tellUnused("--spacing", a.spacing_mm.has_value(), kRaster);
+  tellUnused("--engine", a.engine != none.engine, kRaster);
+  tellUnused("--rule", !a.rule.empty() && a.rule != "auto", kRaster);
+  tellUnused("--strays", a.strays != none.strays, kRaster);
+  tellUnusedScanOptions(a.scan);
+  if (!is_own) return;
   // What says no more than what is: millimetres, seen from above.
   const std::string own = "a map that relievo wrote is taken as it is.";
   tellUnused("--unit", !a.unit.empty() && a.unit != "mm", own);
   tellUnused("--view", !a.view.empty() && a.view != "top" && a.view != "auto", own);
   tellUnused("--turn", !a.turn.empty(), own);
+}
+
+}  // namespace
+
+void tellUnusedMapOptions(const MapArguments& a, const Surface& surface) {
+  if (!surface.is_raster || a.as_recorded) return;
+  tellUnusedOfRaster(a, surface.engine == "as stored");
+}
+
+void tellUnusedMapOptions(const MapArguments& a, const LargeMap& map) {
+  const bool is_own = map.engine == "as stored";
+  if (is_own || map.engine == "raster") tellUnusedOfRaster(a, is_own);
+}
+
+void tellUnusedScanOptions(const ScanArguments& a) {
+  const std::string points = "a raster has no points to be read.";
+  tellUnused("--reader", a.reader != ScanArguments{}.reader, points);
+  tellUnused("--parts", !a.parts.empty(), points);
+  tellUnused("--keep-withheld", a.keep_withheld, points);
+  tellUnused("--load-incomplete", a.accept_incomplete, points);
+  tellUnused("--every", a.every != ScanArguments{}.every, kRaster);
+}
+
+void requireRasterUse(const SurfaceOptions& options, const Surface& surface) {
+  const bool has_scale = surface.raster_scale.has_value();
+  const std::string raster = "a raster that relievo did not write";
+  requireUse("--pixel-size", options.raster.pixel_mm.has_value(), has_scale, raster);
+  requireUse("--height-scale", options.raster.height_mm.has_value(), has_scale, raster);
+  requireUse("--height-zero", options.raster.zero.has_value(), has_scale, raster);
 }
 
 }  // namespace relievo::batch

@@ -3,6 +3,7 @@
 
 #include "app/cli/json.h"
 #include "app/cli/options/look_arguments.h"
+#include "app/cli/options/map_option_use.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/report_text.h"
 #include "app/cli/state.h"
@@ -40,9 +41,12 @@ Source load(const ConvertArguments& a, const Task& task) {
   if (facts.kind == InputKind::scan) return {loadForVerb(a.map, task), std::nullopt};
   RasterMap raster =
       *openInput(a.map.file, {.import = {}, .by_tiles = false, .facts = facts}, task).raster;
-  Source source{makeSurface(raster, surfaceOptions(a.map), task), std::move(raster)};
+  const SurfaceOptions options = surfaceOptions(a.map);
+  Source source{makeSurface(raster, options, task), std::move(raster)};
+  requireRasterUse(options, source.surface);
   for (const std::string& message : source.surface.messages) tell(message);
   for (const std::string& message : source.surface.not_done) tell(message);
+  tellUnusedMapOptions(a.map, source.surface);
   return source;
 }
 

@@ -174,6 +174,7 @@ CommandResult runDepthmap(const DepthmapArguments& a, const Task& task) {
 VerbFiles filesOf(const DepthmapArguments& a) {
   VerbFiles files;
   for (const std::filesystem::path& file : filesOf(a.map, a.tiles)) files.reads(file);
+  files.namesMap("--output", a.out);
   if (a.tiles.memory_mb) {
     files.writesLevels(a.out);
   } else {

@@ -3,6 +3,8 @@
 
 #include <system_error>
 
+#include "core/base/failure.h"
+#include "core/io/export/export_grid.h"
 #include "core/io/raster/colour_raster.h"
 #include "core/project/embedded_state.h"
 #include "core/project/project_files.h"
@@ -85,6 +87,10 @@ void VerbFiles::writesMap(const fs::path& map) {
   writesColoursOf(map);
 }
 
+void VerbFiles::namesMap(const std::string& option, const fs::path& map) {
+  if (!map.empty()) maps.push_back({.option = option, .file = map});
+}
+
 void VerbFiles::writesColoursOf(const fs::path& map) {
   writes(colourFileOf(map));
   writes(intensityFileOf(map));
@@ -101,6 +107,10 @@ void VerbFiles::writesLevels(const fs::path& finest) {
 void check(const VerbFiles& files) {
   for (const fs::path& out : files.outputs) requireNotAnInput(out, files.inputs);
   requireDifferentFiles(files.outputs);
+  for (const VerbFiles::NamedMap& map : files.maps) {
+    if (exportFormatOf(map.file) == ExportFormat::geotiff) continue;
+    throw failure<MessageId::measure_name>(map.option, ".tif or .tiff", map.file.string());
+  }
 }
 
 }  // namespace relievo::batch

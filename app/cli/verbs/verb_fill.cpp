@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/cli/json.h"
+#include "app/cli/map_report.h"
 #include "app/cli/report_text.h"
 #include "app/cli/verb.h"
 #include "core/depth/colours/colour_fill.h"
@@ -64,16 +65,10 @@ CommandResult runFill(const FillArguments& a, const Task& task) {
     outcome.exit_code = 4;
   }
   if (filled.holes.empty()) tell("The map has no enclosed holes; nothing was filled.");
-  Json holes = Json::array();
-  for (const Hole& hole : filled.holes) {
-    holes.push_back({{"cells", hole.cells},
-                     {"area_mm2", hole.area_mm2},
-                     {"centre_mm", {hole.centre_x_mm, hole.centre_y_mm}},
-                     {"filled", hole.filled}});
-  }
   const auto done = std::count_if(filled.holes.begin(), filled.holes.end(),
                                   [](const Hole& h) { return h.filled; });
-  outcome.json = reportText(Json{{"file", a.out}, {"holes", holes}, {"filled", done}});
+  outcome.json =
+      reportText(Json{{"file", a.out}, {"holes", holesJson(filled.holes)}, {"filled", done}});
   outcome.lines = {a.out + ": " + std::to_string(done) + " of " +
                    std::to_string(filled.holes.size()) + " holes filled"};
   return outcome;
@@ -83,6 +78,7 @@ VerbFiles filesOf(const FillArguments& a) {
   VerbFiles files;
   files.reads(a.map.file);
   files.writesMap(a.out);
+  files.namesMap("--output", a.out);
   return files;
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/cli/json.h"
 #include "app/cli/map_report.h"
+#include "app/cli/options/map_option_use.h"
 #include "app/cli/published/published_input.h"
 #include "app/cli/report_text.h"
 #include "app/cli/verb.h"
@@ -58,6 +59,14 @@ std::string suspectText(const SuspectHeight& suspect) {
 
 Json jsonOf(const FilePoint& p) {
   return Json{p.x, p.y, p.z};
+}
+
+/// "[0.5,0.5,0.0] to [10.5,10.5,10.0]"
+std::string boxText(const FileBounds& box) {
+  const auto corner = [](const FilePoint& p) {
+    return Json{shownNumber(p.x), shownNumber(p.y), shownNumber(p.z)}.dump();
+  };
+  return corner(box.min) + " to " + corner(box.max);
 }
 
 Json jsonOf(const std::optional<FileBounds>& box) {
@@ -114,6 +123,7 @@ FileFacts readFacts(const InfoArguments& a, const InputFacts& facts, const Task&
   const OpenedInput source =
       openInput(a.file, {.import = importOptions(a.scan), .by_tiles = false, .facts = facts}, task);
   if (source.raster) {
+    tellUnusedScanOptions(a.scan);
     const RasterMap& raster = *source.raster;
     const std::optional<SuspectHeight> suspect = suspectHeight(raster);
     return {.info = raster.info,
@@ -166,8 +176,9 @@ void addValueLines(const FileFacts& facts, std::vector<std::string>& lines) {
                     (info.colour->source == "texture" ? " corners" : " points"));
   }
   if (facts.intensity) {
-    lines.push_back("intensities from " + roundTripText(std::array{facts.intensity->low}) + " to " +
-                    roundTripText(std::array{facts.intensity->high}));
+    const IntensityRange& range = *facts.intensity;
+    lines.push_back("intensities from " + roundTripText(std::array{shownNumber(range.low)}) +
+                    " to " + roundTripText(std::array{shownNumber(range.high)}));
   }
   for (const auto& [number, points] : facts.classes) {
     lines.push_back("class " + std::to_string(number) + ": " + std::to_string(points) + " points");
@@ -344,7 +355,7 @@ Json jsonOfFacts(const InfoArguments& a, const FileFacts& found, const UnitFacts
 }
 
 std::vector<std::string> linesOfFacts(const InfoArguments& a, const FileFacts& found,
-                                      const UnitFacts& unit, const Json& json) {
+                                      const UnitFacts& unit) {
   const ScanInfo& info = found.info;
   const std::string unit_name(name(unit.unit));
   // Names of a file's scans need not be UTF-8; JSON must be.
@@ -354,14 +365,13 @@ std::vector<std::string> linesOfFacts(const InfoArguments& a, const FileFacts& f
                                      std::to_string(info.faces) + " faces",
                                  "unit " + unit_name + " (" + std::string(name(unit.source)) + ")"};
   if (info.bounds) {
-    lines.push_back("from " + json["bounds"]["min"].dump() + " to " + json["bounds"]["max"].dump());
+    lines.push_back("from " + boxText(*info.bounds));
     const FilePoint size_mm = mmPer(unit.unit) * (info.bounds->max - info.bounds->min);
     lines.push_back("size " + sizeText(size_mm) +
                     (unit.isSaid() ? "" : ", if one unit is 1 " + unit_name));
   }
   if (found.box_in_use && found.box_in_use != info.bounds) {
-    lines.push_back("without what is left out from " + json["bounds_in_use"]["min"].dump() +
-                    " to " + json["bounds_in_use"]["max"].dump());
+    lines.push_back("without what is left out from " + boxText(*found.box_in_use));
   }
   addValueLines(found, lines);
   return lines;
@@ -379,7 +389,7 @@ CommandResult runInfo(const InfoArguments& a, const Task& task) {
   tellDoubts(found, unit);
   Json json = jsonOfFacts(a, found, unit);
   CommandResult outcome;
-  outcome.lines = linesOfFacts(a, found, unit, json);
+  outcome.lines = linesOfFacts(a, found, unit);
   if (addSet(a, json, outcome.lines)) outcome.exit_code = 5;
   outcome.json = reportText(json);
   return outcome;

@@ -35,12 +35,13 @@ struct MeasureArguments {
   std::string out, profile_csv, profile_svg, section_csv, section_svg;
 };
 
-/// @throw ArgumentError  no even count of numbers
+/// @throw ArgumentError  no even count of numbers, or a name without a letter
 Measurement measurementFrom(MeasureKind kind, const std::string& text, double plane_mm,
                             std::size_t number) {
   const std::string option = "--" + std::string(name(kind));
   const std::size_t equals = text.find('=');
   const bool named = equals != std::string::npos;
+  requireUse(option.c_str(), named, text.find_first_not_of(" \t") != equals, "a NAME before '='");
   Measurement m{.name = named ? text.substr(0, equals)
                               : std::string(name(kind)) + " " + std::to_string(number),
                 .kind = kind,

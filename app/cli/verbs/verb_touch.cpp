@@ -500,6 +500,7 @@ VerbFiles filesOf(const TouchArguments& a) {
   files.writes(a.out);
   files.writes(a.plot);
   files.writesMap(a.region.window_out);
+  files.namesMap("--window-out", a.region.window_out);
   return files;
 }
 

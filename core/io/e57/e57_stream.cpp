@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstring>
 
-#include "core/io/formats/scalar.h"
+#include "core/io/formats/little_endian.h"
 #include "core/io/worker/planted_fault.h"
 
 namespace relievo {
@@ -20,10 +20,6 @@ constexpr char kIndexPacket = 0, kDataPacket = 1, kEmptyPacket = 2;
 
 [[noreturn]] void refusePacket() {
   throw E57Fault("a packet of its points makes no sense");
-}
-
-std::uint64_t u16At(const std::string& bytes, std::size_t at) {
-  return loadAs<std::uint16_t>(bytes.data() + at, ByteOrder::little);
 }
 
 /// A packet with points: what comes before the streams' shares, and where these begin.
@@ -41,7 +37,7 @@ bool nextPacket(const E57Section& section, E57Pages& pages, std::uint64_t& at, D
     packet.head.clear();
     pages.read(at, kPacketHead, packet.head);
     const char kind = packet.head[0];
-    const std::uint64_t length = u16At(packet.head, 2) + 1;
+    const std::uint64_t length = std::uint64_t{u16At(packet.head, 2)} + 1;
     if (length % 4 != 0 || length > section.end - at) refusePacket();
     const std::uint64_t start = at;
     at += length;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/formats/little_endian.h"
 #include "core/io/formats/scalar.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
@@ -26,10 +27,6 @@ constexpr std::uint16_t kFaces = 0x4120;
 constexpr std::size_t kChunkHead = 6;  ///< Kind and length.
 constexpr std::size_t kVertexBytes = 12;
 constexpr std::size_t kFaceBytes = 8;  ///< Three corners and flags.
-
-std::uint16_t u16At(std::string_view bytes, std::size_t at) {
-  return loadAs<std::uint16_t>(bytes.data() + at, ByteOrder::little);
-}
 
 struct Chunk {
   std::uint16_t kind = 0;

@@ -9,8 +9,8 @@
 
 #include "core/io/file_check.h"
 #include "core/io/formats/lines.h"
+#include "core/io/formats/little_endian.h"
 #include "core/io/formats/number_text.h"
-#include "core/io/formats/scalar.h"
 #include "core/io/formats/unit_text.h"
 #include "core/io/worker/planted_fault.h"
 
@@ -28,10 +28,6 @@ constexpr std::uint16_t kVerticalSystem = 4096;
 constexpr std::uint16_t kUserDefined = 32767;
 constexpr std::uint16_t kLinearUnits = 3076;
 constexpr std::uint16_t kVerticalUnits = 4099;
-
-std::uint16_t u16At(std::string_view bytes, std::size_t at) {
-  return loadAs<std::uint16_t>(bytes.data() + at, ByteOrder::little);
-}
 
 /// What the file says; a later record wins over an earlier one.
 struct StatedUnits {

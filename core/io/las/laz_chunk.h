@@ -81,6 +81,8 @@ std::unique_ptr<LazChunkDecoder> openLazLayers(const LazLayout& layout, std::str
 
 /// Bytes beyond the end of a stream that coders may count on.
 inline constexpr std::size_t kLazSlack = 4;
+/// Points, before bytes that are missing are noticed.
+inline constexpr std::size_t kLazCheckEvery = 256;
 
 /// @throw LazDamage  more bytes were asked for than there are
 void requireEnough(const ArithmeticDecoder& decoder);

@@ -13,7 +13,6 @@
 namespace relievo {
 namespace {
 
-constexpr std::size_t kCheckEvery = 256;  ///< Points, before bytes that are missing are noticed.
 constexpr std::size_t kChannels = 4;
 constexpr std::size_t kPointBytes = 30;
 constexpr std::uint16_t kOwnChannelVersion = 4;
@@ -323,7 +322,7 @@ class LayersDecoder : public LazChunkDecoder {
     }
     for (std::size_t i = 0; i < count; ++i, records += first_.size()) {
       decodePoint(records);
-      if (i % kCheckEvery == 0) checkLayers();
+      if (i % kLazCheckEvery == 0) checkLayers();
     }
     checkLayers();
   }

@@ -11,8 +11,6 @@
 namespace relievo {
 namespace {
 
-constexpr std::size_t kCheckEvery = 256;  ///< Points, before bytes that are missing are noticed.
-
 /// By number of returns and return.
 constexpr std::array<std::array<std::uint8_t, 8>, 8> kReturnMap{{{15, 14, 13, 12, 11, 10, 9, 8},
                                                                  {14, 0, 1, 3, 6, 10, 10, 9},
@@ -184,7 +182,7 @@ class StreamDecoder : public LazChunkDecoder {
     }
     for (std::size_t i = 0; i < count; ++i, records += first_.size()) {
       for (const Placed& item : items_) item.what->decode(decoder_, records + item.at);
-      if (i % kCheckEvery == 0) requireEnough(decoder_);
+      if (i % kLazCheckEvery == 0) requireEnough(decoder_);
     }
     requireEnough(decoder_);
   }

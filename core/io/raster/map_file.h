@@ -4,12 +4,16 @@
 // Only for the .cpp files of core/io and core/tiles that read and write maps: how a map's files say
 // what they are.
 #include <filesystem>
+#include <limits>
 #include <string_view>
 
 namespace relievo {
 
 inline constexpr std::string_view kOriginContent =
     "origins";  ///< RELIEVO_CONTENT of NAME.origin.tif.
+
+/// What a map's file has in cells without a height.
+inline constexpr float kNoHeight = std::numeric_limits<float>::quiet_NaN();
 
 /// Holds the state a file was made with (MapFileOptions::state).
 inline constexpr const char* kDescriptionTag = "TIFFTAG_IMAGEDESCRIPTION";

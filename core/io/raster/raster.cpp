@@ -29,8 +29,6 @@ namespace {
 constexpr std::uint64_t kMaxCells = 400'000'000;
 constexpr std::uint64_t kMaxBlockBytes = std::uint64_t{1} << 30U;
 constexpr double kSquareTolerance = 1e-6;  ///< Relative; the header's promise about pixels.
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
   throw FileError("Cannot read " + shownName(file) + ": " + printable(reason));
 }
@@ -337,7 +335,7 @@ class HeightRows {
     }
     for (std::size_t col = 0; col < line_.size(); ++col) {
       const auto height = static_cast<float>(line_[col] * rule_.scale + rule_.offset);
-      heights_[col] = mask_[col] == 0 || !std::isfinite(height) ? kNaN : height;
+      heights_[col] = mask_[col] == 0 || !std::isfinite(height) ? kNoHeight : height;
     }
     return true;
   }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <future>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,8 +27,6 @@
 
 namespace relievo {
 namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 /// One band, row 0 of `cells` at the lowest y, which is the last row of the file.
 struct BandToWrite {
@@ -169,7 +166,7 @@ void writeMap(const OutputFile& place, const DepthMap& map, const MapFileOptions
     codes[i] = static_cast<std::uint8_t>(map.origins[i]);
     if (map.origins[i] != CellStatus::outside) continue;
     mask[i] = 0;
-    if (options.outside_as_nan) heights[i] = kNaN;
+    if (options.outside_as_nan) heights[i] = kNoHeight;
   }
   const RasterEntries entries = entriesOf(map, options);
 
@@ -223,7 +220,7 @@ void writeGeoTiff(const std::filesystem::path& file, const ExportGrid& grid) {
   std::vector<std::uint8_t> mask(heights.size(), 255);
   for (std::size_t i = 0; i < heights.size(); ++i) {
     if (grid.holds(i)) continue;
-    heights[i] = kNaN;
+    heights[i] = kNoHeight;
     mask[i] = 0;
   }
   AtomicFile written(file);
@@ -237,7 +234,7 @@ void writeCloudGeoTiff(const std::filesystem::path& file, const ExportGrid& grid
   AtomicFile written(file, TemporaryName::beside);
   std::vector<float> heights = grid.heights;
   for (std::size_t i = 0; i < heights.size(); ++i) {
-    if (!grid.holds(i)) heights[i] = kNaN;
+    if (!grid.holds(i)) heights[i] = kNoHeight;
   }
   RasterSpec spec = specOf(placeOf(grid), entriesOf(grid));
   spec.nan_is_nodata = true;

@@ -109,6 +109,57 @@ TEST_F(OptionUse, OfOtherVerbsLikewise) {
   isRefused({"project", "new", log, "--to", m, "-o", out}, "--to belongs to project relink", out);
 }
 
+TEST_F(OptionUse, TheAngleBetweenTheEyesHasOneRange) {
+  const std::string m = map(), out = path("e.png");
+  for (const char* angle : {"0.009", "60.1"}) {
+    const std::string why =
+        std::string("--eye-angle: '") + angle + "' is not a number from 0.01 to 60 degrees.";
+    for (const char* verb : {"render", "figure", "video"}) {
+      isRefused({verb, m, "--stereo", "half", "--eye-angle", angle, "-o", out}, why, out);
+    }
+  }
+  for (const char* angle : {"0.01", "60"}) {
+    for (const char* verb : {"render", "figure"}) {
+      const CommandResult drawn =
+          runRelievo({verb, m, "--stereo", "half", "--eye-angle", angle, "-o", out});
+      EXPECT_EQ(drawn.exit_code, 0) << verb << drawn.err;
+    }
+  }
+}
+
+TEST_F(OptionUse, AMapIsNotGivenTheNameOfSomethingElse) {
+  const std::string m = map();
+  const auto sentence = [](const std::string& option, const std::string& out) {
+    return option + ": the file's name must end with .tif or .tiff, not '" + out + "'.";
+  };
+  for (const char* name : {"g.png", "g", "g.tif.gz"}) {
+    const std::string out = path(name);
+    isRefused({"depthmap", m, "-o", out}, sentence("--output", out), out);
+    isRefused({"depthmap", m, "--memory", "400", "-o", out}, sentence("--output", out), out);
+    isRefused({"fill", m, "-o", out}, sentence("--output", out), out);
+    const std::string drawn = path("r.png"), why = sentence("--window-out", out);
+    isRefused({"render", m, "-o", drawn, "--window-out", out}, why, drawn);
+    isRefused({"figure", m, "-o", drawn, "--window-out", out}, why, drawn);
+    isRefused({"touch", m, "--stroke", kFlatStroke, "-o", path("t.csv"), "--window-out", out}, why,
+              path("t.csv"));
+    EXPECT_FALSE(fs::exists(out)) << name;
+  }
+  for (const char* name : {"a.tiff", "B.TIF", "c.d.tif"}) {
+    EXPECT_EQ(runRelievo({"depthmap", m, "-o", path(name)}).exit_code, 0) << name;
+    EXPECT_TRUE(fs::exists(path(name))) << name;
+  }
+  // The name of a pyramid is the beginning of its files' names.
+  EXPECT_EQ(runRelievo({"pyramid", m, "-o", path("levels")}).exit_code, 0);
+}
+
+TEST_F(OptionUse, AMeasurementIsNotGivenAnEmptyName) {
+  const std::string m = map(), out = path("o.csv");
+  for (const char* point : {"=1,1", " =1,1"}) {
+    isRefused({"measure", m, "--point", point, "-o", out}, "--point needs a NAME before '='.", out);
+  }
+  EXPECT_EQ(runRelievo({"measure", m, "--point", "a=1,1", "--point", "1,1"}).exit_code, 0);
+}
+
 TEST_F(OptionUse, ThatIsWrongIsToldInASentence) {
   const std::string m = map(), out = path("f.png");
   const std::string none = " Nothing was done. 'relievo figure --help' says what there is.\n";
@@ -180,6 +231,21 @@ TEST_F(OptionUse, WhatARasterCannotFollowIsTold) {
     const std::string out = path("d" + option[0] + ".tif");
     told(joined(joined({"depthmap", m}, option), {"-o", out}), option[0], "a raster keeps ");
   }
+  const std::vector<Words> of_points{
+      {"--reader", "own"}, {"--parts", "1"}, {"--keep-withheld"}, {"--load-incomplete"}};
+  for (const Words& option : of_points) {
+    const std::string why = "a raster has no points to be read.", out = path("p.tif");
+    told(joined({"info", m}, option), option[0], why);
+    told(joined({"depthmap", m, "-o", out}, option), option[0], why);
+    told(joined({"depthmap", m, "--memory", "400", "-o", out}, option), option[0], why);
+    told(joined({"convert", m, out}, option), option[0], why);
+  }
+  for (const Words& option : std::vector<Words>{{"--cells", "5"}, {"--rule", "median"}}) {
+    const std::string out = path("t.tif");
+    told(joined({"depthmap", m, "--memory", "400", "-o", out}, option), option[0],
+         "a raster keeps ");
+    told(joined({"convert", m, out}, option), option[0], "a raster keeps ");
+  }
   const std::string ours = path("ours.tif"), tiles = path("tiles.tif");
   ASSERT_EQ(runRelievo({"depthmap", m, "--unit", "cm", "-o", ours}).exit_code, 0);
   ASSERT_EQ(runRelievo({"depthmap", m, "--memory", "400", "-o", tiles}).exit_code, 0);
@@ -193,6 +259,10 @@ TEST_F(OptionUse, WhatARasterCannotFollowIsTold) {
     EXPECT_EQ(quiet.exit_code, 0) << quiet.err;
     EXPECT_EQ(quiet.err.find("changes nothing"), std::string::npos) << quiet.err;
   }
+  told({"depthmap", ours, "--memory", "400", "--unit", "m", "-o", path("again.tif")}, "--unit",
+       "a map that relievo wrote is taken as it is.");
+  isRefused({"convert", ours, path("no.tif"), "--pixel-size", "2"},
+            "--pixel-size needs a raster that relievo did not write.", path("no.tif"));
 }
 
 TEST_F(OptionUse, ALogOrStrokeThatIsNotThereIsToldAsSuch) {

@@ -191,17 +191,6 @@ void Exhibition::forgetHeard() {
   read_ = heard().size();
 }
 
-bool Exhibition::mayHear(const QString& sentence) {
-  if (!eventually([&] { return heard().size() > read_; })) return false;
-  const bool is_it = heard().at(read_) == language_ + '|' + sentence;
-  if (is_it) ++read_;
-  return is_it;
-}
-
-double Exhibition::volume() const {
-  return speech_->said().isEmpty() ? 0 : speech_->said().last().section('|', 2, 2).toDouble();
-}
-
 void Exhibition::setButton(std::uint8_t button, bool down) {
   falcon_->with([&](FalconEmulator& f) { f.buttons = down ? 1 << button : 0; });
 }
@@ -233,11 +222,6 @@ void Exhibition::gripTo(const DeviceMm& at, double z) {
   depth_ = z;
   tremor_.start();
   falcon_->with([&](FalconEmulator& f) { f.body.pullToward({at.x, at.y, z}); });
-}
-
-void Exhibition::letGripLie() {
-  tremor_.stop();
-  falcon_->with([](FalconEmulator& f) { f.body.hold(f.body.grip()); });
 }
 
 void Exhibition::handTo(double x_mm, double y_mm, double z) {

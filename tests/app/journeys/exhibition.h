@@ -25,13 +25,12 @@ namespace relievo {
 /// same. What is heard is read sentence by sentence, in order, and nothing may come between.
 class Exhibition : public Journey {
  protected:
-  static constexpr std::uint8_t kPlus = ButtonCommands::kPlus, kForward = ButtonCommands::kForward,
+  static constexpr std::uint8_t kForward = ButtonCommands::kForward,
                                 kCentre = ButtonCommands::kCentre, kMinus = ButtonCommands::kMinus;
-  static constexpr double kAboveZ = 150, kOnZ = 124,
-                          kInZ = 116;   // Of the grip: over the relief, on a hill, in its ground.
-  static constexpr double kLimitN = 4;  // Of the exhibit.
-  static constexpr double kMotorStepN = 0.2;  // Rounded counts, and how late the pose is.
-  static constexpr int kPatienceMs = 20'000;  // Then a person tries again.
+  static constexpr double kAboveZ = 150, kOnZ = 124;  // Of the grip: over the relief, on a hill.
+  static constexpr double kLimitN = 4;                // Of the exhibit.
+  static constexpr double kMotorStepN = 0.2;          // Rounded counts, and how late the pose is.
+  static constexpr int kPatienceMs = 20'000;          // Then a person tries again.
 
   /// @param name  what its pictures begin with
   explicit Exhibition(std::string name);
@@ -50,12 +49,6 @@ class Exhibition : public Journey {
   bool hears(const QStringList& sentences) { return hears(language_, sentences); }
   /// Everything up to now was heard.
   void forgetHeard();
-  /// The next one, if it is this one.
-  bool mayHear(const QString& sentence);
-  /// What is said from now on lasts until a press cuts it, or until it is quick again.
-  void speakSlowly(bool slowly) { speech_->speakSlowly(slowly); }
-  /// In percent, of what was heard last.
-  double volume() const;
 
   // Buttons and hand.
   void setButton(std::uint8_t button, bool down);
@@ -68,8 +61,6 @@ class Exhibition : public Journey {
   void handTo(double x_mm, double y_mm, double z);
   /// In the device's own millimetres: over a shape of the introduction.
   void gripTo(const DeviceMm& at, double z);
-  /// Nobody holds it, where it is.
-  void letGripLie();
   bool proxyNear(double x_mm, double y_mm, double within_mm);
   bool lit(int lights);
   /// The Falcon waits for its arms, and the exhibit knows that.

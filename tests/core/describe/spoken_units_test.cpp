@@ -32,7 +32,14 @@ TEST(SpokenUnits, SignsAreWordsAndNumbersAreRounded) {
   EXPECT_EQ(english("314.2 mm²"), "a little over 300 square millimetres");
   EXPECT_EQ(english("-2 mm"), "minus 2 millimetres");
   EXPECT_EQ(english("1.2 m (E401)"), "1.2 metres (E401)");
-  EXPECT_EQ(english("Window at 312.0, 207.0 mm"), "Window at 312.0, 207.0 mm") << "of one kind";
+}
+
+TEST(SpokenUnits, TheSecondOfTwoNumbersKeepsItsDigitsAndItsUnit) {
+  EXPECT_EQ(english("Window at 312.0, 207.3 mm"), "Window at 312.0, 207.3 millimetres");
+  EXPECT_EQ(english("from 3\u20131 mm"), "from 3\u20131 millimetre");
+  EXPECT_EQ(english("turned by 15, 31°"), "turned by 15, 31 degrees");
+  EXPECT_EQ(german("Fenster bei 312,0, 207,3 mm"), "Fenster bei 312,0, 207,3 Millimeter");
+  EXPECT_EQ(hindi("312.0, 207.3 mm"), "312.0, 207.3 मिलीमीटर");
 }
 
 TEST(SpokenUnits, EachLanguageHasItsOwn) {

@@ -76,9 +76,9 @@ TEST(VideoRequest, NamesLimitsInTheUnitOfTheirOptions) {
     request.speed = speed;
     EXPECT_NO_THROW(check(request));
   }
-  request.eye_angle_deg = 21;
+  request.eye_angle_deg = 61;
   EXPECT_EQ(refused([&] { check(request); }),
-            "A video's angle between the eyes in degrees must be 0.01 to 20. Nothing was made.");
+            "A video's angle between the eyes in degrees must be 0.01 to 60. Nothing was made.");
   request.eye_angle_deg = 4;
   request.width_px = 5000;
   EXPECT_EQ(refused([&] { check(request); }),

@@ -16,6 +16,7 @@
 #include "core/provenance/embedded.h"
 #include "core/provenance/prepared_state.h"
 #include "tests/ui/prepare/prepare_fixture.h"
+#include "ui/prepare/prepare_rows.h"
 
 namespace relievo {
 namespace {
@@ -58,6 +59,16 @@ TEST_F(PrepareTest, OkWritesTheScanAndItIsOneStepOfTheHistory) {
   EXPECT_TRUE(QString::fromStdString(window().project().file).endsWith("relief.ply"));
   document().history().redo();
   EXPECT_EQ(document().surface()->info.points, 80400U);
+}
+
+TEST_F(PrepareTest, TheOfferedNameLiesBesideTheScan) {
+  PreparedFileRow row;
+  const auto offered = [&row](const QString& scan) {
+    row.suggestBeside(scan);
+    return row.findChild<QLineEdit*>("prepare_file")->text().toStdString();
+  };
+  EXPECT_EQ(offered("/no such scan.ply"), "/no such scan-prepared.ply");
+  EXPECT_EQ(offered("/no/such/scan.las"), "/no/such/scan-prepared.ply");
 }
 
 TEST_F(PrepareTest, WhatIsWrittenSaysWhereItCameFrom) {

@@ -60,6 +60,19 @@ TEST_F(FindingTest, WordsOfOtherProgramsFindTheCommand) {
   EXPECT_EQ(firstFor("export"), "Export") << "its own name comes first";
 }
 
+TEST_F(FindingTest, NoCommandIsExplainedByItsOwnName) {
+  firstFor(QString());
+  const auto* list = search().findChild<QListWidget*>("command_list");
+  ASSERT_GT(list->count(), 100);
+  for (int row = 0; row < list->count(); ++row) {
+    const QString name = list->item(row)->text().section(u'\u2013', 0, 0).trimmed();
+    EXPECT_NE(list->item(row)->text().section(u'\u2013', 1).section("  (", 0, 0).trimmed(), name)
+        << name.toStdString();
+  }
+  firstFor("undo");
+  EXPECT_EQ(list->item(0)->text().toStdString(), "Undo  (Ctrl+Z)");
+}
+
 TEST_F(FindingTest, OtherWordsAreOfCommandsThatExist) {
   for (const QString& name : commandsWithOtherWords()) {
     EXPECT_NE(window().findChild<QAction*>(name, Qt::FindDirectChildrenOnly), nullptr)

@@ -75,7 +75,8 @@ void PackageController::choose() {
     if (!foreign_.isWithheld(recording.file)) recordings << pathFromBytes(recording.file);
   }
   auto* dialog = new PackageDialog(
-      {document_.file(), recordings, figures, folderFor(near) + '/' + stem + more}, &window_);
+      {document_.file(), recordings, figures, QDir(folderFor(near)).filePath(stem + more)},
+      &window_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] { write(dialog->choice()); });
   dialog->open();

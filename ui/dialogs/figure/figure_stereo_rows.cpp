@@ -2,6 +2,7 @@
 // Two eyes.
 #include <cmath>
 
+#include "core/relief/eye_angle.h"
 #include "ui/dialogs/figure/far_limit.h"
 #include "ui/dialogs/figure/figure_form.h"
 #include "ui/dialogs/figure/figure_form_parts.h"
@@ -27,7 +28,7 @@ FigureStereoRows::FigureStereoRows(FigureFormRows& rows) {
   for (const char* name : kStereos) stereo_->addItem(FigureForm::tr(name));
   eye_ = rows.field<FigureNumber>(FigureForm::tr("Eyes apart"), "figure_eye",
                                   FigureForm::tr("Angle between the two eyes' directions"));
-  eye_->setLimits(0.01, 20, 1, QStringLiteral("\u00b0"));
+  eye_->setLimits(kLeastEyeAngleDeg, kMostEyeAngleDeg, 1, QStringLiteral("\u00b0"));
   comfort_ =
       rows.field<QCheckBox>(FigureForm::tr("&Keep to 1\u00b0 of parallax"), "figure_comfort",
                             FigureForm::tr("Less angle where many readers would see double"));

@@ -6,12 +6,10 @@
 #include <QPainter>
 
 #include "ui/style/palette.h"
+#include "ui/views/view_pixels.h"
+#include "ui/vtk/window_pink.h"
 
 namespace relievo {
-namespace {
-constexpr double kPlainDpi = 96;
-constexpr QRgb kPink = qRgb(0xff, 0x4f, 0xa3);  // As ReliefScene::setPinkWindow.
-}  // namespace
 
 PinkOverlay::PinkOverlay(QWidget* view) : QWidget(view) {
   setObjectName(QStringLiteral("pink_overlay"));
@@ -30,7 +28,7 @@ void PinkOverlay::paintEvent(QPaintEvent* /*event*/) {
   if (!frame_) return;
   const double half =
       std::max(1.0, std::round(std::max(1.0, logicalDpiX() / kPlainDpi) * textScale()));
-  const QColor pink(kPink), dark(40, 12, 26);
+  const QColor pink(kPink[0], kPink[1], kPink[2]), dark(40, 12, 26);
   const QPointF a(std::round(frame_->left()), std::round(frame_->top()));
   const QPointF b(std::round(frame_->right()), std::round(frame_->bottom()));
   QPainter painter(this);

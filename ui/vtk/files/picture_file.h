@@ -20,6 +20,9 @@ using PictureText = std::vector<std::pair<std::string, std::string>>;
 /// (core/provenance/embedded.h reads it).
 inline constexpr const char* kStateEntry = "relievo:state";
 
+/// Dots per inch of what is for screens: a TIFF must say some.
+inline constexpr double kScreenDpi = 96;
+
 enum class PictureFormat { png, tiff };
 /// By the name's ending: .png .tif .tiff
 std::optional<PictureFormat> pictureFormatOf(const std::filesystem::path& file);
