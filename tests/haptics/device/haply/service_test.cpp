@@ -178,6 +178,9 @@ TEST_F(HaplySocket, ASessionEndsWhoeverElseHoldsIt) {
 
 /// In the device's thread nothing may be thrown.
 TEST_F(HaplySocket, WhereNoDescriptorIsLeftThatIsAReason) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "To look at the type of what is thrown the sanitizer needs a descriptor itself.";
+#endif
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
   rlimit none = before;
