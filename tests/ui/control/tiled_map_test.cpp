@@ -111,6 +111,13 @@ TEST_F(TiledMapDialogTest, FilesOfAFolderAreOneScan) {
   EXPECT_FALSE(of_folder.findChild<QPushButton*>("tiles_make")->isEnabled());
 }
 
+TEST_F(TiledMapDialogTest, OffersTheScanThatIsOpenNow) {
+  EXPECT_EQ(dialog().order().names, QStringList());
+  dialog().close();
+  openRelief();
+  EXPECT_EQ(dialog().order().names, QStringList{document().file()});
+}
+
 TEST_F(TiledMapDialogTest, AMapThatWouldReplaceItsScanIsNotMade) {
   openRelief();
   const std::string before = bytes(document().file());

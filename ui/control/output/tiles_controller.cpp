@@ -36,17 +36,15 @@ QString timeLeft(std::chrono::steady_clock::time_point began, double began_at, d
              : TilesController::tr("about %1 h left of it").arg(std::ceil(*left / kHourS));
 }
 
-/// How fine what is ready is.
-QString readyText(const Surface& view) {
-  const GridFrame& frame = view.map.frame;
-  const HeightRange z = heightRange(view.map);
+/// How fine what is ready is. [GUI thread]
+QString readyText(const GridFrame& frame, const HeightRange& z) {
   return TilesController::tr("From a sample of the points: %1 × %2 cells of %3, %4 high.")
       .arg(frame.size.cols)
       .arg(frame.size.rows)
       .arg(lengthText(frame.spacing_mm), lengthText(z.max_mm - z.min_mm));
 }
 
-/// What is open, as it is shown; nothing of a map by tiles, which is no scan any more.
+/// What is open, with its unit and side; nothing of a map by tiles, which is no scan any more.
 TiledMapOrder begunWith(const Document& document) {
   TiledMapOrder begun;
   if (!document.isOpen() || document.surface()->tiles) return begun;
@@ -88,6 +86,10 @@ TilesController::TilesController(const ControllerParts& parts) : Controller(part
 }
 
 void TilesController::choose() {
+  // One that was closed and is at rest may be of another scan than the one that is open now.
+  if (dialog_ != nullptr && !work_.busy() && !dialog_->isVisible()) {
+    delete std::exchange(dialog_, nullptr);
+  }
   if (dialog_ == nullptr) {
     dialog_ = new TiledMapDialog(begunWith(document_), &window_);
     connect(dialog_, &TiledMapDialog::makeAsked, this, [this] { make(dialog_->order()); });
@@ -118,9 +120,11 @@ void TilesController::make(const TiledMapOrder& order) {
           requireNotAnInput(work->work.out, read);
           work->work.on_view = [this, &task](const Surface& view) {
             const DepthMapPicture picture = pictureOf(view, task);
-            const QString words = readyText(view);
             QMetaObject::invokeMethod(
-                this, [this, picture, words] { dialog_->showReady(picture, words); },
+                this,
+                [this, picture, frame = view.map.frame, z = heightRange(view.map)] {
+                  dialog_->showReady(picture, readyText(frame, z));
+                },
                 Qt::QueuedConnection);
           };
           work->made = makeTiledMap(work->work, task);
