@@ -70,6 +70,8 @@ compile_jobs() {
 
 # Configures once (later changes are noticed by the build itself) and builds the named targets.
 build() {
+  # So that precompiled headers and their dates do not keep ccache from its work.
+  export CCACHE_SLOPPINESS=pch_defines,time_macros
   if [ ! -e "$build_dir/build.ninja" ]; then
     cmake --preset release -DCMAKE_CXX_COMPILER_LAUNCHER=ccache || fail "Configuring failed."
   fi

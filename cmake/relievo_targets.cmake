@@ -10,6 +10,7 @@ target_compile_definitions(relievo_settings INTERFACE QT_NO_KEYWORDS QT_NO_CAST_
   RELIEVO_VERSION_STRING="${PROJECT_VERSION}")
 
 include(together)
+include(precompiled)
 
 # relievo_add_module(core_depth SOURCES a.cpp ... PUBLIC targets... PRIVATE targets... [QT] [TOGETHER])
 # One module folder, one target: relievo_core_depth, alias relievo::core_depth.
@@ -29,6 +30,8 @@ function(relievo_add_module name)
     endif()
     if(ARG_TOGETHER)
       relievo_compile_together(relievo_${name})
+    elseif(NOT ARG_QT AND ARG_TYPE STREQUAL "STATIC")
+      relievo_precompile(relievo_${name} module)
     endif()
   endif()
   add_library(relievo::${name} ALIAS relievo_${name})
@@ -55,9 +58,9 @@ endfunction()
 # relievo_add_test(core/depth/rules/rasterize_test LINK targets... [DISPLAY] [QT] [MAIN] [LABELS ...])
 # One test file tests/<path>.cpp, one executable, one CTest entry of the same name.
 # DISPLAY: needs an X display, and gets one of its own. MAIN: it has a main() of its own, in the
-# file or among SOURCES.
+# file or among SOURCES. OPTIMISED: compiled as what it tests is, because g++ 12 warns wrongly else.
 function(relievo_add_test path)
-  cmake_parse_arguments(ARG "DISPLAY;QT;MAIN" "TIMEOUT" "LINK;SOURCES;LABELS;ENVIRONMENT" ${ARGN})
+  cmake_parse_arguments(ARG "DISPLAY;QT;MAIN;OPTIMISED" "TIMEOUT" "LINK;SOURCES;LABELS;ENVIRONMENT" ${ARGN})
   string(REPLACE "/" "_" target ${path})
   add_executable(${target} ${CMAKE_SOURCE_DIR}/tests/${path}.cpp ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE relievo_settings ${ARG_LINK} GTest::gtest GTest::gmock)
@@ -66,6 +69,10 @@ function(relievo_add_test path)
   endif()
   target_compile_definitions(${target} PRIVATE
     RELIEVO_SOURCE_DIR="${CMAKE_SOURCE_DIR}" RELIEVO_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  if(NOT ARG_OPTIMISED)
+    target_compile_options(${target} PRIVATE ${relievo_test_options})
+    relievo_precompile_test(${target} "${ARG_LINK}")
+  endif()
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   if(ARG_QT)
     set_target_properties(${target} PROPERTIES AUTOMOC ON)

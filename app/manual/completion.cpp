@@ -29,7 +29,7 @@ std::string escaped(const std::string& text, std::string_view characters) {
 }
 
 /// Within single quotes of a POSIX shell.
-std::string quoted(const std::string& text) {
+std::string inQuotes(const std::string& text) {
   std::string safe = "'";
   for (const char c : text) {
     if (c == '\'') {
@@ -86,7 +86,7 @@ std::string zshOption(const OptionRow& row, const std::string& name) {
       spec += "_files";
     }
   }
-  return quoted(spec);
+  return inQuotes(spec);
 }
 
 std::string zshArguments(const std::vector<OptionRow>& options) {
@@ -161,7 +161,7 @@ std::string zshCompletion(const CommandLine& line) {
   std::string text = "#compdef relievo\n" + std::string(kLicence) +
                      "# Completion of relievo for zsh.\n_relievo() {\n  local -a verbs=(\n";
   for (const CommandRow& verb : line.verbs) {
-    text += "    " + quoted(verb.name + ":" + escaped(verb.help, ":\\")) + "\n";
+    text += "    " + inQuotes(verb.name + ":" + escaped(verb.help, ":\\")) + "\n";
   }
   text +=
       "  )\n"

@@ -32,7 +32,7 @@ std::string comments(std::string_view header) {
   return text;
 }
 
-std::string quoted(std::string_view name) {
+std::string cellOfCsv(std::string_view name) {
   std::string text = "\"";
   for (const char c : name) {
     if (c == '"') text += '"';
@@ -288,7 +288,7 @@ std::string measurementsCsv(const std::vector<Measured>& list, std::string_view 
       continue;
     }
     for (const Quantity& q : reading->quantities) {
-      text += quoted(m.name) + "," + std::string(name(m.kind)) + "," + std::string(q.title) + "," +
+      text += cellOfCsv(m.name) + "," + std::string(name(m.kind)) + "," + std::string(q.title) + "," +
               numberText(q.value) + "," + numberText(q.uncertainty) + "," + std::string(q.unit) +
               "," + numberText(reading->not_measured) + "," + planeNumbers(m) + "," +
               placesText(m) + "\n";

@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QScopedValueRollback>
 #include <QSignalBlocker>
+#include <utility>
 
 #include "haptics/loop/strength_preset.h"
 #include "plugins/haptics/panel/device_rows.h"
@@ -40,9 +41,8 @@ void HapticsPlugin::attach(Host& host) {
   applySettings();
   sound_->applySettings(SoundControl::Tell::no);
   surface_->showWindow();
-  constexpr int kFrameMs = 16;
-  connect(&timer_, &QTimer::timeout, this, &HapticsPlugin::frame, Qt::UniqueConnection);
-  timer_.start(kFrameMs);
+  connect(&pace_.timer(), &QTimer::timeout, this, &HapticsPlugin::frame, Qt::UniqueConnection);
+  pace_.start();
   device_->startWatchingPlugs();
   sleep_ = std::make_unique<SleepWatch>();
   slowReadouts();
@@ -50,7 +50,7 @@ void HapticsPlugin::attach(Host& host) {
 }
 
 void HapticsPlugin::detach() noexcept {
-  timer_.stop();
+  pace_.stop();
   sleep_.reset();
   if (device_) device_->stopLooking();
   if (recording_) recording_->end();
@@ -92,6 +92,8 @@ void HapticsPlugin::connectParts() {
   connect(buttons_.get(), &ButtonControl::changed, this, &HapticsPlugin::applySettings);
   connect(guide_.get(), &GuideControl::changed, this, &HapticsPlugin::applySettings);
   connect(guide_.get(), &GuideControl::forcesAsked, this, &HapticsPlugin::setForces);
+  connect(&parts_->host.view, &ShownWindow::handMoved, device_.get(), [this] { pace_.wake(); });
+  connect(&parts_->host.view, &ShownWindow::windowShown, device_.get(), [this] { pace_.wake(); });
   connect(&parts_->host.view, &ShownWindow::closing, device_.get(), [this] { setForces(false); });
 }
 
@@ -238,6 +240,7 @@ void HapticsPlugin::tellGripPosition() {
 }
 
 void HapticsPlugin::applySettings() {
+  pace_.wake();
   if (!session()) return;
   HapticOptions options = hapticOptions(settings_, parts_->forces_asked);
   if (buttons_) buttons_->addTo(options);
@@ -249,7 +252,7 @@ void HapticsPlugin::applySettings() {
 void HapticsPlugin::frame() {
   session()->loop().sayAlive();
   const HapticSample sample = session()->update();
-  showProbe(sample);
+  const bool moved = showProbe(sample);
   const std::vector<ForcePoint> plot = session()->takePlot();
   if (!plot.empty()) {
     parts_->host.touch.plot(plot);
@@ -265,19 +268,28 @@ void HapticsPlugin::frame() {
   sound_->watch();
   watchSleep(sample);
   constexpr int kFramesPerReadout = 8, kFramesPerStatus = 32;
-  ++frames_;
-  if (frames_ % kFramesPerReadout != 0) return;
-  slowReadouts(frames_ % kFramesPerStatus == 0);
+  const int before = std::exchange(frames_, frames_ + pace_.framesOfLook());
+  pace_.follow(moved || mayChange());
+  if (before / kFramesPerReadout == frames_ / kFramesPerReadout) return;
+  slowReadouts(before / kFramesPerStatus != frames_ / kFramesPerStatus);
   device_->watchOpening();  // Not within the readouts, which setForces() asks for while it works.
 }
 
-void HapticsPlugin::showProbe(const HapticSample& sample) {
-  if (!session()->hasWindow() || sample.window_id == 0) return;
-  if (guide_->isTraining()) return;  // What is shown is not what the hand touches.
+/// Without a word to the plugin: by a hand that a person holds, by buttons, or by a worker.
+bool HapticsPlugin::mayChange() const {
+  return parts_->forces_asked || wants_forces_ || !session()->isSteered() ||
+         session()->isPreparing() || recording_->isRunning() || guide_->isTraining() ||
+         device_->isOpening() || frames_at_zero_ >= 0 || buttons_->areThere();
+}
+
+bool HapticsPlugin::showProbe(const HapticSample& sample) {
+  if (!session()->hasWindow() || sample.window_id == 0) return false;
+  if (guide_->isTraining()) return false;  // What is shown is not what the hand touches.
   const Probe probe = probeOf(sample);
-  if (looksTheSame(probe, shown_)) return;
+  if (looksTheSame(probe, shown_)) return false;
   shown_ = probe;
   parts_->host.touch.showProbe(probe);
+  return true;
 }
 
 void HapticsPlugin::slowReadouts(bool with_status) {

@@ -3,13 +3,13 @@
 
 #include <memory>
 #include <QObject>
-#include <QTimer>
 
 #include "haptics/rt/sleep_watch.h"
 #include "plugins/api/plugin.h"
 #include "plugins/haptics/buttons/button_control.h"
 #include "plugins/haptics/device/force_return.h"
 #include "plugins/haptics/device/hand_device.h"
+#include "plugins/haptics/frame_pace.h"
 #include "plugins/haptics/guide/felt_patterns.h"
 #include "plugins/haptics/guide/guide_control.h"
 #include "plugins/haptics/loop_announcer.h"
@@ -58,8 +58,9 @@ class HapticsPlugin : public QObject, public Plugin {
   void takePanelSettings();
   void takeDevice();  // Another one, with a session of its own.
   void applySettings();
-  void frame();  // 60 times a second.
-  void showProbe(const HapticSample& sample);
+  void frame();  // 60 times a second, less often at rest.
+  bool mayChange() const;
+  bool showProbe(const HapticSample& sample);  // Whether it shows another one.
   /// About 8 times a second; the host hears of it twice a second.
   void slowReadouts(bool with_status = true);
   void tellStatus(const LoopReport& report);
@@ -80,7 +81,7 @@ class HapticsPlugin : public QObject, public Plugin {
   std::unique_ptr<SoundControl> sound_;
   std::unique_ptr<FeltPatterns> felt_;
   std::unique_ptr<SleepWatch> sleep_;
-  QTimer timer_;
+  FramePace pace_;
   bool wants_forces_ = false;  // Of the device that is being opened.
   SaidBecause forces_because_ = SaidBecause::asked;
   Probe shown_;  // Last given to the host; window_id 0: none yet.

@@ -69,9 +69,15 @@ void LoopSession::show(RegionWindow window, SurfaceKind kind, SceneMaps maps) {
   prepareNext();
 }
 
+bool LoopSession::canWait() {
+  return !pace_.forces_asked && !on(loop_->latest().front().engaged) && !recorder_.running() &&
+         std::chrono::steady_clock::now() - pace_.begun < pace_.unfelt_every;
+}
+
 /// Spline, gradients and checksum of 40 000 heights take longer than a frame should wait.
 void LoopSession::prepareNext() {
-  if (filling_.valid() || !waiting_) return;
+  if (filling_.valid() || !waiting_ || canWait()) return;
+  pace_.begun = std::chrono::steady_clock::now();
   coming_ = std::exchange(waiting_, std::nullopt);
   const HapticSample& last = loop_->latest().front();
   if (has_window_ && last.contact && !moving_)
@@ -87,10 +93,8 @@ void LoopSession::prepareNext() {
 }
 
 void LoopSession::takePrepared() {
-  if (!filling_.valid() ||
-      filling_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-    return;
-  }
+  if (!filling_.valid()) return prepareNext();
+  if (filling_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   Order order = std::move(*std::exchange(coming_, std::nullopt));
   try {
     filling_.get();
@@ -117,7 +121,7 @@ void LoopSession::takePrepared() {
 }
 
 void LoopSession::moveHand(ViewMm target) {
-  if (filling_.valid()) {  // Its height is over the surface that comes, in a moment.
+  if (isPreparing()) {  // Its height is over the surface that comes, in a moment.
     hand_since_ = target;
     return;
   }
@@ -133,6 +137,8 @@ void LoopSession::setOptions(const HapticOptions& options) {
   named.id = ++options_id_;
   notes_.addOptions(optionsLine(named), recorder_.running());
   loop_->options().write(named);
+  pace_.forces_asked = options.force.forces_on;
+  prepareNext();
 }
 
 std::uint64_t LoopSession::lead(GuidePath path) {
@@ -150,6 +156,7 @@ void LoopSession::startRecording(const std::string& file, const std::string& hea
   }
   recorder_.start(file, header, shown_.get());
   recording_folder_ = std::filesystem::path(file).parent_path();
+  prepareNext();
   loop_->wantSnapshot();
 }
 

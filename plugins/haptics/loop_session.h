@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -43,11 +44,14 @@ class LoopSession {
   /// A new surface, which a worker prepares; one of the next update() hands it to the loop. The
   /// hand keeps its place sideways and its depth, so that a change of detail while touching goes on
   /// touching; so does another kind of surface of the same window. A newer one replaces one that
-  /// waits.
+  /// waits. While forces are off and nothing is recorded, one that follows another at once waits
+  /// for a moment: whoever drags the window feels none of those on the way.
   void show(RegionWindow window, SurfaceKind kind, SceneMaps maps = {});
   /// There is a surface, or one is being prepared.
-  bool hasWindow() const noexcept { return has_window_ || filling_.valid(); }
-  bool isPreparing() const noexcept { return filling_.valid(); }
+  bool hasWindow() const noexcept { return has_window_ || isPreparing(); }
+  bool isPreparing() const noexcept { return filling_.valid() || waiting_; }
+  /// How long after another one a surface that nobody feels is prepared.
+  void setUnfeltEvery(std::chrono::milliseconds time) { pace_.unfelt_every = time; }
   /// Why a surface could not be prepared, once; empty: nothing went wrong.
   std::string takeProblem() { return std::exchange(problem_, {}); }
   /// Where the pointer wants the hand, view mm of the shown window. Above the surface a mouse's
@@ -102,7 +106,13 @@ class LoopSession {
     std::optional<Anchor> touched;  // Stays under the hand.
     std::uint64_t checksum = 0;     // Once it is prepared.
   };
+  struct Pace {
+    std::chrono::milliseconds unfelt_every{150};
+    std::chrono::steady_clock::time_point begun;  // When the worker last began to prepare one.
+    bool forces_asked = false;
+  };
   void prepareNext();
+  bool canWait();  // What was asked for: nobody feels it, and the next one may replace it.
   void takePrepared();
   void plotSink(std::span<const HapticSample> batch);  // [drain thread]
 
@@ -125,6 +135,7 @@ class LoopSession {
   std::unique_ptr<HapticSpace> shown_;  // The loop's newest; the loop's own cannot be read here.
   std::optional<Order> waiting_;        // The newest that was asked for.
   std::optional<Order> coming_;         // The worker prepares it, in the loop's back slot.
+  Pace pace_;
   std::future<void> filling_;           // Last, so that it is waited for first.
   std::optional<ViewMm> hand_since_;    // Where the pointer wants it since the last show().
   std::string problem_;

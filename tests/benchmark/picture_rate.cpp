@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Distinct pictures a second of both views while the pink window, the detail view, the hand and the
 // camera are dragged, mono and anaglyph, and the processor's share at rest: for
-// docs/dev/ui-figures.md. picture_rate [SCAN [SECONDS [ROW]]]; needs a display; of the rows only
-// those whose name contains ROW. What is counted are pictures whose middle differs from the one
-// before as the window composes them, not swaps.
+// docs/dev/ui-figures.md. picture_rate [SCAN [SECONDS [ROW [composed]]]]; needs a display; of the
+// rows only those whose name contains ROW. What is counted are pictures whose middle differs from
+// the one before as the window shows them, not swaps. With "composed" Qt composes the views, as it
+// does where OpenGL is not software.
 #include <QVTKOpenGLNativeWidget.h>
+#include <algorithm>
 #include <chrono>
 #include <clocale>
 #include <cmath>
@@ -15,6 +17,7 @@
 #include <numbers>
 #include <QApplication>
 #include <QHash>
+#include <QImage>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -26,6 +29,7 @@
 
 #include "app/host.h"
 #include "app/plugin_loader.h"
+#include "ui/views/copied_picture.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"
 #include "ui/vtk/depth_capture.h"
@@ -51,16 +55,36 @@ double processSeconds() {
 class PictureCount : public QObject {
  public:
   explicit PictureCount(SurfaceView& view) : canvas_(view.findChild<QVTKOpenGLNativeWidget*>()) {
-    connect(canvas_, &QOpenGLWidget::aboutToCompose, this, &PictureCount::look);
+    connect(canvas_, &QOpenGLWidget::aboutToCompose, this, [this] { count(ofComposed()); });
+    auto* const picture = view.findChild<CopiedPicture*>();
+    connect(picture, &CopiedPicture::painted, this,
+            [this, picture] { count(ofCopied(picture->image())); });
   }
   void restart() { distinct_ = composed_ = 0; }
   int distinct() const { return distinct_; }
   int composed() const { return composed_; }
 
  private:
-  void look() {
+  static constexpr int kSide = 96;
+
+  void count(const QByteArray& bytes) {
     ++composed_;
-    constexpr int kSide = 96;
+    const uint seen = qHash(bytes);
+    if (seen != last_) ++distinct_;
+    last_ = seen;
+  }
+  static QByteArray ofCopied(const QImage& image) {
+    QByteArray bytes;
+    const int left = std::max(0, (image.width() - kSide) / 2);
+    const int top = std::max(0, (image.height() - kSide) / 2);
+    for (int row = top; row < std::min(top + kSide, image.height()); ++row) {
+      const auto* const pixels = reinterpret_cast<const QRgb*>(image.constScanLine(row)) + left;
+      const int cols = std::min(kSide, image.width());
+      bytes.append(reinterpret_cast<const char*>(pixels), cols * static_cast<int>(sizeof(QRgb)));
+    }
+    return bytes;
+  }
+  QByteArray ofComposed() {
     const QSize size = canvas_->size() * canvas_->devicePixelRatioF();
     QByteArray bytes(4 * kSide * kSide, 0);
     canvas_->makeCurrent();
@@ -68,9 +92,7 @@ class PictureCount : public QObject {
     gl->glBindFramebuffer(GL_FRAMEBUFFER, canvas_->defaultFramebufferObject());
     gl->glReadPixels((size.width() - kSide) / 2, (size.height() - kSide) / 2, kSide, kSide, GL_RGBA,
                      GL_UNSIGNED_BYTE, bytes.data());
-    const uint seen = qHash(bytes);
-    if (seen != last_) ++distinct_;
-    last_ = seen;
+    return bytes;
   }
 
   QOpenGLWidget* canvas_;
@@ -216,6 +238,7 @@ int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "xcb");
   QApplication app(argc, argv);
   std::setlocale(LC_NUMERIC, "C");
+  if (argc > 4 && std::string(argv[4]) == "composed") relievo::SurfaceView::setCopied(false);
   relievo::run(argc > 1 ? QString::fromLocal8Bit(argv[1])
                         : QStringLiteral(RELIEVO_SOURCE_DIR "/data/samples/panel.ply"),
                argc > 2 ? std::atof(argv[2]) : 6, argc > 3 ? argv[3] : "");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <QCoreApplication>
 #include <utility>
@@ -65,6 +66,29 @@ TEST(LoopSession, ANewerWindowReplacesTheOneThatWaits) {
   for (const std::uint64_t id : {1, 2, 3}) session.show(flatWindow(id), SurfaceKind::crease_aware);
   ASSERT_TRUE(eventually([&] { return session.update().window_id == 3; }));
   EXPECT_EQ(session.update().scene_id, 2U) << "the second window was never prepared";
+}
+
+TEST(LoopSession, ASurfaceThatNobodyFeelsWaitsForTheNextOne) {
+  const test::PrivateHome home;
+  LoopSession session("mouse");
+  session.setUnfeltEvery(std::chrono::hours(1));
+  const auto isShown = [&](std::uint64_t id) {
+    return eventually([&] { return session.update().window_id == id; });
+  };
+  session.show(flatWindow(1), SurfaceKind::crease_aware);
+  ASSERT_TRUE(isShown(1)) << "the first one waits for nothing";
+  session.show(flatWindow(2), SurfaceKind::crease_aware);
+  for (int frame = 0; frame < 50; ++frame) session.update();
+  EXPECT_TRUE(session.isPreparing());
+  EXPECT_EQ(session.update().window_id, 1U);
+  session.show(flatWindow(3), SurfaceKind::crease_aware);
+  HapticOptions options;
+  options.force.forces_on = true;
+  session.setOptions(options);
+  ASSERT_TRUE(isShown(3)) << "with forces on each one is felt";
+  EXPECT_EQ(session.update().scene_id, 2U) << "the second one was never prepared";
+  session.show(flatWindow(4), SurfaceKind::crease_aware);
+  EXPECT_TRUE(isShown(4));
 }
 
 /// A wall across the middle, 30 mm high and 4 mm thick.

@@ -7,6 +7,7 @@
 #include <QtTest/QTest>
 
 #include "tests/ui/gui_fixture.h"
+#include "ui/views/copied_picture.h"
 
 namespace relievo {
 namespace {
@@ -19,6 +20,8 @@ class NativePartsTest : public GuiTest {
                               static_cast<SurfaceView*>(&window().referenceView())}) {
       auto* canvas = view->findChild<QVTKOpenGLNativeWidget*>();
       QObject::connect(canvas, &QOpenGLWidget::aboutToCompose, &window(), [this] { ++composed_; });
+      auto* picture = view->findChild<CopiedPicture*>();
+      QObject::connect(picture, &CopiedPicture::painted, &window(), [this] { ++composed_; });
     }
   }
   /// Until nothing was put together for a while.

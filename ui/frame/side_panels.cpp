@@ -12,7 +12,7 @@
 
 namespace relievo {
 namespace {
-constexpr int kWidth = 280;
+constexpr int kWidth = 292;
 }
 
 SidePanels::SidePanels(QWidget* parent) : QScrollArea(parent) {

@@ -4,14 +4,11 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkUnsignedCharArray.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <QAccessible>
 #include <QAccessibleWidget>
 #include <QElapsedTimer>
@@ -20,15 +17,16 @@
 #include <QOpenGLFunctions>
 #include <QPainter>
 #include <QResizeEvent>
-#include <span>
 #include <utility>
 
 #include "core/relief/stereo.h"
 #include "ui/style/palette.h"
+#include "ui/views/copied_picture.h"
 #include "ui/views/overlays/cell_legend.h"
 #include "ui/views/overlays/colour_bar.h"
 #include "ui/views/overlays/grid_painter.h"
 #include "ui/views/view_pixels.h"
+#include "ui/vtk/mixing_window.h"
 #include "ui/vtk/scale_length.h"
 #include "ui/vtk/shader_warmup.h"
 #include "ui/work/scheduling/render_scheduler.h"
@@ -37,6 +35,9 @@ namespace relievo {
 namespace {
 
 constexpr int kPatienceMs = 100;
+
+/// Set by SurfaceView::setCopied.
+std::optional<bool> forced_copies;  // NOLINT(*-avoid-non-const-global-variables)
 
 class AccessibleView : public QAccessibleWidget {
  public:
@@ -49,6 +50,14 @@ class AccessibleView : public QAccessibleWidget {
     return static_cast<SurfaceView*>(widget())->whereAmI();
   }
 };
+
+/// By the processor, in one of Mesa's ways.
+bool isDrawnBySoftware(QOpenGLContext& context) {
+  const QByteArray renderer(
+      reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER)));
+  return renderer.contains("llvmpipe") || renderer.contains("softpipe") ||
+         renderer.contains("SWR") || renderer.contains("Software");
+}
 
 QAccessibleInterface* accessibleView(const QString&, QObject* object) {
   auto* view = qobject_cast<SurfaceView*>(object);
@@ -78,50 +87,15 @@ void SceneState::applyTo(ReliefScene& scene) const {
   scene.setScaleBar(grid != nullptr);
 }
 
-/// Mixes two eyes' pictures as `renderOffscreen` does; VTK alone knows only channel masks.
-class MixingWindow : public vtkGenericOpenGLRenderWindow {
- public:
-  static MixingWindow* New();
-  void follow(const ReliefScene* scene) { scene_ = scene; }
-  void setFirstRow(int row) { first_row_ = row; }  ///< Of the screen: PixelRows.
-
- protected:
-  void StereoRenderComplete() override {
-    const int* size = GetSize();
-    vtkNew<vtkUnsignedCharArray> right;
-    GetPixelData(0, 0, size[0] - 1, size[1] - 1, DoubleBuffer == 0 ? 1 : 0, right.GetPointer(), 0);
-    const auto bytes = static_cast<std::size_t>(right->GetNumberOfValues());
-    if (scene_ == nullptr || StereoType != VTK_STEREO_ANAGLYPH || !StereoBuffer ||
-        static_cast<std::size_t>(StereoBuffer->GetNumberOfValues()) != bytes) {
-      vtkGenericOpenGLRenderWindow::StereoRenderComplete();
-      return;
-    }
-    std::span<std::uint8_t> first(StereoBuffer->GetPointer(0), bytes);
-    std::span<std::uint8_t> second(right->GetPointer(0), bytes);
-    const StereoOptions& stereo = scene_->stereo();
-    if (stereo.swap_eyes) std::swap(first, second);
-    joinEyes(printed(stereo.mode), first, second,
-             {.width = size[0],
-              .height = size[1],
-              .channels = 3,
-              .from_bottom = true,
-              .first_row = first_row_});
-    ResultFrame = stereo.swap_eyes ? right.GetPointer() : StereoBuffer.GetPointer();
-    StereoBuffer = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  }
-
- private:
-  const ReliefScene* scene_ = nullptr;
-  int first_row_ = 0;
-};
-vtkStandardNewMacro(MixingWindow);
-
 /// The OpenGL part; sees no mouse and no keys. Hidden until it is warm: its parent's colour is in
-/// its place.
+/// its place. Where OpenGL is software it stays hidden, and a copy of each picture is shown.
 class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
  public:
   Canvas(SurfaceView* view, ReliefScene& scene, RenderScheduler& turns)
-      : QVTKOpenGLNativeWidget(view), scene_(scene), scheduler_(turns) {
+      : QVTKOpenGLNativeWidget(view),
+        scene_(scene),
+        scheduler_(turns),
+        picture_(new CopiedPicture(view)) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setFocusPolicy(Qt::NoFocus);
     setAcceptDrops(false);
@@ -130,8 +104,17 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     setUpdateBehavior(PartialUpdate);  // See paintGL.
     setRenderWindow(window_);
     if (interactor() != nullptr) interactor()->SetInteractorStyle(nullptr);
+    picture_->follow([this] { drawAnew(); },
+                     [this] {
+                       if (seen_pixels_ != size() * devicePixelRatioF()) renderNow();
+                     });
   }
 
+  void place(const QRect& geometry) {
+    setGeometry(geometry);
+    picture_->setGeometry(geometry);
+  }
+  bool isShown() const { return copies_ ? !picture_->isHidden() : !isHidden(); }
   void warmUp() {
     if (stage_ != Stage::cold) return;
     stage_ = Stage::warming;
@@ -140,7 +123,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   void appearWhenWarm() {
     wanted_ = true;
     if (stage_ == Stage::warm) {
-      show();
+      reveal();
     } else {
       warmUp();
     }
@@ -148,16 +131,23 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   void appearNow() {
     wanted_ = true;
     if (stage_ != Stage::warm) attachScene();
+    if (!isValid()) grabFramebuffer();  // Makes the context: who draws is asked there.
+    chooseWay();
     drawn_ = unseen_ = true;
-    show();
+    reveal();
   }
 
   /// With all pixels, whatever is being dragged. What is grabbed is drawn, too.
   QImage wholeShot() {
     whole_ = true;
     if (seen_coarse_) stale_ = true;
-    renderIfStale();
-    const QImage shot = grabFramebuffer();
+    if (copies_) {
+      if (stale_ || seen_pixels_ != size() * devicePixelRatioF()) renderNow();
+    } else {
+      renderIfStale();
+    }
+    QImage shot = copies_ ? picture_->image() : grabFramebuffer();
+    shot.setDevicePixelRatio(devicePixelRatioF());
     whole_ = false;
     return shot;
   }
@@ -171,22 +161,21 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     scheduler_.schedule(this, [this] { renderIfStale(); });
   }
   void renderIfStale() {
-    if (!stale_ || !isVisible()) return;
-    stale_ = false;
-    drawn_ = unseen_ = true;
-    prepare();
-    // VTK would have the window composed before the next round, in which keys and mouse are heard.
-    setAttribute(Qt::WA_UpdatesDisabled);
-    renderWindow()->Render();
-    setAttribute(Qt::WA_UpdatesDisabled, false);
-    scheduler_.schedule(this, [this] { update(); });
+    if (!stale_ || !(copies_ ? picture_->isVisible() : isVisible())) return;
+    renderNow();
+    scheduler_.schedule(this, [this] {
+      if (copies_) {
+        picture_->update();
+      } else {
+        update();
+      }
+    });
   }
 
  protected:
   void showEvent(QShowEvent* event) override {
     QVTKOpenGLNativeWidget::showEvent(event);
-    stale_ = false;
-    requestRender();
+    drawAnew();
   }
   // A layout may give several sizes one after the other. Qt would draw each at once; the last one
   // is drawn with the window.
@@ -219,6 +208,37 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
  private:
   enum class Stage { cold, warming, warm };
 
+  void drawAnew() {
+    stale_ = false;
+    requestRender();
+  }
+  void renderNow() {
+    stale_ = false;
+    drawn_ = unseen_ = true;
+    prepare();
+    // VTK would have the window composed before the next round, in which keys and mouse are heard.
+    setAttribute(Qt::WA_UpdatesDisabled);
+    renderWindow()->Render();
+    setAttribute(Qt::WA_UpdatesDisabled, false);
+    if (!copies_) return;
+    const int* const drawn = window_->GetSize();
+    QImage& image = picture_->pixels({drawn[0], drawn[1]});
+    window_->copyRows({image.bits(), static_cast<std::size_t>(image.sizeInBytes())});
+    seen_pixels_ = size() * devicePixelRatioF();
+  }
+  /// Once there is a context.
+  void chooseWay() {
+    if (!isValid()) return;
+    makeCurrent();
+    copies_ = forced_copies.value_or(isDrawnBySoftware(*context()));
+  }
+  void reveal() {
+    if (copies_) {
+      picture_->show();
+    } else {
+      show();
+    }
+  }
   void warmUpStep() {
     if (stage_ != Stage::warming) return;
     if (!first_draws_) {
@@ -227,16 +247,17 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
         stage_ = Stage::cold;
         return;
       }
+      chooseWay();
       first_draws_ = std::make_unique<ShaderWarmup>(window_);
     } else if (first_draws_->step()) {
       // One more thing is drawn.
-    } else if (!copied_) {
+    } else if (!copies_ && !copied_) {
       copied_ = drawn_ = unseen_ = true;
       grabFramebuffer();  // From VTK's frame buffer into Qt's, which is a shader, too.
       drawn_ = false;
     } else {
       attachScene();
-      if (wanted_) show();
+      if (wanted_) reveal();
       return;
     }
     scheduler_.schedule(this, [this] { warmUpStep(); });
@@ -295,6 +316,8 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   GLuint seen_in_ = 0;
   vtkNew<MixingWindow> window_;
   std::unique_ptr<ShaderWarmup> first_draws_;
+  CopiedPicture* picture_;  ///< Child of the view, over this; owned by Qt.
+  bool copies_ = false;     ///< The picture is shown, and this is not.
 };
 
 SurfaceView::SurfaceView(RenderScheduler& turns, QWidget* parent)
@@ -321,6 +344,10 @@ SurfaceView::~SurfaceView() {
   delete canvas_;
 }
 
+void SurfaceView::setCopied(std::optional<bool> copied) {
+  forced_copies = copied;
+}
+
 void SurfaceView::warmUp() {
   if (window()->windowHandle() != nullptr) canvas_->warmUp();
 }
@@ -332,7 +359,7 @@ void SurfaceView::appear() {
 void SurfaceView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   window()->installEventFilter(this);  // Once, however often.
-  if (canvas_->isHidden()) canvas_->appearWhenWarm();
+  if (!canvas_->isShown()) canvas_->appearWhenWarm();
 }
 
 void SurfaceView::requestRender() {
@@ -567,7 +594,7 @@ void SurfaceView::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void SurfaceView::resizeEvent(QResizeEvent* /*event*/) {
-  canvas_->setGeometry(
+  canvas_->place(
       rect().adjusted(kFocusFramePx, kFocusFramePx, -kFocusFramePx, -kFocusFramePx));
   bar_->place();
   legend_->place();

@@ -64,6 +64,10 @@ class SurfaceView : public QWidget {
 
   double mmPerPixel() const;  ///< Of the widget, at the view's centre.
 
+  /// Views that appear from now on show copies of their pictures, or what OpenGL composes; nothing:
+  /// copies where OpenGL is software. For tests.
+  static void setCopied(std::optional<bool> copied);
+
   /// Compiles what pictures need, a step in a turn, if the window is on screen. The first picture
   /// waits for it; to be asked for as soon as one will be wanted.
   void warmUp();

@@ -27,6 +27,8 @@ class ButtonControl : public QObject {
   void addTo(HapticOptions& options) const;
   /// Takes what was pressed. Once a frame, with the newest sample.
   void follow(const HapticSample& sample);
+  /// A SpaceMouse, foot switch or gamepad is there, whose buttons follow() reads.
+  bool areThere() const { return buttons_->areThere(); }
   void cancelMoving() { buttons_->cancelMoving(); }
   /// Another device is the hand.
   void forgetPresses() { buttons_->forgetPresses(); }

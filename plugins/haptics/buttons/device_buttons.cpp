@@ -66,6 +66,10 @@ void DeviceButtons::readPads(double now_s) {
   for (const pad::PadEdge& edge : news.edges) press(edge.button, edge.down, now_s);
 }
 
+bool DeviceButtons::areThere() const {
+  return (hid_ && !hid_->names().empty()) || !pads_.seen().empty();
+}
+
 void DeviceButtons::readHid(double now_s) {
   if (now_s - scanned_s_ > kRescanSeconds) {
     scanned_s_ = now_s;

@@ -32,6 +32,8 @@ class DeviceButtons : public QObject {
   /// Once a frame.
   void frame(const HapticSample& sample, double now_s);
   void setSettings(const ButtonSettings& settings);
+  /// A SpaceMouse, foot switch or gamepad is there, by the last look.
+  bool areThere() const;
   /// What the hand feels in Move mode; off outside of it.
   const MoveDetent& detent() const { return detent_; }
   bool moving() const { return detent_.on; }

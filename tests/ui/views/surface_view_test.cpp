@@ -11,12 +11,25 @@
 #include <QMouseEvent>
 
 #include "tests/ui/gui_fixture.h"
+#include "ui/views/copied_picture.h"
 
 namespace relievo {
 namespace {
 
-class SurfaceViewTest : public GuiTest {
+/// Whether copies of the pictures are shown; else Qt composes them.
+class SurfaceViewTest : public GuiTest, public ::testing::WithParamInterface<bool> {
  protected:
+  SurfaceViewTest() {
+    SurfaceView::setCopied(GetParam());
+    restart();
+  }
+  ~SurfaceViewTest() override { SurfaceView::setCopied({}); }
+  QWidget* shownPart() {
+    return GetParam() ? static_cast<QWidget*>(view().findChild<CopiedPicture*>()) : canvas();
+  }
+  QWidget* hiddenPart() {
+    return GetParam() ? static_cast<QWidget*>(canvas()) : view().findChild<CopiedPicture*>();
+  }
   DetailView& view() { return window().detailView(); }
   QVTKOpenGLNativeWidget* canvas() { return view().findChild<QVTKOpenGLNativeWidget*>(); }
   /// As VTK has them.
@@ -52,8 +65,10 @@ class SurfaceViewTest : public GuiTest {
   }
 };
 
-TEST_F(SurfaceViewTest, ShowsWhatIsDrawnAndOpaquely) {
+TEST_P(SurfaceViewTest, ShowsWhatIsDrawnAndOpaquely) {
   openRelief();
+  EXPECT_TRUE(waitFor([this] { return shownPart()->isVisible(); }));
+  EXPECT_FALSE(hiddenPart()->isVisible());
   expectAsDrawn("at first");
   expectAsDrawn("once more");
   window().document().region().setRect({40, 40, 60, 60});
@@ -71,6 +86,22 @@ TEST_F(SurfaceViewTest, ShowsWhatIsDrawnAndOpaquely) {
   QCoreApplication::processEvents();
   expectAsDrawn("another size");
 }
+
+/// The widget's own pixels on screen, without what lies over them.
+TEST_P(SurfaceViewTest, PaintsAPictureOfItsSize) {
+  openRelief();
+  ASSERT_TRUE(waitFor([this] { return shownPart()->isVisible(); }));
+  for (const int less : {0, 40}) {
+    window().resize(window().width() - less, window().height() - less);
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(waitFor([this] {
+      const QImage on_screen = shownPart()->grab().toImage().convertToFormat(QImage::Format_RGB32);
+      return on_screen == view().shot().convertToFormat(QImage::Format_RGB32);
+    })) << less;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(BothWays, SurfaceViewTest, ::testing::Bool());
 
 }  // namespace
 }  // namespace relievo
