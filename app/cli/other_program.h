@@ -7,8 +7,8 @@ namespace relievo {
 /// libraries of graphics, which verbs that draw nothing neither wait for nor need installed.
 enum class Program {
   command_line,  ///< `relievo-cli`: the verbs that draw nothing, and every word about options.
-  draw,   ///< `relievo-draw`: the verbs that draw, and the depth buffer.
-  window  ///< `relievo-window`.
+  draw,          ///< `relievo-draw`: the verbs that draw, and the depth buffer.
+  window         ///< `relievo-window`.
 };
 
 /// Goes on as another program in the same process, with the same arguments, files and terminal.

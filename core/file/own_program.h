@@ -11,8 +11,8 @@ namespace relievo {
 /// @throw FileError  /proc, which tells it, is not there
 std::filesystem::path ownFolder(const std::string& does);
 
-/// For a program that is not relievo's, as a Python interpreter is not: relievo's programs are looked
-/// for as if it lay there. [before any is started]
+/// For a program that is not relievo's, as a Python interpreter is not: relievo's programs are
+/// looked for as if it lay there. [before any is started]
 void setProgramFolder(const std::filesystem::path& folder);
 
 /// Where relievo's program `name` lies for one that lies in `folder`: installed, beside it in the

@@ -288,10 +288,10 @@ std::string measurementsCsv(const std::vector<Measured>& list, std::string_view 
       continue;
     }
     for (const Quantity& q : reading->quantities) {
-      text += cellOfCsv(m.name) + "," + std::string(name(m.kind)) + "," + std::string(q.title) + "," +
-              numberText(q.value) + "," + numberText(q.uncertainty) + "," + std::string(q.unit) +
-              "," + numberText(reading->not_measured) + "," + planeNumbers(m) + "," +
-              placesText(m) + "\n";
+      text += cellOfCsv(m.name) + "," + std::string(name(m.kind)) + "," + std::string(q.title) +
+              "," + numberText(q.value) + "," + numberText(q.uncertainty) + "," +
+              std::string(q.unit) + "," + numberText(reading->not_measured) + "," +
+              planeNumbers(m) + "," + placesText(m) + "\n";
     }
   }
   return text;

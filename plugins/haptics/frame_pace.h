@@ -10,7 +10,7 @@ namespace relievo {
 class FramePace {
  public:
   static constexpr int kFrameMs = 16;
-  static constexpr int kFramesAtRest = 8;     ///< One look at rest takes the place of so many.
+  static constexpr int kFramesAtRest = 8;  ///< One look at rest takes the place of so many.
   static constexpr int kFramesUntilRest = 60;
 
   QTimer& timer() noexcept { return timer_; }

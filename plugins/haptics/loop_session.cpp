@@ -103,8 +103,8 @@ void LoopSession::takePrepared() {
     return prepareNext();
   }
   HapticSpace& space = loop_->spaces().back();
-  space.scene_id = ++scene_id_;
-  RecordedScene scene{scene_id_,         order.window.id, order.window.region,
+  space.scene_id = ++newest_.scene;
+  RecordedScene scene{newest_.scene,     order.window.id, order.window.region,
                       order.window.gain, order.kind,      order.touched};
   scene.textured = space.texture.present;
   scene.checksum = order.checksum;
@@ -134,7 +134,7 @@ void LoopSession::pushHand(DeviceMm by) {
 
 void LoopSession::setOptions(const HapticOptions& options) {
   HapticOptions named = withinDevice(options, loop_->device());
-  named.id = ++options_id_;
+  named.id = ++newest_.options;
   notes_.addOptions(optionsLine(named), recorder_.running());
   loop_->options().write(named);
   pace_.forces_asked = options.force.forces_on;
@@ -142,8 +142,8 @@ void LoopSession::setOptions(const HapticOptions& options) {
 }
 
 std::uint64_t LoopSession::lead(GuidePath path) {
-  path.id = ++guide_id_;
-  path.scene_id = scene_id_;
+  path.id = ++newest_.guide;
+  path.scene_id = newest_.scene;
   notes_.addPath(guideLine(path), recorder_.running());
   loop_->paths().write(path);
   return path.id;

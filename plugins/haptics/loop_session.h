@@ -106,6 +106,10 @@ class LoopSession {
     std::optional<Anchor> touched;  // Stays under the hand.
     std::uint64_t checksum = 0;     // Once it is prepared.
   };
+  /// Of what the loop was given last.
+  struct Ids {
+    std::uint64_t scene = 0, options = 0, guide = 0;
+  };
   struct Pace {
     std::chrono::milliseconds unfelt_every{150};
     std::chrono::steady_clock::time_point begun;  // When the worker last began to prepare one.
@@ -127,7 +131,7 @@ class LoopSession {
   foreign::ForeignDevice* foreign_ = nullptr;  // Null: no plug-in drives it.
   haply::HaplyDevice* haply_ = nullptr;        // Likewise.
   std::unique_ptr<SampleDrain> drain_;
-  std::uint64_t scene_id_ = 0, options_id_ = 0, guide_id_ = 0;
+  Ids newest_;
   ReplayNotes notes_;
   std::filesystem::path recording_folder_;
   bool has_window_ = false, moving_ = false;
@@ -136,8 +140,8 @@ class LoopSession {
   std::optional<Order> waiting_;        // The newest that was asked for.
   std::optional<Order> coming_;         // The worker prepares it, in the loop's back slot.
   Pace pace_;
-  std::future<void> filling_;           // Last, so that it is waited for first.
-  std::optional<ViewMm> hand_since_;    // Where the pointer wants it since the last show().
+  std::future<void> filling_;         // Last, so that it is waited for first.
+  std::optional<ViewMm> hand_since_;  // Where the pointer wants it since the last show().
   std::string problem_;
 };
 

@@ -27,7 +27,8 @@ class SteeredHand {
   void moveTo(const RegionWindow& window, ViewMm target);
   /// Carries it on from where it was last sent. @param hip  where it is
   void push(DeviceMm by, DeviceMm hip);
-  /// Follows a hand that is led a little, as an arm gives way. Once a frame. @param hip  where it is
+  /// Follows a hand that is led a little, as an arm gives way. Once a frame. @param hip  where it
+  /// is
   void giveWay(DeviceMm hip);
   /// How the loop's surface lies under the hand.
   const HandMapping& mapping() const noexcept { return mapping_; }

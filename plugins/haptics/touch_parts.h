@@ -21,7 +21,7 @@ struct TouchParts {
   QPointer<HapticsPanel> panel = {};  ///< Null: not there yet, or the host has deleted it.
   /// Of gamepads; every session feeds it, and the settings of buttons switch it.
   std::shared_ptr<pad::Rumbler> rumbler = std::make_shared<pad::Rumbler>();
-  bool forces_asked = false;          ///< Whether the person wants forces.
+  bool forces_asked = false;  ///< Whether the person wants forces.
 
   /// After a change of the settings that the panel did not make.
   void showSettings() const {

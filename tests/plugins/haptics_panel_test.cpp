@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QSlider>
 
+#include "plugins/haptics/panel/loop_health.h"
+
 namespace relievo {
 namespace {
 
@@ -44,6 +46,16 @@ TEST_F(HapticsPanelTest, ASlowLoopIsSaidWithWhatItCosts) {
   report_.sample.slow = {};
   panel_.show(report_);
   EXPECT_EQ(text("forceState"), "On.");
+}
+
+// English has its plural forms in a translation, which these tests do not load.
+TEST_F(HapticsPanelTest, InterruptionsOfTheForceAreSaidFirst) {
+  report_.stats.rate_hz = 1000;
+  EXPECT_TRUE(healthText(report_).startsWith("Runs well. 1000 per second, "));
+  report_.stats.watchdog_cuts = 5;
+  report_.stats.pauses = 7;
+  EXPECT_TRUE(healthText(report_).startsWith("Force interrupted 5 time(s). Pauses after which"))
+      << healthText(report_).toStdString();
 }
 
 TEST_F(HapticsPanelTest, WhetherADeviceWasTriedOnHardwareStandsBesideIt) {

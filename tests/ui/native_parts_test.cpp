@@ -52,7 +52,8 @@ TEST_F(NativePartsTest, AChangedLabelComposesNoView) {
   label->setFixedSize(80, 16);  // As the fields of the status bar: no number moves the others.
   window().statusBar()->addWidget(label);
   ASSERT_TRUE(rests());
-  // A picture that was still on its way on a busy machine may come in between: the changes are then made again.
+  // A picture that was still on its way on a busy machine may come in between: the changes are then
+  // made again.
   EXPECT_TRUE(waitFor([this, label] { return composedByFiveChanges(*label) == 0; }));
   // What does change a view composes it, so that the count counts.
   window().runCommand("relief_slope");

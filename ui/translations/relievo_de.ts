@@ -534,9 +534,12 @@
         <source>Not measured yet.</source>
         <translation>Noch nicht gemessen.</translation>
     </message>
-    <message>
-        <source>The watchdog cut the force, times: %1.</source>
-        <translation>Kraft vom Wächter abgeschaltet, Anzahl: %1.</translation>
+    <message numerus="yes">
+        <source>Force interrupted %n time(s).</source>
+        <translation>
+            <numerusform>Kraft %n-mal unterbrochen.</numerusform>
+            <numerusform>Kraft %n-mal unterbrochen.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Softened against swinging, times: %1.</source>

@@ -95,4 +95,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>relievo</name>
+    <message numerus="yes">
+        <source>Force interrupted %n time(s).</source>
+        <translation>
+            <numerusform>Force interrupted %n time.</numerusform>
+            <numerusform>Force interrupted %n times.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

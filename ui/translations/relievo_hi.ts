@@ -534,9 +534,12 @@
         <source>Not measured yet.</source>
         <translation>अभी मापा नहीं गया।</translation>
     </message>
-    <message>
-        <source>The watchdog cut the force, times: %1.</source>
-        <translation>निगरानी ने बल काटा, बार: %1।</translation>
+    <message numerus="yes">
+        <source>Force interrupted %n time(s).</source>
+        <translation>
+            <numerusform>बल %n बार रुका।</numerusform>
+            <numerusform>बल %n बार रुका।</numerusform>
+        </translation>
     </message>
     <message>
         <source>Softened against swinging, times: %1.</source>

@@ -7,9 +7,9 @@
 
 namespace relievo {
 
-/// A picture that was copied out of OpenGL's memory, as an ordinary widget. Where OpenGL is software,
-/// Qt's way of showing a widget of OpenGL's costs more than the picture itself: docs/adr/0225.
-/// Mouse and keys go to its parent. [GUI thread]
+/// A picture that was copied out of OpenGL's memory, as an ordinary widget. Where OpenGL is
+/// software, Qt's way of showing a widget of OpenGL's costs more than the picture itself:
+/// docs/adr/0225. Mouse and keys go to its parent. [GUI thread]
 class CopiedPicture : public QWidget {
   Q_OBJECT
  public:

@@ -26,7 +26,7 @@
 #include "ui/views/overlays/colour_bar.h"
 #include "ui/views/overlays/grid_painter.h"
 #include "ui/views/view_pixels.h"
-#include "ui/vtk/mixing_window.h"
+#include "ui/vtk/drawing/mixing_window.h"
 #include "ui/vtk/scale_length.h"
 #include "ui/vtk/shader_warmup.h"
 #include "ui/work/scheduling/render_scheduler.h"
@@ -594,8 +594,7 @@ void SurfaceView::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void SurfaceView::resizeEvent(QResizeEvent* /*event*/) {
-  canvas_->place(
-      rect().adjusted(kFocusFramePx, kFocusFramePx, -kFocusFramePx, -kFocusFramePx));
+  canvas_->place(rect().adjusted(kFocusFramePx, kFocusFramePx, -kFocusFramePx, -kFocusFramePx));
   bar_->place();
   legend_->place();
   labels_->place();

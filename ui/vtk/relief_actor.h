@@ -6,8 +6,8 @@
 #include <vtkActor.h>
 #include <vtkNew.h>
 
+#include "ui/vtk/drawing/stoppable_mapper.h"
 #include "ui/vtk/relief_scene.h"
-#include "ui/vtk/stoppable_mapper.h"
 #include "ui/vtk/surface_mesh.h"
 
 namespace relievo {

@@ -14,7 +14,7 @@
 #include <vtkSmartPointer.h>
 
 #include "core/base/failure.h"
-#include "ui/vtk/kept_surface.h"
+#include "ui/vtk/drawing/kept_surface.h"
 #include "ui/vtk/probe_actors.h"
 #include "ui/vtk/relief_actor.h"
 #include "ui/vtk/scene_view.h"

@@ -14,8 +14,8 @@
 namespace relievo {
 
 namespace {
-QString tr(const char* text) {
-  return QCoreApplication::translate("relievo", text);  // Where lupdate puts a free tr().
+QString tr(const char* text, const char* about = nullptr, int n = -1) {
+  return QCoreApplication::translate("relievo", text, about, n);  // Where lupdate puts a free tr().
 }
 
 QString number(std::uint64_t count) {
@@ -55,7 +55,7 @@ QString healthText(const LoopReport& report) {
   if (stats.rate_hz <= 0) return tr("Not measured yet.");
   QStringList said;
   if (stats.watchdog_cuts > 0) {
-    said << tr("The watchdog cut the force, times: %1.").arg(number(stats.watchdog_cuts));
+    said << tr("Force interrupted %n time(s).", nullptr, static_cast<int>(stats.watchdog_cuts));
   }
   if (report.sample.softened > 0) {
     said << tr("Softened against swinging, times: %1.").arg(report.sample.softened);

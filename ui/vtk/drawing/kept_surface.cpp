@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/vtk/kept_surface.h"
+#include "ui/vtk/drawing/kept_surface.h"
 
 #include <vtk_glew.h>
 #include <vtkCamera.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/vtk/stoppable_mapper.h"
+#include "ui/vtk/drawing/stoppable_mapper.h"
 
 #include <algorithm>
 #include <cstdint>

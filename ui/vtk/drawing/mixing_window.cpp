@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/vtk/mixing_window.h"
+#include "ui/vtk/drawing/mixing_window.h"
 
 #include <vtk_glew.h>
 #include <vtkNew.h>

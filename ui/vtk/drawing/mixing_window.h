@@ -9,14 +9,16 @@ namespace relievo {
 
 class ReliefScene;
 
-/// A view's window. Mixes two eyes' pictures as `renderOffscreen` does; VTK alone knows only channel
-/// masks. [GUI thread]
+/// A view's window. Mixes two eyes' pictures as `renderOffscreen` does; VTK alone knows only
+/// channel masks. [GUI thread]
 class MixingWindow : public vtkGenericOpenGLRenderWindow {
  public:
   static MixingWindow* New();
   vtkTypeMacro(MixingWindow, vtkGenericOpenGLRenderWindow)
 
-      void follow(const ReliefScene* scene) { scene_ = scene; }
+      void follow(const ReliefScene* scene) {
+    scene_ = scene;
+  }
   void setFirstRow(int row) { first_row_ = row; }  ///< Of the screen: PixelRows.
 
   /// The picture that was drawn last, top row first; of each pixel blue, green, red and a byte that
