@@ -5887,6 +5887,10 @@
         <translation>--quality ist für Karten, die im Speicher gemacht werden. Lassen Sie --memory weg.</translation>
     </message>
     <message>
+        <source>a raster has no points to be read.</source>
+        <translation>ein Raster hat keine Punkte, die gelesen werden könnten.</translation>
+    </message>
+    <message>
         <source>--scale: &apos;%1&apos; is not of the form 1:N. Nothing was drawn.</source>
         <translation>--scale: „%1“ hat nicht die Form 1:N. Nichts wurde gezeichnet.</translation>
     </message>

@@ -5887,6 +5887,10 @@
         <translation>--quality स्मृति में बनने वाले मानचित्रों के लिए है। --memory छोड़ दें।</translation>
     </message>
     <message>
+        <source>a raster has no points to be read.</source>
+        <translation>रास्टर में पढ़ने के लिए कोई बिंदु नहीं हैं।</translation>
+    </message>
+    <message>
         <source>--scale: &apos;%1&apos; is not of the form 1:N. Nothing was drawn.</source>
         <translation>--scale: &apos;%1&apos; का रूप 1:N नहीं है। कुछ नहीं बनाया गया।</translation>
     </message>
