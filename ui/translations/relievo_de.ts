@@ -6063,6 +6063,10 @@
         <translation>%1 gehört zu project %2, nicht zu %3. Nichts wurde getan. Lassen Sie es weg.</translation>
     </message>
     <message>
+        <source>Cannot read %1: it is a package for citation, not a scan. &apos;relievo project info&apos; says what it holds, &apos;relievo project verify&apos; whether all of it is as it was packed.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist ein Paket zum Zitieren, kein Scan. „relievo project info“ sagt, was es enthält, „relievo project verify“, ob alles darin noch so ist, wie es gepackt wurde.</translation>
+    </message>
+    <message>
         <source>--relief: &apos;%1&apos; has no values of the relief. Choose another, or &apos;relievo render&apos;; colours are written beside a map without --relief.</source>
         <translation>--relief: „%1“ hat keine Werte des Reliefs. Wählen Sie ein anderes, oder &apos;relievo render&apos;; Farben werden ohne --relief neben eine Karte geschrieben.</translation>
     </message>

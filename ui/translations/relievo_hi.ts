@@ -6063,6 +6063,10 @@
         <translation>%1 project %2 के लिए है, %3 के लिए नहीं। कुछ नहीं किया गया। इसे छोड़ दें।</translation>
     </message>
     <message>
+        <source>Cannot read %1: it is a package for citation, not a scan. &apos;relievo project info&apos; says what it holds, &apos;relievo project verify&apos; whether all of it is as it was packed.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह उद्धरण वाला पैकेज है, स्कैन नहीं। &apos;relievo project info&apos; बताता है कि इसमें क्या है, और &apos;relievo project verify&apos; बताता है कि सब कुछ वैसा ही है या नहीं जैसा पैक किया गया था।</translation>
+    </message>
+    <message>
         <source>--relief: &apos;%1&apos; has no values of the relief. Choose another, or &apos;relievo render&apos;; colours are written beside a map without --relief.</source>
         <translation>--relief: &apos;%1&apos; में उभार के मान नहीं हैं। दूसरा चुनें, या &apos;relievo render&apos;; --relief के बिना रंग मानचित्र के साथ लिखे जाते हैं।</translation>
     </message>
