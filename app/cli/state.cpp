@@ -11,6 +11,7 @@
 #include "core/io/file_check.h"
 #include "core/project/embedded_state.h"
 #include "core/session/large/tiled_surface.h"
+#include "core/tiles/published/published_tiles.h"
 #include "core/tiles/tiled_map.h"
 
 namespace relievo::batch {
@@ -65,7 +66,8 @@ void findInput(Project& project, const fs::path& host_file, const InputChoice& c
   if (project.sha256.empty()) return;  // Without a checksum nobody can tell.
   const std::string sha256 = sha256OfFile(file, task);
   if (sha256 == project.sha256) return;
-  const std::string name = file.filename().string(), made = host_file.filename().string();
+  const std::string address = addressOfKeptMap(file), made = host_file.filename().string();
+  const std::string name = address.empty() ? file.filename().string() : address;
   if (!choice.accept_changed) {
     throw ChangedInputError(said<MessageId::input_is_not_that_file>(name, made));
   }

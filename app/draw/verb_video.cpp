@@ -9,6 +9,7 @@
 #include "app/cli/options/eye_angle_range.h"
 #include "app/cli/options/look_arguments.h"
 #include "app/cli/options/number_option.h"
+#include "app/cli/published/published_input.h"
 #include "app/cli/report_text.h"
 #include "app/cli/sound_track.h"
 #include "app/cli/state.h"
@@ -215,7 +216,9 @@ void declareVideo(CLI::App& verb, VideoArguments& a) {
   verb.add_option("recording", a.recording, "LOG.csv or LOG.h5 of the window, touch or record");
   verb.add_option("--path", a.path, "PROJECT.json whose key views the camera passes");
   verb.add_option("-o,--output", a.out, "VIDEO.mp4; for images a folder")->required();
-  verb.add_option("--input", a.input, "The scan or map, if it is not where the log says");
+  mayBeWebAddress(verb.add_option(
+      "--input", a.input,
+      "The scan or map, or the address of a published map, if it is not where the log says"));
   verb.add_flag("--changed-input", a.changed_input, "Use it although its checksum differs");
   addOutsideOption(verb, a.outside_files);
   verb.add_option("--profile", a.profile,

@@ -371,6 +371,22 @@ void writePackage(const std::filesystem::path& target, const Project& project,
   writer.close(task);
 }
 
+bool isPackageOfRelievo(const std::filesystem::path& file) {
+  int code = 0;
+  const Zip archive(zip_open(file.c_str(), ZIP_RDONLY, &code));
+  const auto holds = [&archive](const char* name) {
+    return zip_name_locate(archive.get(), name, ZIP_FL_ENC_UTF_8) >= 0;
+  };
+  return archive && holds(kManifest) && holds(kProject);
+}
+
+Project projectInPackage(const std::filesystem::path& file, const Task& task) {
+  const Zip archive = openZip(file);
+  const auto text = entryText(archive.get(), kProject, task);
+  if (!text) throw failure<MessageId::package_not_checked>(shownName(file), kProject);
+  return projectFromJson(*text, shownName(file));
+}
+
 void unpackPackage(const std::filesystem::path& file, const std::filesystem::path& folder,
                    const Task& task) {
   const Zip archive = openZip(file);

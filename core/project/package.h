@@ -37,6 +37,14 @@ struct PackageCheck {
 /// unpacked. [worker] @throw FileError  no zip, or no manifest in it  @throw Cancelled
 PackageCheck verifyPackage(const std::filesystem::path& file, const Task& task = {});
 
+/// Is it a zip with the manifest and the project of a package? Neither is read.
+bool isPackageOfRelievo(const std::filesystem::path& file);
+
+/// The project of a package; it names its files as they are called in the zip. Nothing is unpacked,
+/// and nothing is compared with the manifest. [worker]
+/// @throw FileError  no zip, or no project in it that can be read  @throw Cancelled
+Project projectInPackage(const std::filesystem::path& file, const Task& task = {});
+
 /// Unpacks the files that the manifest names into a folder that exists. Names that lead out of it
 /// are refused. [worker] @throw FileError  as verifyPackage, or a damaged file  @throw WriteError,
 /// Cancelled

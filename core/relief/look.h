@@ -75,7 +75,7 @@ std::optional<StereoMode> stereoMode(std::string_view name);
 
 struct StereoOptions {
   StereoMode mode = StereoMode::off;
-  double eye_angle_deg = 4;  ///< Full angle between the eyes' directions, as drawn; 0.5 .. 60.
+  double eye_angle_deg = 4;  ///< Between the eyes' directions, full, as drawn; see eye_angle.h.
   std::optional<double> zero_plane_mm =
       std::nullopt;  ///< View z of zero parallax; nothing: mid height.
   bool swap_eyes = false;

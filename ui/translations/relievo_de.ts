@@ -5890,6 +5890,10 @@
         <translation>--quality ist für Karten, die im Speicher gemacht werden. Lassen Sie --memory weg.</translation>
     </message>
     <message>
+        <source>a raster has no points to be read.</source>
+        <translation>ein Raster hat keine Punkte, die gelesen werden könnten.</translation>
+    </message>
+    <message>
         <source>--scale: &apos;%1&apos; is not of the form 1:N. Nothing was drawn.</source>
         <translation>--scale: „%1“ hat nicht die Form 1:N. Nichts wurde gezeichnet.</translation>
     </message>
@@ -6060,6 +6064,10 @@
     <message>
         <source>%1 belongs to project %2, not to %3. Nothing was done. Leave it out.</source>
         <translation>%1 gehört zu project %2, nicht zu %3. Nichts wurde getan. Lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is a package for citation, not a scan. &apos;relievo project info&apos; says what it holds, &apos;relievo project verify&apos; whether all of it is as it was packed.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist ein Paket zum Zitieren, kein Scan. „relievo project info“ sagt, was es enthält, „relievo project verify“, ob alles darin noch so ist, wie es gepackt wurde.</translation>
     </message>
     <message>
         <source>--relief: &apos;%1&apos; has no values of the relief. Choose another, or &apos;relievo render&apos;; colours are written beside a map without --relief.</source>

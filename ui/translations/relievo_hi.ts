@@ -5890,6 +5890,10 @@
         <translation>--quality स्मृति में बनने वाले मानचित्रों के लिए है। --memory छोड़ दें।</translation>
     </message>
     <message>
+        <source>a raster has no points to be read.</source>
+        <translation>रास्टर में पढ़ने के लिए कोई बिंदु नहीं हैं।</translation>
+    </message>
+    <message>
         <source>--scale: &apos;%1&apos; is not of the form 1:N. Nothing was drawn.</source>
         <translation>--scale: &apos;%1&apos; का रूप 1:N नहीं है। कुछ नहीं बनाया गया।</translation>
     </message>
@@ -6060,6 +6064,10 @@
     <message>
         <source>%1 belongs to project %2, not to %3. Nothing was done. Leave it out.</source>
         <translation>%1 project %2 के लिए है, %3 के लिए नहीं। कुछ नहीं किया गया। इसे छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is a package for citation, not a scan. &apos;relievo project info&apos; says what it holds, &apos;relievo project verify&apos; whether all of it is as it was packed.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह उद्धरण वाला पैकेज है, स्कैन नहीं। &apos;relievo project info&apos; बताता है कि इसमें क्या है, और &apos;relievo project verify&apos; बताता है कि सब कुछ वैसा ही है या नहीं जैसा पैक किया गया था।</translation>
     </message>
     <message>
         <source>--relief: &apos;%1&apos; has no values of the relief. Choose another, or &apos;relievo render&apos;; colours are written beside a map without --relief.</source>

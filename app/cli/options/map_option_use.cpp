@@ -5,6 +5,7 @@
 
 #include "app/cli/options/look_arguments.h"
 #include "app/cli/verb.h"
+#include "core/message/catalogue.h"
 #include "core/session/large/large_map.h"
 
 namespace relievo::batch {
@@ -46,7 +47,7 @@ void tellUnusedMapOptions(const MapArguments& a, const LargeMap& map) {
 }
 
 void tellUnusedScanOptions(const ScanArguments& a) {
-  const std::string points = "a raster has no points to be read.";
+  const std::string points = englishText(said<MessageId::raster_without_points>());
   tellUnused("--reader", a.reader != ScanArguments{}.reader, points);
   tellUnused("--parts", !a.parts.empty(), points);
   tellUnused("--keep-withheld", a.keep_withheld, points);

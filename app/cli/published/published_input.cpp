@@ -13,14 +13,30 @@
 #include "core/tiles/tiled_map.h"
 
 namespace relievo::batch {
+namespace {
+
+constexpr const char* kLooksAtAddress = "looks at an address";  // The parser's name of it.
+
+}  // namespace
 
 CLI::Option* mayBeWebAddress(CLI::Option* file) {
-  return file->transform([](const std::string& word) {
-    if (!isWebAddress(word)) return word;
-    const WebMap map = webMap(word);
-    if (map.from_before) tell(englishText(said<MessageId::web_map_from_before>(word)));
-    return map.manifest.string();
-  });
+  return file->transform(
+      [](const std::string& word) {
+        if (!isWebAddress(word)) return word;
+        const WebMap map = webMap(word);
+        if (map.from_before) tell(englishText(said<MessageId::web_map_from_before>(word)));
+        return map.manifest.string();
+      },
+      "", kLooksAtAddress);
+}
+
+void leaveWebAddress(CLI::Option* file) {
+  file->get_validator(kLooksAtAddress)->active(false);
+}
+
+std::string calledInput(const std::string& file) {
+  const std::string address = addressOfKeptMap(file);
+  return address.empty() ? file : address;
 }
 
 CommandResult infoOfPublished(const std::string& file, const Task& task) {

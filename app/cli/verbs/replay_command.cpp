@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/json.h"
+#include "app/cli/published/published_input.h"
 #include "app/cli/verbs/devices/told_limits.h"
 #include "core/base/failure.h"
 #include "core/provenance/embedded.h"
@@ -57,6 +58,7 @@ TouchArguments argumentsOf(const std::vector<std::string>& command) {
   } else {
     declareTouch(parser, arguments);
   }
+  leaveWebAddress(parser.get_option("FILE"));
   parser.add_option("--report", "")->expected(1);
   try {
     parser.parse(std::vector<std::string>(command.rbegin(), command.rend() - 1));

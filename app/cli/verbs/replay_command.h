@@ -16,6 +16,7 @@ std::optional<std::vector<std::string>> commandIn(const LogTable& log);
 /// @throw FileError  nothing tells what made it; names `file`
 std::vector<std::string> commandOf(const LogTable& log, const std::string& file);
 
+/// The address of a map stays one: no server is asked.
 /// @throw FileError  this version does not understand it
 TouchArguments argumentsOf(const std::vector<std::string>& command);
 

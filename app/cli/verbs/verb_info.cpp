@@ -18,6 +18,7 @@
 #include "core/io/raster/raster.h"
 #include "core/project/embedded_state.h"
 #include "core/project/file_set.h"
+#include "core/project/package.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/provenance.h"
 #include "core/session/nodata.h"
@@ -381,6 +382,9 @@ CommandResult runInfo(const InfoArguments& a, const Task& task) {
   const std::optional<LengthUnit> given = givenUnit(a.unit);
   const InputFacts facts = inputFacts(a.file, task);
   if (const auto shown = shownBy(a.file, facts)) return infoOfShown(a, *shown);
+  if (facts.host_file == HostFileKind::package && isPackageOfRelievo(a.file)) {
+    throw failure<MessageId::info_of_a_package>(shownName(a.file));
+  }
   if (facts.kind == InputKind::tiled_map && std::filesystem::path(a.file).extension() == ".json") {
     return infoOfPublished(a.file, task);
   }

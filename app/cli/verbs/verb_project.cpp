@@ -77,8 +77,9 @@ CommandResult makeNew(const ProjectArguments& a, const Task& task) {
           .lines = {a.out + ": a project on " + fs::path(project.file).filename().string()}};
 }
 
-CommandResult showInfo(const ProjectArguments& a) {
-  const Project p = readProject(a.file);
+CommandResult showInfo(const ProjectArguments& a, const Task& task) {
+  const Project p =
+      isPackageOfRelievo(a.file) ? projectInPackage(a.file, task) : readProject(a.file);
   Json json;
   json["input"] = p.file;
   json["sha256"] = p.sha256;
@@ -192,7 +193,7 @@ void checkOptions(const ProjectArguments& a) {
 CommandResult runProject(const ProjectArguments& a, const Task& task) {
   checkOptions(a);
   if (a.action == "new") return makeNew(a, task);
-  if (a.action == "info") return showInfo(a);
+  if (a.action == "info") return showInfo(a, task);
   if (a.action == "check") return check(a, task);
   if (a.action == "relink") return relink(a, task);
   if (a.action == "package") return pack(a, task);
@@ -232,7 +233,8 @@ Verb projectVerb() {
           [arguments](CLI::App& verb) {
             verb.add_option(
                     "ACTION", arguments->action,
-                    "new: from a picture or log; info; check: files and checksums; "
+                    "new: from a picture or log; info: what a project or package holds; check: "
+                    "files and checksums; "
                     "relink: find moved files; package: zip for citation; verify: such a zip")
                 ->required()
                 ->check(CLI::IsMember({"new", "info", "check", "relink", "package", "verify"}));

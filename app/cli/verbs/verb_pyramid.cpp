@@ -91,6 +91,8 @@ CommandResult runPyramid(const PyramidArguments& a, const Task& task) {
 VerbFiles filesOf(const PyramidArguments& a) {
   VerbFiles files;
   for (const std::filesystem::path& file : filesOf(a.map, a.tiles)) files.reads(file);
+  // A name without an ending is the beginning of the levels' names, which then have none either.
+  if (std::filesystem::path(a.out).has_extension()) files.namesMap("--output", a.out);
   files.writesLevels(levelFile(a.out, 0));
   return files;
 }

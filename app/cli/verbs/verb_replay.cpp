@@ -7,6 +7,7 @@
 
 #include "app/cli/dependencies.h"
 #include "app/cli/json.h"
+#include "app/cli/published/published_input.h"
 #include "app/cli/report_text.h"
 #include "app/cli/state.h"
 #include "app/cli/verb.h"
@@ -17,6 +18,7 @@
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/input_facts.h"
+#include "core/io/web/web_link.h"
 #include "core/project/embedded_state.h"
 #include "core/project/package.h"
 #include "core/project/project.h"
@@ -273,12 +275,19 @@ void checkOutput(const ReplayArguments& a, const LogTable& log, const Task& task
   check(files);
 }
 
+/// Of an address in the log only what was opened here before is taken, as of one in a project.
+/// @param named  by the command in the log  @throw FileError  E501, it was not opened
+std::string inputOf(const ReplayArguments& a, const std::string& named) {
+  if (!a.input.empty()) return a.input;
+  return isWebAddress(named) ? foundInput(a.log, named).string() : named;
+}
+
 /// What the command in a log reads, which whoever made the log chose. @throw FileError
 void requireOwnFiles(const ReplayArguments& a, const LogTable& log, const Task& task) {
   const auto state = embeddedProject(a.log);
   const std::string sha256 = state ? state->sha256 : std::string();
   const TouchArguments touch = argumentsOf(commandOf(log, a.log));
-  if (a.input.empty()) {
+  if (a.input.empty() && !isWebAddress(touch.map.file)) {
     requireOwn(a.log, {.file = touch.map.file, .sha256 = sha256}, a.outside_files,
                "Give it with --input if it is the right one.", task);
   }
@@ -301,14 +310,14 @@ ReplayResult replayed(const ReplayArguments& a, Json& json, const Task& task) {
     if (out) out->write(sample, t_s);
   };
   if (!a.out.empty() && isOfWindow(log)) out = openLog(a.out, log.header);
-  json["input"] = a.input;
+  json["input"] = calledInput(a.input);
   std::optional<ReplayResult> result = replayOfWindow(
       log, {.file = a.log, .input = a.input, .outside_files = a.outside_files}, each, task);
   if (!result) {
     requireOwnFiles(a, log, task);
     TouchArguments touch = argumentsOf(commandOf(log, a.log));
-    if (!a.input.empty()) touch.map.file = a.input;
-    json["input"] = touch.map.file;
+    touch.map.file = inputOf(a, touch.map.file);
+    json["input"] = calledInput(touch.map.file);
     touch.lift_n = liftIn(log);
     touch.told = toldIn(log);
     touch.recorded_guide = guideIn(log);
@@ -388,8 +397,10 @@ Verb replayVerb() {
                 verb.add_option("log", arguments->log,
                                 "LOG.csv or LOG.h5; or a package for citation: all of it")
                     ->required();
-                verb.add_option("--input", arguments->input,
-                                "The scan or map, if it is not where the log says");
+                mayBeWebAddress(
+                    verb.add_option("--input", arguments->input,
+                                    "The scan or map, or the address of a published map, if it is "
+                                    "not where the log says"));
                 verb.add_option("-o,--output", arguments->out, "Write what came out, too");
                 verb.add_flag("--verify", arguments->verify,
                               "Exit 5 if a single bit differs, or the log was changed");

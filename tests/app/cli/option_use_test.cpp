@@ -148,8 +148,16 @@ TEST_F(OptionUse, AMapIsNotGivenTheNameOfSomethingElse) {
     EXPECT_EQ(runRelievo({"depthmap", m, "-o", path(name)}).exit_code, 0) << name;
     EXPECT_TRUE(fs::exists(path(name))) << name;
   }
-  // The name of a pyramid is the beginning of its files' names.
-  EXPECT_EQ(runRelievo({"pyramid", m, "-o", path("levels")}).exit_code, 0);
+  // The name of a pyramid is the beginning of its files' names, which have its ending.
+  for (const auto& [name, level] : {std::pair("g.png", "g.L0.png"), {"g.tif.gz", "g.tif.L0.gz"}}) {
+    const std::string out = path(name), why = sentence("--output", out);
+    isRefused({"pyramid", m, "-o", out}, why, path(level));
+    isRefused({"pyramid", m, "--memory", "400", "-o", out}, why, path(level));
+  }
+  for (const auto& [name, level] : {std::pair("levels", "levels.L0"), {"l.TIFF", "l.L0.TIFF"}}) {
+    EXPECT_EQ(runRelievo({"pyramid", m, "-o", path(name)}).exit_code, 0) << name;
+    EXPECT_TRUE(fs::exists(path(level))) << name;
+  }
 }
 
 TEST_F(OptionUse, AMeasurementIsNotGivenAnEmptyName) {

@@ -170,5 +170,26 @@ TEST_F(PackageVerify, EndsWithFiveWhereAByteDiffers) {
   EXPECT_EQ(result.exit_code, 5) << result.err;
 }
 
+TEST_F(PackageVerify, InfoNamesWhatTellsOfAPackage) {
+  pack();
+  const CommandResult info = runRelievo({"info", path("p.zip")});
+  EXPECT_EQ(info.exit_code, 2);
+  EXPECT_NE(info.err.find("p.zip: it is a package for citation, not a scan. 'relievo project info' "
+                          "says what it holds"),
+            std::string::npos)
+      << info.err;
+  const CommandResult held = runRelievo({"project", "info", path("p.zip"), "--report", "json"});
+  ASSERT_EQ(held.exit_code, 0) << held.err;
+  const json report = json::parse(held.out);
+  EXPECT_EQ(report["input"], "input/relief.ply");
+  EXPECT_EQ(report["recordings"], json::array({"recordings/log.csv"}));
+  EXPECT_FALSE(fs::exists(path("input"))) << "nothing is unpacked";
+
+  write("other.zip", "PK\x03\x04 of somebody else");
+  const CommandResult other = runRelievo({"info", path("other.zip")});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("it is a ZIP archive; unpack it first"), std::string::npos) << other.err;
+}
+
 }  // namespace
 }  // namespace relievo

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a map by tiles to a folder, and from its address to facts, a picture and a touch.
+// From a map by tiles to a folder, and from its address to facts, a picture and a touch, which is
+// played back and filmed by the address as well.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -48,6 +49,22 @@ class PublishVerb : public testing::Test {
     EXPECT_NE(result.err.find(sentence), std::string::npos) << result.err;
   }
 
+  /// Of another computer, on which no address was opened.
+  void forgetWhatWasOpened() const { std::filesystem::remove_all(folder_ / "cache"); }
+  std::string touchOn(const std::string& map) const {
+    std::ofstream(path("press.csv")) << "t_s,x_mm,y_mm,z_mm\n0,0,0,20\n0.2,0,0,-10\n";
+    succeeds({"touch", map, "--stroke", path("press.csv"), "--frame", "device", "-o", path("a.csv"),
+              "--report", "json"});
+    return path("a.csv");
+  }
+  static std::vector<std::string> replaying(const std::string& log, const std::string& input) {
+    return {"replay", log, "--verify", "--input", input, "--report", "json"};
+  }
+  std::vector<std::string> filming(const std::string& log, const std::string& input) const {
+    return {"video", log,      "--input", input, "--frame",
+            "1",     "--size", "320x180", "-o",  path("frame.png")};
+  }
+
   test::TileFolder folder_;
 };
 
@@ -76,6 +93,69 @@ TEST_F(PublishVerb, WhatIsPublishedIsLookedAtAndTouchedByItsAddress) {
 
   succeeds({"render", server.address(), "-o", path("web.png"), "--pixels", "64"});
   EXPECT_TRUE(std::filesystem::exists(path("web.png")));
+}
+
+TEST_F(PublishVerb, ARecordingIsPlayedBackAndFilmedByTheAddressOfItsMap) {
+  succeeds(publishing(path("map.tif")));
+  test::SlowWebServer server(path("web"), {});
+  const std::string log = touchOn(server.address());
+  server.stop();
+  forgetWhatWasOpened();
+  test::SlowWebServer moved(path("web"), {});
+  succeeds(filming(log, moved.address()));
+  std::ifstream frame(path("frame.png"), std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(frame), {}};
+  EXPECT_NE(bytes.find(moved.address()), std::string::npos) << "the picture names the address";
+
+  forgetWhatWasOpened();
+  const json replay = json::parse(succeeds(replaying(log, moved.address() + "/")));
+  EXPECT_TRUE(replay["identical"]);
+  EXPECT_GT(replay["ticks"], 0);
+  EXPECT_EQ(replay["input"], moved.address());
+
+  moved.stop();  // What was looked at is here.
+  const CommandResult kept = runRelievo(replaying(log, moved.address()));
+  EXPECT_EQ(kept.exit_code, 0) << kept.err;
+  EXPECT_NE(kept.err.find("gives no answer. The map is shown as it was"), std::string::npos)
+      << kept.err;
+}
+
+TEST_F(PublishVerb, TheAddressInARecordingIsNotAskedByItself) {
+  succeeds(publishing(path("map.tif")));
+  test::SlowWebServer server(path("web"), {});
+  const std::string log = touchOn(server.address());
+  const std::vector<std::string> by_itself{"replay", log, "--verify", "--report", "json"};
+  const int asked = server.requests();
+  const json replay = json::parse(succeeds(by_itself));
+  EXPECT_TRUE(replay["identical"]);
+  EXPECT_EQ(replay["input"], server.address());
+  EXPECT_EQ(server.requests(), asked) << "what was opened before is here";
+  forgetWhatWasOpened();
+  refuses(by_itself, 2, "which is not there (E501)");
+  refuses({"video", log, "-o", path("v.mp4")}, 2, "which is not there (E501)");
+  EXPECT_EQ(server.requests(), asked) << "who made the recording does not choose the server";
+}
+
+TEST_F(PublishVerb, SaysWhatIsWrongWithTheMapOfARecording) {
+  succeeds(publishing(path("map.tif")));
+  test::SlowWebServer server(path("web"), {});
+  const std::string address = server.address(), log = touchOn(address);
+  forgetWhatWasOpened();
+  server.damage(".tiles");
+  for (const auto& words : {replaying(log, address), filming(log, address)}) {
+    refuses(words, 2, "of the published map " + address + " is damaged");
+  }
+  forgetWhatWasOpened();
+  server.stop();
+  for (const auto& words : {replaying(log, address), filming(log, address)}) {
+    refuses(words, 2, "The map " + address + " cannot be fetched now");
+  }
+
+  succeeds({"publish", path("map.tif"), "-o", path("other"), "--licence", "CC0-1.0", "--citation",
+            "Somebody else, 2026"});
+  test::SlowWebServer other(path("other"), {});
+  refuses(filming(log, other.address()), 5,
+          "'" + other.address() + "' is not the file that a.csv was made from (checksum differs");
 }
 
 TEST_F(PublishVerb, SaysInASentenceWhatIsWrong) {

@@ -87,5 +87,20 @@ TEST(HostilePackage, ItsContentsDoNotFillTheDisk) {
   EXPECT_TRUE(fs::is_empty(folder.path() / "out"));
 }
 
+TEST(HostilePackage, IsOneOfRelievoOnlyWithAProjectThatCanBeRead) {
+  const test::TemporaryFolder folder;
+  EXPECT_FALSE(isPackageOfRelievo(folder.path() / "none.zip"));
+  const fs::path without = packageOf(folder, {{"README.txt", "Hello"}});
+  EXPECT_FALSE(isPackageOfRelievo(without));
+  EXPECT_THROW(projectInPackage(without), FileError);
+  fs::remove(without);
+  const fs::path damaged = packageOf(folder, {{"project.json", "{"}});
+  EXPECT_TRUE(isPackageOfRelievo(damaged)) << "its names alone are looked at";
+  EXPECT_THROW(projectInPackage(damaged), FileError);
+  fs::remove(damaged);
+  const fs::path whole = packageOf(folder, {{"project.json", projectWith("input/a.ply", "r.csv")}});
+  EXPECT_EQ(projectInPackage(whole).file, "input/a.ply");
+}
+
 }  // namespace
 }  // namespace relievo
