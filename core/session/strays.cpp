@@ -9,6 +9,7 @@
 #include "core/cloud/part_of_scan.h"
 #include "core/cloud/stray_limits.h"
 #include "core/io/file_check.h"
+#include "core/message/catalogue.h"
 #include "core/session/loss_report.h"
 
 namespace relievo {
@@ -137,8 +138,8 @@ const Mask* maskOf(const Found& found, StrayRule rule) {
 }
 
 /// Never "100 %" of what has something left.
-std::string shareText(double share_of_box) {
-  return percentText(std::min(std::floor(1000 * share_of_box) / 1000, 0.999));
+Message shareWords(double share_of_box) {
+  return percentWords(std::min(std::floor(1000 * share_of_box) / 1000, 0.999));
 }
 
 bool isAxisAligned(const std::array<double, 9>& axes) {
@@ -152,20 +153,22 @@ bool isHeight(double z, double value, double origin_z) noexcept {
   return std::abs(z - value) <= 1e-6 * std::max({std::abs(value), std::abs(origin_z), 1e-30});
 }
 
-std::string strayWords(const Strays& strays) {
-  if (strays.points == 0) return {};
-  const bool one = strays.points == 1;
-  return grouped(strays.points) + " of " + grouped(strays.all) + " points " +
-         (one ? "lies " : "lie ") + shareText(strays.share_of_box) +
-         " of the box away from all others; " + (one ? "it was " : "they were ") +
-         (strays.kept ? "kept." : "left out.");
-}
-
-std::string groupWords(const Strays& strays) {
-  if (strays.grouped == 0) return {};
-  return grouped(strays.grouped) + " of " + grouped(strays.all) + " points lie together " +
-         shareText(strays.share_of_box_grouped) + " of the box away from all others; they were " +
-         (strays.groups_kept ? "kept, as they may belong to the object." : "left out.");
+std::vector<Message> strayWords(const Strays& strays) {
+  std::vector<Message> words;
+  const auto all = CountArgument::grouped(strays.all);
+  if (strays.points > 0) {
+    const auto points = CountArgument::grouped(strays.points);
+    const Message share = shareWords(strays.share_of_box);
+    words.push_back(strays.kept ? said<MessageId::strays_kept>(points, all, share)
+                                : said<MessageId::strays_left_out>(points, all, share));
+  }
+  if (strays.grouped > 0) {
+    const auto points = CountArgument::grouped(strays.grouped);
+    const Message share = shareWords(strays.share_of_box_grouped);
+    words.push_back(strays.groups_kept ? said<MessageId::groups_kept>(points, all, share)
+                                       : said<MessageId::groups_left_out>(points, all, share));
+  }
+  return words;
 }
 
 Strays straysOf(const Scan& scan, const Task& task) {

@@ -4,11 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
+#include "core/message/message.h"
 #include "core/tiles/points/point_source.h"
 
 namespace relievo {
@@ -33,12 +33,10 @@ struct Strays {
   bool groups_kept = false;         ///< They are part of the surface.
 };
 
-/// "12 of 20 000 points lie 99 % of the box away from all others; they were left out." Empty: none.
-std::string strayWords(const Strays& strays);
-
+/// "12 of 20 000 points lie 99 % of the box away from all others; they were left out." Then:
 /// "150 of 20 000 points lie together 90 % of the box away from all others; they were kept, as they
 /// may belong to the object." Empty: none.
-std::string groupWords(const Strays& strays);
+std::vector<Message> strayWords(const Strays& strays);
 
 /// The strays of a scan, along the file's axes. [worker]
 Strays straysOf(const Scan& scan, const Task& task = {});
