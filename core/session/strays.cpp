@@ -93,6 +93,13 @@ std::uint64_t countLeftOut(const Mask& keep) {
   return static_cast<std::uint64_t>(std::count(keep.begin(), keep.end(), std::uint8_t{0}));
 }
 
+/// Of the vertices left out, those that no triangle uses.
+std::uint64_t countUnused(const Mask& keep, const Mask& used) {
+  std::uint64_t unused = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) unused += keep[i] == 0 && used[i] == 0 ? 1 : 0;
+  return unused;
+}
+
 Found find(const Scan& scan, const std::array<double, 9>* axes, const Task& task) {
   task.check();
   const Mask used = usedVertices(scan);
@@ -117,6 +124,7 @@ Found find(const Scan& scan, const std::array<double, 9>* axes, const Task& task
     if (limits.strays) markOutside(found.keep, view, *limits.strays);
     const AxisBox kept = boxOfKept(found.keep);
     found.strays.points = countLeftOut(found.keep);
+    found.strays.unused = countUnused(found.keep, used);
     found.strays.share_of_box = shareTaken(all, kept);
     all = kept;
   }
@@ -156,11 +164,16 @@ bool isHeight(double z, double value, double origin_z) noexcept {
 std::vector<Message> strayWords(const Strays& strays) {
   std::vector<Message> words;
   const auto all = CountArgument::grouped(strays.all);
-  if (strays.points > 0) {
-    const auto points = CountArgument::grouped(strays.points);
+  // Vertices without a face that stay are told with the others: they stretch the box like them.
+  const std::uint64_t unused = strays.kept ? 0 : strays.unused;
+  if (strays.points > unused) {
+    const auto points = CountArgument::grouped(strays.points - unused);
     const Message share = shareWords(strays.share_of_box);
     words.push_back(strays.kept ? said<MessageId::strays_kept>(points, all, share)
                                 : said<MessageId::strays_left_out>(points, all, share));
+  }
+  if (unused > 0) {
+    words.push_back(said<MessageId::unused_vertices_left_out>(CountArgument::grouped(unused)));
   }
   if (strays.grouped > 0) {
     const auto points = CountArgument::grouped(strays.grouped);
@@ -206,6 +219,7 @@ void ScanInUse::dropAlong(const std::array<double, 9>& axes, const Task& task) {
     count = kept ? std::max(count, by) : count + by;
   };
   add(strays_.points, more.points, rule_ == StrayRule::keep);
+  add(strays_.unused, more.unused, rule_ == StrayRule::keep);
   add(strays_.grouped, more.grouped, rule_ != StrayRule::drop_groups);
   strays_.share_of_box = std::max(strays_.share_of_box, more.share_of_box);
   strays_.share_of_box_grouped = std::max(strays_.share_of_box_grouped, more.share_of_box_grouped);

@@ -187,6 +187,9 @@ TEST(Strays, VerticesThatNoFaceUsesDoNotStretchTheBox) {
     test::finishScan(loose);
     const Surface surface = makeSurface(loose, fromTop(100), rasterize);
     EXPECT_EQ(surface.strays.points, 1U);
+    EXPECT_EQ(surface.strays.unused, 1U);
+    EXPECT_EQ(englishText(strayWords(surface.strays)),
+              "1 vertex belongs to no face and lies outside of the object; it was left out.");
     EXPECT_EQ(surface.map.heights_mm, clean.map.heights_mm) << far;
   }
 }

@@ -161,6 +161,17 @@ TEST(SurfaceNotes, OfStrays) {
   EXPECT_TRUE(strayWords({.all = 20'000}).empty());
 }
 
+TEST(SurfaceNotes, OfVerticesThatNoFaceUses) {
+  EXPECT_EQ(englishText(strayWords({.points = 1, .all = 99, .share_of_box = 0.5, .unused = 1})),
+            "1 vertex belongs to no face and lies outside of the object; it was left out.");
+  EXPECT_EQ(englishText(strayWords({.points = 5, .all = 99, .share_of_box = 0.5, .unused = 2})),
+            "3 of 99 points lie 50 % of the box away from all others; they were left out. "
+            "2 vertices belong to no face and lie outside of the object; they were left out.");
+  EXPECT_EQ(englishText(strayWords(
+                {.points = 2, .all = 99, .share_of_box = 0.5, .kept = true, .unused = 2})),
+            "2 of 99 points lie 50 % of the box away from all others; they were kept.");
+}
+
 TEST(SurfaceNotes, OfHeightsThatStandForNone) {
   EXPECT_EQ(englishText(suspectWords({.value = -9999, .count = 1204, .all = 40'000})),
             "1 204 of 40 000 heights are -9999, which often stands for a missing one; they were "
