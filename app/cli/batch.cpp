@@ -172,8 +172,8 @@ Surface loadForVerb(const std::string& file, const SurfaceOptions& options,
     throw NeedsDrawing{};
   }
   requireRasterUse(options, surface);
-  for (const std::string& message : surface.messages) tell(message);
-  for (const std::string& message : surface.not_done) tell(message);
+  for (const Message& message : surface.messages) tell(englishText(message));
+  for (const Message& message : surface.not_done) tell(englishText(message));
   return surface;
 }
 

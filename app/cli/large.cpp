@@ -69,9 +69,9 @@ class ProgressLine {
 void sayView(const Surface& view) {
   const HeightRange range = heightRange(view.map);
   const GridSize size = view.map.frame.size;
-  tell(view.messages.back() + " " + std::to_string(size.cols) + " x " + std::to_string(size.rows) +
-       " cells of " + shortNumber(view.map.frame.spacing_mm) + " mm, heights " +
-       shortNumber(range.min_mm) + " to " + shortNumber(range.max_mm) + " mm.");
+  tell(englishText(view.messages.back()) + " " + std::to_string(size.cols) + " x " +
+       std::to_string(size.rows) + " cells of " + shortNumber(view.map.frame.spacing_mm) +
+       " mm, heights " + shortNumber(range.min_mm) + " to " + shortNumber(range.max_mm) + " mm.");
 }
 
 /// @param factor  the M that its levels were made with
@@ -119,7 +119,7 @@ Json reportOf(const LargeMap& map, double factor) {
   json["losses"] = lossesJson(map.losses);
   json["strays"] = straysJson(map.strays);
   json["missing"] = map.missing;
-  json["not_done"] = map.not_done;
+  json["not_done"] = sentencesJson(map.not_done);
   json["levels"] = levelsJson(map, factor);
   return json;
 }
@@ -205,8 +205,8 @@ CommandResult runByTiles(const MapArguments& arguments, const TileArguments& til
                  }};
   const LargeMap map = makeTiledMap(work, shown);
   line.clear();
-  for (const std::string& message : map.messages) tell(message);
-  for (const std::string& left : map.not_done) tell(left);
+  for (const Message& message : map.messages) tell(englishText(message));
+  for (const Message& left : map.not_done) tell(englishText(left));
   tellUnusedMapOptions(arguments, map);
   const Json json = reportOf(map, arguments.factor);
   CommandResult outcome{.json = reportText(json), .lines = {}};

@@ -33,6 +33,12 @@ Json lossesJson(const std::optional<DepthLosses>& losses) {
           {"flyers", losses->outliers}};
 }
 
+Json sentencesJson(const std::vector<Message>& sentences) {
+  Json json = Json::array();
+  for (const Message& sentence : sentences) json.push_back(englishText(sentence));
+  return json;
+}
+
 Json straysJson(const Strays& strays) {
   return {{"points", strays.points},
           {"share_of_box", strays.share_of_box},

@@ -11,6 +11,7 @@
 #include "core/base/origin.h"
 #include "core/depth/fill/fill.h"
 #include "core/depth/quality.h"
+#include "core/message/message.h"
 #include "core/session/nodata.h"
 #include "core/session/source/raster_scale.h"
 #include "core/session/strays.h"
@@ -27,6 +28,8 @@ Json straysJson(const Strays& strays);
 Json suspectJson(const std::optional<SuspectHeight>& suspect);
 /// null for others than rasters from elsewhere.
 Json scaleJson(const std::optional<ScaleInUse>& scale);
+/// Each in English.
+Json sentencesJson(const std::vector<Message>& sentences);
 std::string lossesText(const std::optional<DepthLosses>& losses);
 
 }  // namespace relievo::batch

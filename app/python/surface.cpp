@@ -8,6 +8,7 @@
 #include "app/python/input.h"
 #include "app/python/interruptible.h"
 #include "app/python/numbers.h"
+#include "core/message/message.h"
 #include "core/region/smoothing.h"
 #include "core/session/large/crop_level.h"
 #include "core/session/large/memory_guard.h"
@@ -167,9 +168,9 @@ void bindWindow(py::module_& module) {
           "So many mm on the object are 1 mm of hand.");
 }
 
-py::list textsOf(const std::vector<std::string>& sentences) {
+py::list textsOf(const std::vector<Message>& sentences) {
   py::list texts;
-  for (const std::string& sentence : sentences) texts.append(textOf(sentence));
+  for (const Message& sentence : sentences) texts.append(textOf(englishText(sentence)));
   return texts;
 }
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "core/cloud/scan.h"
 #include "core/depth/depth_buffer_format.h"
 #include "core/depth/quality.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
@@ -80,7 +80,7 @@ struct CapturedDepths {
                                         ///< `kSteepRise`; empty if not known.
   std::optional<HiddenSurface> hidden;  ///< If the engine counted it.
   bool one_layer = false;  ///< The rule is one for surfaces without a back: nothing shows through.
-  std::string rule;        ///< Which rule and why, in words; empty where there was no choice.
+  std::optional<Message> rule;  ///< Which rule and why; nothing where there was no choice.
   std::size_t outliers =
       0;  ///< Points far off all their neighbours (core/depth/layers/outliers.h); left out.
 

@@ -89,7 +89,7 @@ NamedRotation bestFit(const Scan& scan, const Task& task) {
   const PrincipalAxes found = principalAxes(scan, kTrimmedShare, task);
   NamedRotation view{.name = "fit", .rotation = upright(showingSide(scan, found.axes[2], task))};
   if (found.spreads[1] < kCertain * found.spreads[2]) {
-    view.note = "The object is as thick one way as the other; its best-fit plane is not certain.";
+    view.note = said<MessageId::view_fit_uncertain>();
   }
   return view;
 }
@@ -105,7 +105,7 @@ NamedRotation principalView(const Scan& scan, const Task& task) {
                      .rotation = rotationOf(scaled(found.axes[0], along < 0 ? -1 : 1), toward)};
   if (found.spreads[0] < kCertain * found.spreads[1] ||
       found.spreads[1] < kCertain * found.spreads[2]) {
-    view.note = "The object is as long one way as the other; its principal axes are not certain.";
+    view.note = said<MessageId::view_axes_uncertain>();
   }
   return view;
 }

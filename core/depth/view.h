@@ -9,6 +9,7 @@
 #include "core/base/task.h"
 #include "core/base/transform.h"
 #include "core/cloud/scan.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
@@ -43,8 +44,8 @@ std::string nameOf(const Rotation& rotation);
 struct NamedRotation {
   std::string name;
   Rotation rotation;
-  std::string note{};    ///< For people, if the choice was not certain; else empty.
-  bool is_weak = false;  ///< Chosen automatically, and another may well be right.
+  std::optional<Message> note{};  ///< If the choice was not certain.
+  bool is_weak = false;           ///< Chosen automatically, and another may well be right.
 };
 /// Of the 24 rotations the one in which the object stands upright and shows most of itself: face
 /// towards me. [worker] (docs/adr/0101-objects-stand-up.md)

@@ -115,17 +115,15 @@ std::string heightText(double value) {
   return error == std::errc{} ? std::string(text.data(), end) : std::to_string(value);
 }
 
-std::string suspectWords(const SuspectHeight& suspect) {
-  return grouped(suspect.count) + " of " + grouped(suspect.all) + " heights are " +
-         heightText(suspect.value) +
-         ", which often stands for a missing one; they were left out. Say --nodata none to take "
-         "them as heights, --nodata " +
-         heightText(suspect.value) + " to leave them out without this message.";
+Message suspectWords(const SuspectHeight& suspect) {
+  return said<MessageId::suspect_heights_left_out>(CountArgument::grouped(suspect.count),
+                                                   CountArgument::grouped(suspect.all),
+                                                   heightText(suspect.value));
 }
 
-std::string missingWords(std::uint64_t missing, double value) {
-  return grouped(missing) + (missing == 1 ? " height of " : " heights of ") + heightText(value) +
-         (missing == 1 ? " was" : " were") + " taken as missing.";
+Message missingWords(std::uint64_t missing, double value) {
+  return said<MessageId::heights_taken_as_missing>(CountArgument::grouped(missing),
+                                                   heightText(value));
 }
 
 std::optional<FileBounds> boundsWithout(const RasterMap& raster, double value) {

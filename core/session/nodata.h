@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "core/message/message.h"
+
 namespace relievo {
 
 struct FileBounds;  // core/cloud/scan.h
@@ -40,8 +42,8 @@ std::optional<SuspectHeight> suspectAmong(const Heights& each);
 bool isUsualNodata(double value);
 
 /// "1 204 of 40 000 heights are -9999, which often stands for a missing one; ..."
-std::string suspectWords(const SuspectHeight& suspect);
-std::string missingWords(std::uint64_t missing, double value);
+Message suspectWords(const SuspectHeight& suspect);
+Message missingWords(std::uint64_t missing, double value);
 
 /// The box of the heights that are not this one, file unit; nothing: there is none.
 std::optional<FileBounds> boundsWithout(const RasterMap& raster, double value);

@@ -9,6 +9,7 @@
 #include "core/cloud/part_of_scan.h"
 #include "core/cloud/stray_limits.h"
 #include "core/io/file_check.h"
+#include "core/message/catalogue.h"
 #include "core/session/loss_report.h"
 
 namespace relievo {
@@ -92,6 +93,13 @@ std::uint64_t countLeftOut(const Mask& keep) {
   return static_cast<std::uint64_t>(std::count(keep.begin(), keep.end(), std::uint8_t{0}));
 }
 
+/// Of the vertices left out, those that no triangle uses.
+std::uint64_t countUnused(const Mask& keep, const Mask& used) {
+  std::uint64_t unused = 0;
+  for (std::size_t i = 0; i < used.size(); ++i) unused += keep[i] == 0 && used[i] == 0 ? 1 : 0;
+  return unused;
+}
+
 Found find(const Scan& scan, const std::array<double, 9>* axes, const Task& task) {
   task.check();
   const Mask used = usedVertices(scan);
@@ -116,6 +124,7 @@ Found find(const Scan& scan, const std::array<double, 9>* axes, const Task& task
     if (limits.strays) markOutside(found.keep, view, *limits.strays);
     const AxisBox kept = boxOfKept(found.keep);
     found.strays.points = countLeftOut(found.keep);
+    found.strays.unused = countUnused(found.keep, used);
     found.strays.share_of_box = shareTaken(all, kept);
     all = kept;
   }
@@ -137,8 +146,8 @@ const Mask* maskOf(const Found& found, StrayRule rule) {
 }
 
 /// Never "100 %" of what has something left.
-std::string shareText(double share_of_box) {
-  return percentText(std::min(std::floor(1000 * share_of_box) / 1000, 0.999));
+Message shareWords(double share_of_box) {
+  return percentWords(std::min(std::floor(1000 * share_of_box) / 1000, 0.999));
 }
 
 bool isAxisAligned(const std::array<double, 9>& axes) {
@@ -152,20 +161,27 @@ bool isHeight(double z, double value, double origin_z) noexcept {
   return std::abs(z - value) <= 1e-6 * std::max({std::abs(value), std::abs(origin_z), 1e-30});
 }
 
-std::string strayWords(const Strays& strays) {
-  if (strays.points == 0) return {};
-  const bool one = strays.points == 1;
-  return grouped(strays.points) + " of " + grouped(strays.all) + " points " +
-         (one ? "lies " : "lie ") + shareText(strays.share_of_box) +
-         " of the box away from all others; " + (one ? "it was " : "they were ") +
-         (strays.kept ? "kept." : "left out.");
-}
-
-std::string groupWords(const Strays& strays) {
-  if (strays.grouped == 0) return {};
-  return grouped(strays.grouped) + " of " + grouped(strays.all) + " points lie together " +
-         shareText(strays.share_of_box_grouped) + " of the box away from all others; they were " +
-         (strays.groups_kept ? "kept, as they may belong to the object." : "left out.");
+std::vector<Message> strayWords(const Strays& strays) {
+  std::vector<Message> words;
+  const auto all = CountArgument::grouped(strays.all);
+  // Vertices without a face that stay are told with the others: they stretch the box like them.
+  const std::uint64_t unused = strays.kept ? 0 : strays.unused;
+  if (strays.points > unused) {
+    const auto points = CountArgument::grouped(strays.points - unused);
+    const Message share = shareWords(strays.share_of_box);
+    words.push_back(strays.kept ? said<MessageId::strays_kept>(points, all, share)
+                                : said<MessageId::strays_left_out>(points, all, share));
+  }
+  if (unused > 0) {
+    words.push_back(said<MessageId::unused_vertices_left_out>(CountArgument::grouped(unused)));
+  }
+  if (strays.grouped > 0) {
+    const auto points = CountArgument::grouped(strays.grouped);
+    const Message share = shareWords(strays.share_of_box_grouped);
+    words.push_back(strays.groups_kept ? said<MessageId::groups_kept>(points, all, share)
+                                       : said<MessageId::groups_left_out>(points, all, share));
+  }
+  return words;
 }
 
 Strays straysOf(const Scan& scan, const Task& task) {
@@ -203,6 +219,7 @@ void ScanInUse::dropAlong(const std::array<double, 9>& axes, const Task& task) {
     count = kept ? std::max(count, by) : count + by;
   };
   add(strays_.points, more.points, rule_ == StrayRule::keep);
+  add(strays_.unused, more.unused, rule_ == StrayRule::keep);
   add(strays_.grouped, more.grouped, rule_ != StrayRule::drop_groups);
   strays_.share_of_box = std::max(strays_.share_of_box, more.share_of_box);
   strays_.share_of_box_grouped = std::max(strays_.share_of_box_grouped, more.share_of_box_grouped);

@@ -4,11 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
+#include "core/message/message.h"
 #include "core/tiles/points/point_source.h"
 
 namespace relievo {
@@ -27,18 +27,18 @@ struct Strays {
   std::uint64_t all = 0;     ///< Points looked at.
   double share_of_box = 0;   ///< Of the box's side that they stretch most: how much is theirs.
   bool kept = false;         ///< They are part of the surface.
+  std::uint64_t unused = 0;  ///< Of `points`, the vertices that no face uses.
 
   std::uint64_t grouped = 0;        ///< Points of groups; 0: none.
   double share_of_box_grouped = 0;  ///< As share_of_box, of the box without strays.
   bool groups_kept = false;         ///< They are part of the surface.
 };
 
-/// "12 of 20 000 points lie 99 % of the box away from all others; they were left out." Empty: none.
-std::string strayWords(const Strays& strays);
-
+/// "12 of 20 000 points lie 99 % of the box away from all others; they were left out." Then, of a
+/// mesh: "2 vertices belong to no face and lie outside of the object; they were left out." Then:
 /// "150 of 20 000 points lie together 90 % of the box away from all others; they were kept, as they
 /// may belong to the object." Empty: none.
-std::string groupWords(const Strays& strays);
+std::vector<Message> strayWords(const Strays& strays);
 
 /// The strays of a scan, along the file's axes. [worker]
 Strays straysOf(const Scan& scan, const Task& task = {});

@@ -5,7 +5,8 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
+#include <limits>
 
 #include "core/base/failure.h"
 #include "core/depth/fill/losses.h"
@@ -57,24 +58,39 @@ void requireCells(double cols, double rows, MapPlace place) {
 
 }  // namespace
 
+std::vector<Message> quoted(const std::vector<std::string>& warnings) {
+  std::vector<Message> messages;
+  for (const std::string& warning : warnings) {
+    messages.push_back(said<MessageId::quoted>(warning));
+  }
+  return messages;
+}
+
+void say(std::vector<Message>& messages, std::optional<Message> message) {
+  if (message) messages.push_back(*std::move(message));
+}
+
+void say(std::vector<Message>& messages, std::vector<Message> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(messages));
+}
+
 void chooseUnit(Surface& surface, const SurfaceOptions& options) {
   const UnitInUse unit = unitInUse(surface.info, options.unit, options.unit_source);
   surface.unit = unit.unit;
   surface.unit_source = unit.source;
-  if (std::string words = unitWords(surface.info, unit); !words.empty()) {
-    surface.messages.push_back(std::move(words));
-  }
+  say(surface.messages, unitWords(surface.info, unit));
 }
 
 void sayScale(Surface& surface, const ScaleInUse& scale) {
   surface.raster_scale = scale;
   if (!scale.isOpen()) return;
   // It says all that the two say, and more.
-  std::erase_if(surface.messages, [&](const std::string& words) {
-    return words == kNoGeoreference ||
-           words == unitWords(surface.info, {surface.unit, surface.unit_source});
+  std::erase_if(surface.messages, [](const Message& message) {
+    return message.id == MessageId::unit_assumed ||
+           message.id == MessageId::unit_assumed_but_likelier ||
+           message.id == MessageId::unit_guessed || englishText(message) == kNoGeoreference;
   });
-  surface.messages.push_back(scaleWords(scale));
+  say(surface.messages, scaleWords(scale));
 }
 
 /// Samples so that the first and last lie on the box; the map's lower left edge becomes (0, 0).
@@ -100,8 +116,7 @@ GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const Rot
     if (!options.cells) {
       const CellProposal proposal = propose();
       cells = proposal.cells;
-      surface.messages.push_back("Grid: " + std::to_string(cells) + " samples across (" +
-                                 proposal.reason + ").");
+      surface.messages.push_back(said<MessageId::grid_chosen>(cells, proposal.reason));
     }
     if (cells < 2) throw failure<MessageId::too_few_cells>();
     spacing = side / (cells - 1);
@@ -111,9 +126,7 @@ GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const Rot
   const double cols = std::max(2.0, std::floor(width / spacing + 0.5) + 1);
   const double rows = std::max(2.0, std::floor(height / spacing + 0.5) + 1);
   if (std::min(width, height) < 0.5 * spacing) {
-    surface.messages.emplace_back(
-        "Seen from here the points lie on one line of cells, so that next to nothing can be seen "
-        "or touched. Choose another view, or more cells.");
+    surface.messages.push_back(said<MessageId::points_on_one_line>());
   }
   requireCells(cols, rows, place);
   return {.size = {.cols = static_cast<int>(cols), .rows = static_cast<int>(rows)},
@@ -136,32 +149,32 @@ void sayRule(Surface& surface, const Scan& scan, const CapturedDepths& depths) {
     surface.rule = "front-most triangle";
     return;
   }
-  surface.rule = depths.rule.empty() ? "depth buffer: " + std::string(describe(PointRule::front))
-                                     : depths.rule;
-  surface.messages.push_back("Heights: " + surface.rule + ".");
-}
-
-std::string significant(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g mm", value);
-  return text.data();
+  const Message rule = depths.rule.value_or(said<MessageId::rule_and_why>(
+      said<MessageId::rule_of_depth_buffer>(), ruleMessage(PointRule::front)));
+  surface.rule = englishText(rule);
+  surface.messages.push_back(said<MessageId::heights_by_rule>(rule));
 }
 
 void sayDepthBuffer(Surface& surface) {
   const DepthBufferFormat& format = *surface.depth_buffer;
-  surface.messages.push_back("Depth buffer of " + std::to_string(format.bits) + " bits" +
-                             (format.is_float ? ", floating point," : "") + " over " +
-                             significant(format.rangeMm()) + ": steps of " +
-                             significant(format.stepMm()) + ", heights exact to " +
-                             significant(format.accuracyMm()) + ".");
+  const auto mm = [](double value) {
+    return NumberArgument{.value = value,
+                          .digits = 3,
+                          .form = NumberArgument::Form::significant,
+                          .unit = MessageUnit::millimetre};
+  };
+  const NumberArgument range = mm(format.rangeMm()), step = mm(format.stepMm()),
+                       accuracy = mm(format.accuracyMm());
+  surface.messages.push_back(
+      format.is_float
+          ? said<MessageId::float_depth_buffer_is_exact_to>(format.bits, range, step, accuracy)
+          : said<MessageId::depth_buffer_is_exact_to>(format.bits, range, step, accuracy));
 }
 
 /// Holes and what could not be done about them.
 void takeHoles(Surface& surface, std::vector<Hole> holes, const HoleChoice& choice) {
   surface.holes = std::move(holes);
-  if (std::string left = holesLeft(surface.holes, choice); !left.empty()) {
-    surface.not_done.push_back(std::move(left));
-  }
+  say(surface.not_done, holesLeft(surface.holes, choice));
 }
 
 ViewFromFile viewFromFile(const Rotation& r, double mm, double dx, double dy, double dz) {
@@ -194,9 +207,7 @@ void takeLeftOut(Surface& surface, const ScanInUse& in_use, const std::optional<
   surface.strays = in_use.strays();
   surface.missing = in_use.missing();
   sayMissing(surface, missing);
-  for (std::string words : {strayWords(surface.strays), groupWords(surface.strays)}) {
-    if (!words.empty()) surface.messages.push_back(std::move(words));
-  }
+  say(surface.messages, strayWords(surface.strays));
 }
 
 /// The raster without the heights that stand for none; nothing: there are none.
@@ -260,8 +271,7 @@ void takeOwnMap(Surface& surface, const RasterMap& raster) {
   map.origins = raster.origins;
   if (map.origins.empty()) {
     map.origins.assign(raster.size.count(), CellStatus::measured);
-    surface.messages.emplace_back(
-        "The map has no origins of its own; every height was taken as measured.");
+    surface.messages.push_back(said<MessageId::map_without_origins>());
   }
   for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
     if (raster.valid[i] && map.origins[i] != CellStatus::outside) continue;
@@ -305,7 +315,7 @@ void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceO
 Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const DepthEngine& engine,
                     const Task& task) {
   Surface surface;
-  surface.messages = whole.info.warnings;
+  surface.messages = quoted(whole.info.warnings);
   Stopwatch watch;
   if (!options.nodata) surface.suspect_height = suspectHeight(whole);
   const std::optional<double> missing = missingHeight(options.nodata, surface.suspect_height);
@@ -314,7 +324,7 @@ Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const Dept
   chooseUnit(surface, options);
   const NamedRotation view = chosenRotation(
       in_use.scan(), options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
-  if (!view.note.empty()) surface.messages.push_back(view.note);
+  say(surface.messages, view.note);
   surface.view_is_weak = view.is_weak;
   in_use.dropAlong(view.rotation, task);
   const Scan& scan = in_use.scan();
@@ -368,14 +378,10 @@ Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const Dept
   }
   surface.losses =
       lossesOf(hidden, outliers, filled.seen_through_points, originCounts(surface.map));
-  for (std::string& words :
-       lossReport(*surface.losses, filled.seen_through, originShares(surface.map))) {
-    surface.messages.push_back(std::move(words));
-  }
+  say(surface.messages,
+      lossReport(*surface.losses, filled.seen_through, originShares(surface.map)));
   if (scan.triangles.empty() && options.rule) {
-    for (std::string& words : mixedLayerWords(*options.rule, in_front, originCounts(surface.map))) {
-      surface.messages.push_back(std::move(words));
-    }
+    say(surface.messages, mixedLayerWords(*options.rule, in_front, originCounts(surface.map)));
   }
   takeHoles(surface, std::move(filled.holes), options.holes);
   finish(surface, options, watch, task);
@@ -388,13 +394,12 @@ Surface makeSurface(const RasterMap& raster, const SurfaceOptions& options, cons
   Surface surface;
   surface.info = raster.info;
   surface.is_raster = true;
-  surface.messages = raster.info.warnings;
+  surface.messages = quoted(raster.info.warnings);
   Stopwatch watch;
   if (raster.is_own_map) {
     takeOwnMap(surface, raster);
     if (options.holes.rule != HoleRule::base) {
-      surface.not_done.emplace_back(
-          "A map written by this program is taken as it is; its holes were not treated anew.");
+      surface.not_done.push_back(said<MessageId::map_taken_as_it_is>());
     }
   } else {
     const std::optional<RasterMap> cleaned = withoutMissing(raster, surface, options);

@@ -18,6 +18,7 @@
 #include "core/depth/fill/fill.h"
 #include "core/depth/quality.h"
 #include "core/depth/view.h"
+#include "core/message/message.h"
 #include "core/pyramid/pyramid.h"
 #include "core/region/region.h"
 #include "core/session/nodata.h"
@@ -75,9 +76,9 @@ struct Surface {
   /// null.
   std::shared_ptr<const TiledMap> tiles;
   DetailLadder ladder;
-  std::vector<Hole> holes;            ///< Enclosed holes, largest first.
-  std::vector<std::string> messages;  ///< For people: how the grid was chosen, what was assumed.
-  std::vector<std::string> not_done;  ///< Requested steps that could not be done; exit status 4.
+  std::vector<Hole> holes;        ///< Enclosed holes, largest first.
+  std::vector<Message> messages;  ///< For people: how the grid was chosen, what was assumed.
+  std::vector<Message> not_done;  ///< Requested steps that could not be done; exit status 4.
   StageSeconds seconds;
 };
 

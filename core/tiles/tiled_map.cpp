@@ -255,8 +255,8 @@ bool TiledMap::hasColours() const noexcept {
 bool TiledMap::hasIntensities() const noexcept {
   return impl_->has(TilePart::intensities);
 }
-const std::string& TiledMap::coloursLeftAside() const noexcept {
-  static const std::string kNone;
+const std::optional<Message>& TiledMap::coloursLeftAside() const noexcept {
+  static const std::optional<Message> kNone;
   return impl_->files ? impl_->files->coloursLeftAside() : kNone;
 }
 

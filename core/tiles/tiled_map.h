@@ -14,6 +14,7 @@
 #include "core/base/transform.h"
 #include "core/depth/colours/colours.h"
 #include "core/io/web/published_map.h"
+#include "core/message/message.h"
 #include "core/region/region.h"
 #include "core/region/window.h"
 
@@ -75,8 +76,8 @@ class TiledMap {
   /// Has the map colours, or intensities, in files beside it? Files of another map do not count.
   bool hasColours() const noexcept;
   bool hasIntensities() const noexcept;
-  /// In words, if there are such files but they belong to another map; else empty.
-  const std::string& coloursLeftAside() const noexcept;
+  /// Why not, if there are such files but they belong to another map; else nothing.
+  const std::optional<Message>& coloursLeftAside() const noexcept;
 
   /// What windowColours gives for the same map in memory, bit for bit. [any thread]
   /// @param window  of this map @throw FileError

@@ -8,9 +8,11 @@
 #include <QPainter>
 
 #include "core/depth/rules/rasterize.h"
+#include "core/message/catalogue.h"
 #include "core/session/source/unit_guess.h"
 #include "ui/dialogs/raster_scale_dialog.h"
 #include "ui/language/unit_doubt.h"
+#include "ui/message/message_text.h"
 #include "ui/style/text.h"
 #include "ui/work/pictures/depth_map_picture.h"
 
@@ -81,7 +83,10 @@ void QuestionController::answerStrays(StrayRule rule) {
 
 void QuestionController::askStrays() {
   const Strays& strays = document_.surface()->strays;
-  const QString few = countText(strays.points);
+  // Vertices that no face uses have their own sentence, but for those that stay.
+  const std::uint64_t unused = strays.kept ? 0 : strays.unused;
+  const std::uint64_t points = strays.points - unused;
+  const QString few = countText(points);
   const QString all = countText(strays.all);
   const QString share = shareText(strays.share_of_box);
   // What was said of groups stays.
@@ -90,16 +95,21 @@ void QuestionController::askStrays() {
   const MessageStrip::Button keep{tr("&Keep them"), [this] { answerStrays(StrayRule::keep); }};
   const MessageStrip::Button drop{tr("&Leave them out"),
                                   [this, without] { answerStrays(without); }};
-  const bool one = strays.points == 1;
+  const bool one = points == 1;
   const QString found =
       one ? tr("One of %1 points lies %2 % of the box away from all others.").arg(all, share)
           : tr("%1 of %2 points lie %3 % of the box away from all others.").arg(few, all, share);
   if (strays.kept) {
     const QString kept = tr("Kept, and so most of the map is empty.");
     messages_.show(QStringLiteral("%1 %2").arg(found, kept), {drop, keep});
-  } else {
-    messages_.show(QStringLiteral("%1 %2").arg(found, tr("Left out.")), {keep, drop});
+    return;
   }
+  QStringList left;
+  if (points > 0) left << found << tr("Left out.");
+  if (unused > 0) {
+    left << messageText(said<MessageId::unused_vertices_left_out>(CountArgument::grouped(unused)));
+  }
+  messages_.show(left.join(' '), {keep, drop});
 }
 
 void QuestionController::askGroups() {

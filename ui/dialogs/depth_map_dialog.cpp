@@ -16,6 +16,7 @@
 #include "ui/dialogs/depth_map_form.h"
 #include "ui/language/core_text.h"
 #include "ui/language/unit_doubt.h"
+#include "ui/message/message_text.h"
 #include "ui/style/dialog_size.h"
 #include "ui/style/text.h"
 
@@ -104,11 +105,11 @@ QString detailsText(const Surface& surface) {
                    {surface.map.widthMm(), surface.map.heightExtentMm(), z.max_mm - z.min_mm}));
   lines << holesText(surface);
   if (surface.losses) lines << lossesText(*surface.losses);
-  for (const std::string& undone : surface.not_done) lines << QString::fromStdString(undone);
-  const std::string unit = unitWords(surface.info, {surface.unit, surface.unit_source});
-  for (const std::string& message : surface.messages) {
-    const bool is_of_unit = message == unit && surface.info.bounds;
-    lines << (is_of_unit ? unitDoubt(surface) : QString::fromStdString(message));
+  for (const Message& undone : surface.not_done) lines << messageText(undone);
+  const std::optional<Message> unit = unitWords(surface.info, {surface.unit, surface.unit_source});
+  for (const Message& message : surface.messages) {
+    const bool is_of_unit = unit && message.id == unit->id && surface.info.bounds;
+    lines << (is_of_unit ? unitDoubt(surface) : messageText(message));
   }
   return lines.join('\n');
 }

@@ -14,6 +14,7 @@
 
 #include "core/region/smoothing.h"
 #include "core/session/map_facts.h"
+#include "ui/message/message_text.h"
 #include "ui/style/mnemonic.h"
 #include "ui/style/text.h"
 #include "ui/work/file_names.h"
@@ -162,7 +163,7 @@ void SurfacePanel::showSurface() {
                       .arg(grid.size.rows)
                       .arg(lengthText(grid.spacing_mm)));
   QStringList notes;
-  for (const std::string& message : s.messages) notes << QString::fromStdString(message);
+  for (const Message& message : s.messages) notes << messageText(message);
   cells_->setToolTip(notes.join('\n'));
   holes_->setText(holesText(s, document_.project().options.holes.rule));
   const QSignalBlocker quiet_unit(unit_);

@@ -9037,6 +9037,266 @@
         <source>The graphics driver returned an empty depth buffer. Use the method CPU instead.</source>
         <translation>Der Grafiktreiber gab einen leeren Tiefenpuffer zurück. Verwenden Sie stattdessen das Verfahren CPU.</translation>
     </message>
+    <message>
+        <source>Grid: %1 samples across (%2).</source>
+        <translation>Gitter: %1 Stützstellen in der Breite (%2).</translation>
+    </message>
+    <message>
+        <source>mesh: the paper&apos;s grid of 800 samples</source>
+        <translation>Netz: das Gitter des Aufsatzes mit 800 Stützstellen</translation>
+    </message>
+    <message>
+        <source>all points lie on one spot</source>
+        <translation>alle Punkte liegen auf einer Stelle</translation>
+    </message>
+    <message>
+        <source>the points lie on a regular grid</source>
+        <translation>die Punkte liegen auf einem regelmäßigen Gitter</translation>
+    </message>
+    <message>
+        <source>%1 points a cell</source>
+        <translation>%1 Punkte je Zelle</translation>
+    </message>
+    <message>
+        <source>Seen from here the points lie on one line of cells, so that next to nothing can be seen or touched. Choose another view, or more cells.</source>
+        <translation>Von hier gesehen liegen die Punkte auf einer Zeile von Zellen, sodass fast nichts zu sehen oder zu ertasten ist. Wählen Sie eine andere Ansicht oder mehr Zellen.</translation>
+    </message>
+    <message>
+        <source>Heights: %1.</source>
+        <translation>Höhen: %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>as chosen</source>
+        <translation>wie gewählt</translation>
+    </message>
+    <message>
+        <source>depth buffer</source>
+        <translation>Tiefenpuffer</translation>
+    </message>
+    <message>
+        <source>one point at each sample</source>
+        <translation>ein Punkt an jeder Stützstelle</translation>
+    </message>
+    <message>
+        <source>%1 points per cell</source>
+        <translation>%1 Punkte pro Zelle</translation>
+    </message>
+    <message>
+        <source>%1 points per cell in several layers</source>
+        <translation>%1 Punkte pro Zelle in mehreren Schichten</translation>
+    </message>
+    <message>
+        <source>%1 points per cell in one layer</source>
+        <translation>%1 Punkte pro Zelle in einer Schicht</translation>
+    </message>
+    <message>
+        <source>front-most point</source>
+        <translation>vorderster Punkt</translation>
+    </message>
+    <message>
+        <source>second point from the front</source>
+        <translation>zweiter Punkt von vorn</translation>
+    </message>
+    <message>
+        <source>mean of the top layer</source>
+        <translation>Mittel der obersten Schicht</translation>
+    </message>
+    <message>
+        <source>median of the points</source>
+        <translation>Median der Punkte</translation>
+    </message>
+    <message>
+        <source>mean of the points</source>
+        <translation>Mittel der Punkte</translation>
+    </message>
+    <message>
+        <source>bilinear splat</source>
+        <translation>bilineare Verteilung</translation>
+    </message>
+    <message>
+        <source>local quadratic</source>
+        <translation>lokale quadratische Fläche</translation>
+    </message>
+    <message>
+        <source>rear-most point</source>
+        <translation>hinterster Punkt</translation>
+    </message>
+    <message>
+        <source>Depth buffer of %1 bits over %2: steps of %3, heights exact to %4.</source>
+        <translation>Tiefenpuffer mit %1 Bit über %2: Schritte von %3, Höhen auf %4 genau.</translation>
+    </message>
+    <message>
+        <source>Depth buffer of %1 bits, floating point, over %2: steps of %3, heights exact to %4.</source>
+        <translation>Tiefenpuffer mit %1 Bit, Gleitkomma, über %2: Schritte von %3, Höhen auf %4 genau.</translation>
+    </message>
+    <message>
+        <source>The object is as thick one way as the other; its best-fit plane is not certain.</source>
+        <translation>Das Objekt ist in der einen Richtung so dick wie in der anderen; seine ausgleichende Ebene ist nicht sicher.</translation>
+    </message>
+    <message>
+        <source>The object is as long one way as the other; its principal axes are not certain.</source>
+        <translation>Das Objekt ist in der einen Richtung so lang wie in der anderen; seine Hauptachsen sind nicht sicher.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 holes filled. The largest left (%3 mm2) is larger than the limit of %4 mm2 and now rests on the base plane.</source>
+        <translation>%1 von %2 {2|Loch|Löchern} gefüllt. Das größte übrige (%3 mm2) ist größer als die Grenze von %4 mm2 und liegt nun auf der Grundebene.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 holes filled. The largest left (%3 mm2) is too large for a membrane or has too little rim and now rests on the base plane.</source>
+        <translation>%1 von %2 {2|Loch|Löchern} gefüllt. Das größte übrige (%3 mm2) ist zu groß für eine Membran oder hat zu wenig Rand und liegt nun auf der Grundebene.</translation>
+    </message>
+    <message>
+        <source>Seen from here %1 of the scan is hidden and cannot be felt. Turn the object, or continue.</source>
+        <translation>Von hier gesehen sind %1 des Scans verdeckt und nicht zu ertasten. Drehen Sie das Objekt, oder machen Sie weiter.</translation>
+    </message>
+    <message>
+        <source>%1 points far off all their neighbours were left out.</source>
+        <translation>{1|%1 Punkt, der weit von allen seinen Nachbarn liegt, wurde|%1 Punkte, die weit von allen ihren Nachbarn liegen, wurden} weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 cells showed the object&apos;s back through gaps of its front; they were interpolated instead.</source>
+        <translation>{1|%1 Zelle zeigte|%1 Zellen zeigten} durch Lücken der Vorderseite die Rückseite des Objekts; {1|sie wurde|sie wurden} stattdessen interpoliert.</translation>
+    </message>
+    <message>
+        <source>Most cells are interpolated: %1 of the map is measured. A coarser grid would rest on more.</source>
+        <translation>Die meisten Zellen sind interpoliert: %1 der Karte sind gemessen. Ein gröberes Gitter würde auf mehr Messwerten ruhen.</translation>
+    </message>
+    <message>
+        <source>In %1 of the cells the points lie in several layers, front and back, and the chosen height per cell makes one height of them. Choose the mean of the top layer (topmean) to keep them apart.</source>
+        <translation>In %1 der Zellen liegen die Punkte in mehreren Schichten, vorn und hinten, und die gewählte Höhe je Zelle macht eine Höhe daraus. Wählen Sie das Mittel der obersten Schicht (topmean), um sie zu trennen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points {1|lies|lie} %3 of the box away from all others; {1|it was|they were} left out.</source>
+        <translation>%1 von %2 Punkten {1|liegt|liegen} %3 des Quaders von allen anderen entfernt; {1|er wurde|sie wurden} weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points {1|lies|lie} %3 of the box away from all others; {1|it was|they were} kept.</source>
+        <translation>%1 von %2 Punkten {1|liegt|liegen} %3 des Quaders von allen anderen entfernt; {1|er wurde|sie wurden} behalten.</translation>
+    </message>
+    <message>
+        <source>{1|%1 vertex belongs|%1 vertices belong} to no face and {1|lies|lie} outside of the object; {1|it was|they were} left out.</source>
+        <translation>{1|%1 Eckpunkt gehört|%1 Eckpunkte gehören} zu keiner Fläche und {1|liegt|liegen} außerhalb des Objekts; {1|er wurde|sie wurden} weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie together %3 of the box away from all others; they were left out.</source>
+        <translation>%1 von %2 Punkten {1|liegt|liegen} zusammen %3 des Quaders von allen anderen entfernt; {1|er wurde|sie wurden} weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie together %3 of the box away from all others; they were kept, as they may belong to the object.</source>
+        <translation>%1 von %2 Punkten {1|liegt|liegen} zusammen %3 des Quaders von allen anderen entfernt; {1|er wurde|sie wurden} behalten, da {1|er|sie} zum Objekt gehören {1|kann|können}.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are %3, which often stands for a missing one; they were left out. Say --nodata none to take them as heights, --nodata %3 to leave them out without this message.</source>
+        <translation>%1 von %2 Höhen sind %3, was oft für eine fehlende steht; sie wurden weggelassen. Geben Sie --nodata none an, um sie als Höhen zu nehmen, --nodata %3, um sie ohne diese Meldung wegzulassen.</translation>
+    </message>
+    <message>
+        <source>%1 {1|height of|heights of} %2 {1|was|were} taken as missing.</source>
+        <translation>%1 {1|Höhe|Höhen} von %2 {1|wurde|wurden} als fehlend genommen.</translation>
+    </message>
+    <message>
+        <source>The points carry no unit; one file unit was taken as 1 %1, a guess: %2. Give the unit if it is another, for example feet.</source>
+        <translation>Die Punkte tragen keine Einheit; eine Einheit der Datei wurde als 1 %1 genommen, eine Vermutung: %2. Geben Sie die Einheit an, wenn es eine andere ist, zum Beispiel Fuß.</translation>
+    </message>
+    <message>
+        <source>The points carry no unit; one file unit was taken as 1 mm. Give the unit if it is another.</source>
+        <translation>Die Punkte tragen keine Einheit; eine Einheit der Datei wurde als 1 mm genommen. Geben Sie die Einheit an, wenn es eine andere ist.</translation>
+    </message>
+    <message>
+        <source>The points carry no unit; one file unit was taken as 1 mm. Give the unit if it is another. More likely is %1, %2 x %3 x %4 mm: %5.</source>
+        <translation>Die Punkte tragen keine Einheit; eine Einheit der Datei wurde als 1 mm genommen. Geben Sie die Einheit an, wenn es eine andere ist. Wahrscheinlicher ist %1, %2 x %3 x %4 mm: %5.</translation>
+    </message>
+    <message>
+        <source>its coordinates are those of a map projection</source>
+        <translation>die Koordinaten sind die einer Kartenprojektion</translation>
+    </message>
+    <message>
+        <source>it lies as far off as in a map projection</source>
+        <translation>der Scan liegt so weit ab wie in einer Kartenprojektion</translation>
+    </message>
+    <message>
+        <source>files of this format are in metres as a rule</source>
+        <translation>Dateien dieses Formats sind in der Regel in Metern</translation>
+    </message>
+    <message>
+        <source>it is smaller than anything scanned in millimetres</source>
+        <translation>der Scan ist kleiner als alles, was in Millimetern gescannt wird</translation>
+    </message>
+    <message>
+        <source>an object of this shape is seldom as small</source>
+        <translation>ein Objekt dieser Form ist selten so klein</translation>
+    </message>
+    <message>
+        <source>it is larger than most that is in millimetres</source>
+        <translation>der Scan ist größer als das meiste, was in Millimetern ist</translation>
+    </message>
+    <message>
+        <source>of its size</source>
+        <translation>der Größe wegen</translation>
+    </message>
+    <message>
+        <source>The raster does not say how large it is; its samples were taken to lie %1 apart, and a step of its values to be %2 high. Say --pixel-size and --height-scale in mm; --height-zero is the value on the base plane.</source>
+        <translation>Das Raster sagt nicht, wie groß es ist; als Abstand seiner Abtastwerte wurde %1 genommen, als Höhe einer Stufe seiner Werte %2. Geben Sie --pixel-size und --height-scale in mm an; --height-zero ist der Wert auf der Grundebene.</translation>
+    </message>
+    <message>
+        <source>The raster does not say how large it is; its samples were taken to lie %1 apart, and a step of its values to be %2 high, a guess: with steps of a unit it would be higher than it is long, with these it is about a tenth as high. Say --pixel-size and --height-scale in mm; --height-zero is the value on the base plane.</source>
+        <translation>Das Raster sagt nicht, wie groß es ist; als Abstand seiner Abtastwerte wurde %1 genommen, als Höhe einer Stufe seiner Werte %2, eine Vermutung: mit Stufen von einer Einheit wäre es höher als lang, mit diesen ist es etwa ein Zehntel so hoch. Geben Sie --pixel-size und --height-scale in mm an; --height-zero ist der Wert auf der Grundebene.</translation>
+    </message>
+    <message>
+        <source>The map has no origins of its own; every height was taken as measured.</source>
+        <translation>Die Karte hat keine eigenen Angaben zur Herkunft; jede Höhe wurde als gemessen genommen.</translation>
+    </message>
+    <message>
+        <source>A map written by this program is taken as it is; its holes were not treated anew.</source>
+        <translation>Eine Karte, die dieses Programm geschrieben hat, wird genommen, wie sie ist; ihre Löcher wurden nicht neu behandelt.</translation>
+    </message>
+    <message>
+        <source>The map has colours beside it; the relief images &apos;natural&apos; and &apos;intensity&apos; show what there is.</source>
+        <translation>Neben der Karte liegen Farben; die Reliefbilder „natürliche Farben“ und „Intensität“ zeigen, was da ist.</translation>
+    </message>
+    <message>
+        <source>%1 The map is shown without colours.</source>
+        <translation>%1 Die Karte wird ohne Farben gezeigt.</translation>
+    </message>
+    <message>
+        <source>The scan has colours; %1 of the measured cells have one of their own. The relief image &apos;natural&apos; shows them.</source>
+        <translation>Der Scan hat Farben; %1 der gemessenen Zellen haben eine eigene. Das Reliefbild „natürliche Farben“ zeigt sie.</translation>
+    </message>
+    <message>
+        <source>The scan has intensities; %1 of the measured cells have one of their own. The relief image &apos;intensity&apos; shows them, black at %2 and white at %3.</source>
+        <translation>Der Scan hat Intensitäten; %1 der gemessenen Zellen haben eine eigene. Das Reliefbild „Intensität“ zeigt sie, schwarz bei %2 und weiß bei %3.</translation>
+    </message>
+    <message>
+        <source>A first view from %1 % of the points.</source>
+        <translation>Eine erste Ansicht aus %1 % der Punkte.</translation>
+    </message>
+    <message>
+        <source>The points were merged as they came; stray points were not looked for.</source>
+        <translation>Die Punkte wurden zusammengefasst, wie sie kamen; nach Streupunkten wurde nicht gesucht.</translation>
+    </message>
+    <message>
+        <source>Went on with earlier work: %1 points were in tiles, %2 of %3 rows of tiles had their heights.</source>
+        <translation>Eine frühere Arbeit wurde fortgesetzt: {1|%1 Punkt war|%1 Punkte waren} auf Kacheln verteilt, %2 von %3 Kachelzeilen {2|hatte|hatten} Höhen.</translation>
+    </message>
+    <message>
+        <source>%1 of its files were damaged and were made anew.</source>
+        <translation>{1|%1 ihrer Dateien war beschädigt und wurde|%1 ihrer Dateien waren beschädigt und wurden} neu erzeugt.</translation>
+    </message>
+    <message>
+        <source>The scan&apos;s colours were left out: with them this map needs about %1 MB of memory. Allow more with --memory.</source>
+        <translation>Die Farben des Scans wurden weggelassen: mit ihnen braucht diese Karte etwa %1 MB Speicher. Erlauben Sie mit --memory mehr.</translation>
+    </message>
+    <message>
+        <source>Colours beside a map are not read by tiles; its levels are made without. Leave out --memory, or make the map from its scan.</source>
+        <translation>Farben neben einer Karte werden nicht kachelweise gelesen; ihre Ebenen werden ohne sie gemacht. Lassen Sie --memory weg, oder machen Sie die Karte aus ihrem Scan.</translation>
+    </message>
+    <message>
+        <source>Points and spread per cell are known for point clouds by the method CPU only; no quality map was written.</source>
+        <translation>Punkte und Streuung je Zelle sind nur für Punktwolken mit dem Verfahren CPU bekannt; es wurde keine Qualitätskarte geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

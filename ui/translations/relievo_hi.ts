@@ -9037,6 +9037,266 @@
         <source>The graphics driver returned an empty depth buffer. Use the method CPU instead.</source>
         <translation>ग्राफ़िक्स ड्राइवर ने खाली गहराई बफ़र लौटाया। इसके बदले CPU विधि काम में लें।</translation>
     </message>
+    <message>
+        <source>Grid: %1 samples across (%2).</source>
+        <translation>जाली: आर-पार %1 नमूने (%2)।</translation>
+    </message>
+    <message>
+        <source>mesh: the paper&apos;s grid of 800 samples</source>
+        <translation>जाल: लेख की 800 नमूनों वाली जाली</translation>
+    </message>
+    <message>
+        <source>all points lie on one spot</source>
+        <translation>सभी बिंदु एक ही जगह पर हैं</translation>
+    </message>
+    <message>
+        <source>the points lie on a regular grid</source>
+        <translation>बिंदु एक नियमित जाली पर हैं</translation>
+    </message>
+    <message>
+        <source>%1 points a cell</source>
+        <translation>प्रति कोशिका %1 बिंदु</translation>
+    </message>
+    <message>
+        <source>Seen from here the points lie on one line of cells, so that next to nothing can be seen or touched. Choose another view, or more cells.</source>
+        <translation>यहाँ से देखने पर बिंदु कोशिकाओं की एक ही पंक्ति पर हैं, इसलिए लगभग कुछ भी देखा या छुआ नहीं जा सकता। कोई दूसरा दृश्य या अधिक कोशिकाएँ चुनें।</translation>
+    </message>
+    <message>
+        <source>Heights: %1.</source>
+        <translation>ऊँचाइयाँ: %1।</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>as chosen</source>
+        <translation>जैसा चुना गया</translation>
+    </message>
+    <message>
+        <source>depth buffer</source>
+        <translation>गहराई बफ़र</translation>
+    </message>
+    <message>
+        <source>one point at each sample</source>
+        <translation>हर नमूने पर एक बिंदु</translation>
+    </message>
+    <message>
+        <source>%1 points per cell</source>
+        <translation>प्रति कोशिका %1 बिंदु</translation>
+    </message>
+    <message>
+        <source>%1 points per cell in several layers</source>
+        <translation>कई परतों में प्रति कोशिका %1 बिंदु</translation>
+    </message>
+    <message>
+        <source>%1 points per cell in one layer</source>
+        <translation>एक परत में प्रति कोशिका %1 बिंदु</translation>
+    </message>
+    <message>
+        <source>front-most point</source>
+        <translation>सबसे आगे का बिंदु</translation>
+    </message>
+    <message>
+        <source>second point from the front</source>
+        <translation>आगे से दूसरा बिंदु</translation>
+    </message>
+    <message>
+        <source>mean of the top layer</source>
+        <translation>ऊपरी परत का औसत</translation>
+    </message>
+    <message>
+        <source>median of the points</source>
+        <translation>बिंदुओं का माध्यक</translation>
+    </message>
+    <message>
+        <source>mean of the points</source>
+        <translation>बिंदुओं का औसत</translation>
+    </message>
+    <message>
+        <source>bilinear splat</source>
+        <translation>द्विरैखिक वितरण</translation>
+    </message>
+    <message>
+        <source>local quadratic</source>
+        <translation>स्थानीय द्विघात सतह</translation>
+    </message>
+    <message>
+        <source>rear-most point</source>
+        <translation>सबसे पीछे का बिंदु</translation>
+    </message>
+    <message>
+        <source>Depth buffer of %1 bits over %2: steps of %3, heights exact to %4.</source>
+        <translation>%2 पर %1 बिट का गहराई बफ़र: %3 के चरण, ऊँचाइयाँ %4 तक सटीक।</translation>
+    </message>
+    <message>
+        <source>Depth buffer of %1 bits, floating point, over %2: steps of %3, heights exact to %4.</source>
+        <translation>%2 पर %1 बिट का, चल दशमलव वाला गहराई बफ़र: %3 के चरण, ऊँचाइयाँ %4 तक सटीक।</translation>
+    </message>
+    <message>
+        <source>The object is as thick one way as the other; its best-fit plane is not certain.</source>
+        <translation>वस्तु एक दिशा में उतनी ही मोटी है जितनी दूसरी में; उसका सबसे उपयुक्त तल निश्चित नहीं है।</translation>
+    </message>
+    <message>
+        <source>The object is as long one way as the other; its principal axes are not certain.</source>
+        <translation>वस्तु एक दिशा में उतनी ही लंबी है जितनी दूसरी में; उसके मुख्य अक्ष निश्चित नहीं हैं।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 holes filled. The largest left (%3 mm2) is larger than the limit of %4 mm2 and now rests on the base plane.</source>
+        <translation>%2 में से %1 छेद भरे गए। बचा हुआ सबसे बड़ा (%3 mm2) %4 mm2 की सीमा से बड़ा है और अब आधार तल पर है।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 holes filled. The largest left (%3 mm2) is too large for a membrane or has too little rim and now rests on the base plane.</source>
+        <translation>%2 में से %1 छेद भरे गए। बचा हुआ सबसे बड़ा (%3 mm2) झिल्ली के लिए बहुत बड़ा है या उसका किनारा बहुत कम है, और अब आधार तल पर है।</translation>
+    </message>
+    <message>
+        <source>Seen from here %1 of the scan is hidden and cannot be felt. Turn the object, or continue.</source>
+        <translation>यहाँ से देखने पर स्कैन का %1 छिपा है और छुआ नहीं जा सकता। वस्तु को घुमाएँ, या आगे बढ़ें।</translation>
+    </message>
+    <message>
+        <source>%1 points far off all their neighbours were left out.</source>
+        <translation>अपने सभी पड़ोसियों से बहुत दूर {1|का %1 बिंदु छोड़ा गया|के %1 बिंदु छोड़े गए}।</translation>
+    </message>
+    <message>
+        <source>%1 cells showed the object&apos;s back through gaps of its front; they were interpolated instead.</source>
+        <translation>{1|%1 कोशिका ने|%1 कोशिकाओं ने} वस्तु के सामने की दरारों से उसका पिछला भाग दिखाया; इसकी जगह {1|वह अंतर्वेशित की गई|वे अंतर्वेशित की गईं}।</translation>
+    </message>
+    <message>
+        <source>Most cells are interpolated: %1 of the map is measured. A coarser grid would rest on more.</source>
+        <translation>अधिकतर कोशिकाएँ अंतर्वेशित हैं: मानचित्र का %1 मापा हुआ है। मोटी जाली अधिक मापों पर टिकी होगी।</translation>
+    </message>
+    <message>
+        <source>In %1 of the cells the points lie in several layers, front and back, and the chosen height per cell makes one height of them. Choose the mean of the top layer (topmean) to keep them apart.</source>
+        <translation>%1 कोशिकाओं में बिंदु कई परतों में हैं, आगे और पीछे, और प्रति कोशिका चुनी गई ऊँचाई उनसे एक ऊँचाई बनाती है। उन्हें अलग रखने के लिए ऊपरी परत का औसत (topmean) चुनें।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points {1|lies|lie} %3 of the box away from all others; {1|it was|they were} left out.</source>
+        <translation>%2 में से %1 {1|बिंदु बाकी सबसे बॉक्स के %3 दूर है; उसे|बिंदु बाकी सबसे बॉक्स के %3 दूर हैं; उन्हें} छोड़ दिया गया।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points {1|lies|lie} %3 of the box away from all others; {1|it was|they were} kept.</source>
+        <translation>%2 में से %1 {1|बिंदु बाकी सबसे बॉक्स के %3 दूर है; उसे|बिंदु बाकी सबसे बॉक्स के %3 दूर हैं; उन्हें} रखा गया।</translation>
+    </message>
+    <message>
+        <source>{1|%1 vertex belongs|%1 vertices belong} to no face and {1|lies|lie} outside of the object; {1|it was|they were} left out.</source>
+        <translation>{1|%1 शीर्ष किसी फलक का नहीं है और वस्तु के बाहर है; उसे|%1 शीर्ष किसी फलक के नहीं हैं और वस्तु के बाहर हैं; उन्हें} छोड़ दिया गया।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie together %3 of the box away from all others; they were left out.</source>
+        <translation>%2 में से %1 बिंदु एक साथ बाकी सबसे बॉक्स के %3 दूर हैं; उन्हें छोड़ दिया गया।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie together %3 of the box away from all others; they were kept, as they may belong to the object.</source>
+        <translation>%2 में से %1 बिंदु एक साथ बाकी सबसे बॉक्स के %3 दूर हैं; उन्हें रखा गया, क्योंकि वे वस्तु के हो सकते हैं।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are %3, which often stands for a missing one; they were left out. Say --nodata none to take them as heights, --nodata %3 to leave them out without this message.</source>
+        <translation>%2 में से %1 ऊँचाइयाँ %3 हैं, जो अक्सर लापता ऊँचाई के लिए लिखा जाता है; उन्हें छोड़ दिया गया। उन्हें ऊँचाइयाँ मानने के लिए --nodata none दें, इस संदेश के बिना छोड़ने के लिए --nodata %3 दें।</translation>
+    </message>
+    <message>
+        <source>%1 {1|height of|heights of} %2 {1|was|were} taken as missing.</source>
+        <translation>%2 की %1 {1|ऊँचाई लापता मानी गई|ऊँचाइयाँ लापता मानी गईं}।</translation>
+    </message>
+    <message>
+        <source>The points carry no unit; one file unit was taken as 1 %1, a guess: %2. Give the unit if it is another, for example feet.</source>
+        <translation>बिंदुओं की कोई इकाई नहीं है; फ़ाइल की एक इकाई 1 %1 मानी गई, एक अनुमान: %2। इकाई कोई और हो, जैसे फ़ुट, तो उसे बताएँ।</translation>
+    </message>
+    <message>
+        <source>The points carry no unit; one file unit was taken as 1 mm. Give the unit if it is another.</source>
+        <translation>बिंदुओं की कोई इकाई नहीं है; फ़ाइल की एक इकाई 1 mm मानी गई। इकाई कोई और हो तो उसे बताएँ।</translation>
+    </message>
+    <message>
+        <source>The points carry no unit; one file unit was taken as 1 mm. Give the unit if it is another. More likely is %1, %2 x %3 x %4 mm: %5.</source>
+        <translation>बिंदुओं की कोई इकाई नहीं है; फ़ाइल की एक इकाई 1 mm मानी गई। इकाई कोई और हो तो उसे बताएँ। अधिक संभावना %1 की है, %2 x %3 x %4 mm: %5।</translation>
+    </message>
+    <message>
+        <source>its coordinates are those of a map projection</source>
+        <translation>इसके निर्देशांक किसी मानचित्र प्रक्षेप के हैं</translation>
+    </message>
+    <message>
+        <source>it lies as far off as in a map projection</source>
+        <translation>यह उतनी दूर है जितना किसी मानचित्र प्रक्षेप में होता है</translation>
+    </message>
+    <message>
+        <source>files of this format are in metres as a rule</source>
+        <translation>इस प्रारूप की फ़ाइलें आम तौर पर मीटर में होती हैं</translation>
+    </message>
+    <message>
+        <source>it is smaller than anything scanned in millimetres</source>
+        <translation>यह मिलीमीटर में स्कैन की गई किसी भी चीज़ से छोटा है</translation>
+    </message>
+    <message>
+        <source>an object of this shape is seldom as small</source>
+        <translation>इस आकार की वस्तु शायद ही इतनी छोटी होती है</translation>
+    </message>
+    <message>
+        <source>it is larger than most that is in millimetres</source>
+        <translation>यह मिलीमीटर में दी गई अधिकतर चीज़ों से बड़ा है</translation>
+    </message>
+    <message>
+        <source>of its size</source>
+        <translation>इसके आकार के कारण</translation>
+    </message>
+    <message>
+        <source>The raster does not say how large it is; its samples were taken to lie %1 apart, and a step of its values to be %2 high. Say --pixel-size and --height-scale in mm; --height-zero is the value on the base plane.</source>
+        <translation>रास्टर नहीं बताता कि वह कितना बड़ा है; उसके नमूनों की दूरी %1 मानी गई, और उसके मानों के एक चरण की ऊँचाई %2। --pixel-size और --height-scale mm में दें; --height-zero आधार तल पर मान है।</translation>
+    </message>
+    <message>
+        <source>The raster does not say how large it is; its samples were taken to lie %1 apart, and a step of its values to be %2 high, a guess: with steps of a unit it would be higher than it is long, with these it is about a tenth as high. Say --pixel-size and --height-scale in mm; --height-zero is the value on the base plane.</source>
+        <translation>रास्टर नहीं बताता कि वह कितना बड़ा है; उसके नमूनों की दूरी %1 मानी गई, और उसके मानों के एक चरण की ऊँचाई %2, एक अनुमान: एक इकाई के चरणों से वह लंबाई से अधिक ऊँचा होता, इनसे वह लगभग दसवें भाग जितना ऊँचा है। --pixel-size और --height-scale mm में दें; --height-zero आधार तल पर मान है।</translation>
+    </message>
+    <message>
+        <source>The map has no origins of its own; every height was taken as measured.</source>
+        <translation>मानचित्र में मूल की अपनी जानकारी नहीं है; हर ऊँचाई मापी हुई मानी गई।</translation>
+    </message>
+    <message>
+        <source>A map written by this program is taken as it is; its holes were not treated anew.</source>
+        <translation>इस प्रोग्राम का लिखा मानचित्र जैसा है वैसा ही लिया जाता है; उसके छेद फिर से नहीं भरे गए।</translation>
+    </message>
+    <message>
+        <source>The map has colours beside it; the relief images &apos;natural&apos; and &apos;intensity&apos; show what there is.</source>
+        <translation>मानचित्र के साथ रंग हैं; उभार-चित्र “प्राकृतिक रंग” और “तीव्रता” दिखाते हैं कि क्या है।</translation>
+    </message>
+    <message>
+        <source>%1 The map is shown without colours.</source>
+        <translation>%1 मानचित्र बिना रंगों के दिखाया गया है।</translation>
+    </message>
+    <message>
+        <source>The scan has colours; %1 of the measured cells have one of their own. The relief image &apos;natural&apos; shows them.</source>
+        <translation>स्कैन में रंग हैं; मापी गई कोशिकाओं में से %1 का अपना रंग है। उभार-चित्र “प्राकृतिक रंग” उन्हें दिखाता है।</translation>
+    </message>
+    <message>
+        <source>The scan has intensities; %1 of the measured cells have one of their own. The relief image &apos;intensity&apos; shows them, black at %2 and white at %3.</source>
+        <translation>स्कैन में तीव्रताएँ हैं; मापी गई कोशिकाओं में से %1 की अपनी तीव्रता है। उभार-चित्र “तीव्रता” उन्हें दिखाता है, %2 पर काला और %3 पर सफ़ेद।</translation>
+    </message>
+    <message>
+        <source>A first view from %1 % of the points.</source>
+        <translation>%1 % बिंदुओं से पहला दृश्य।</translation>
+    </message>
+    <message>
+        <source>The points were merged as they came; stray points were not looked for.</source>
+        <translation>बिंदु जैसे आए वैसे ही मिलाए गए; भटके बिंदु नहीं खोजे गए।</translation>
+    </message>
+    <message>
+        <source>Went on with earlier work: %1 points were in tiles, %2 of %3 rows of tiles had their heights.</source>
+        <translation>पहले का काम आगे बढ़ाया गया: %1 बिंदु टाइलों में थे, टाइलों की %3 में से %2 पंक्तियों की ऊँचाइयाँ बन चुकी थीं।</translation>
+    </message>
+    <message>
+        <source>%1 of its files were damaged and were made anew.</source>
+        <translation>उसकी {1|%1 फ़ाइल खराब थी और फिर से बनाई गई|%1 फ़ाइलें खराब थीं और फिर से बनाई गईं}।</translation>
+    </message>
+    <message>
+        <source>The scan&apos;s colours were left out: with them this map needs about %1 MB of memory. Allow more with --memory.</source>
+        <translation>स्कैन के रंग छोड़ दिए गए: उनके साथ इस मानचित्र को लगभग %1 MB मेमोरी चाहिए। --memory से अधिक की अनुमति दें।</translation>
+    </message>
+    <message>
+        <source>Colours beside a map are not read by tiles; its levels are made without. Leave out --memory, or make the map from its scan.</source>
+        <translation>मानचित्र के साथ के रंग टाइलों में नहीं पढ़े जाते; उसके स्तर उनके बिना बनते हैं। --memory हटाएँ, या मानचित्र उसके स्कैन से बनाएँ।</translation>
+    </message>
+    <message>
+        <source>Points and spread per cell are known for point clouds by the method CPU only; no quality map was written.</source>
+        <translation>प्रति कोशिका बिंदु और फैलाव केवल CPU विधि से बिंदु-बादलों के लिए ज्ञात हैं; कोई गुणवत्ता मानचित्र नहीं लिखा गया।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

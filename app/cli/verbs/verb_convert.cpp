@@ -44,8 +44,8 @@ Source load(const ConvertArguments& a, const Task& task) {
   const SurfaceOptions options = surfaceOptions(a.map);
   Source source{makeSurface(raster, options, task), std::move(raster)};
   requireRasterUse(options, source.surface);
-  for (const std::string& message : source.surface.messages) tell(message);
-  for (const std::string& message : source.surface.not_done) tell(message);
+  for (const Message& message : source.surface.messages) tell(englishText(message));
+  for (const Message& message : source.surface.not_done) tell(englishText(message));
   tellUnusedMapOptions(a.map, source.surface);
   return source;
 }

@@ -118,10 +118,8 @@ CommandResult runDepthmap(const DepthmapArguments& a, const Task& task) {
   EarlyInput input(a.map.file, a.out, task);
   Surface surface = loadForVerb(a.map, task);
   if (a.quality && surface.quality.empty()) {
-    surface.not_done.emplace_back(
-        "Points and spread per cell are known for point clouds by the method CPU only; no quality "
-        "map was written.");
-    tell(surface.not_done.back());
+    surface.not_done.push_back(said<MessageId::quality_of_clouds_only>());
+    tell(englishText(surface.not_done.back()));
   }
   const std::string state = toJson(provenanceOfVerb(a.map, surface, input.take()), -1);
   const auto start = std::chrono::steady_clock::now();
@@ -159,7 +157,7 @@ CommandResult runDepthmap(const DepthmapArguments& a, const Task& task) {
   json["strays"] = straysJson(surface.strays);
   json["missing"] = surface.missing;
   json["likely_nodata"] = suspectJson(surface.suspect_height);
-  json["not_done"] = surface.not_done;
+  json["not_done"] = sentencesJson(surface.not_done);
   return {
       .json = reportText(json),
       .lines = {a.out + ": " + std::to_string(frame.size.cols) + " x " +

@@ -59,9 +59,8 @@ CommandResult runFill(const FillArguments& a, const Task& task) {
   writeMapWithColours(a.out, filled.map, own, {.view_from_file = surface.view_from_file});
 
   CommandResult outcome;
-  const std::string missing = holesLeft(filled.holes, choice);
-  if (!missing.empty()) {
-    tell(missing);
+  if (const auto missing = holesLeft(filled.holes, choice)) {
+    tell(englishText(*missing));
     outcome.exit_code = 4;
   }
   if (filled.holes.empty()) tell("The map has no enclosed holes; nothing was filled.");

@@ -31,29 +31,31 @@ namespace {
 
 /// Of a file that is only looked at: what surfaces are made with and without.
 std::vector<std::string> strayTexts(const Strays& strays) {
-  const auto said = [](std::string words, const std::string& end, const std::string& instead) {
+  const auto replace = [](std::string& words, const std::string& end, const std::string& instead) {
     if (const auto at = words.find(end); at != std::string::npos) {
       words.replace(at, end.size(), instead);
     }
-    return words;
   };
   std::vector<std::string> texts;
-  if (strays.points > 0) {
-    const bool one = strays.points == 1;
-    texts.push_back(said(strayWords(strays), one ? "it was left out." : "they were left out.",
-                         "surfaces are made without " + std::string(one ? "it" : "them") +
-                             ", unless --strays keep is given."));
-  }
-  if (strays.grouped > 0) {
-    texts.push_back(said(groupWords(strays), "they were kept, as they may belong to the object.",
-                         "surfaces are made with them, as they may belong to the object, unless "
-                         "--strays drop-groups is given."));
+  for (const Message& message : strayWords(strays)) {
+    std::string words = englishText(message);
+    if (message.id == MessageId::groups_kept) {
+      replace(words, "they were kept, as they may belong to the object.",
+              "surfaces are made with them, as they may belong to the object, unless --strays "
+              "drop-groups is given.");
+    } else if (message.id != MessageId::groups_left_out) {
+      replace(words, "it was left out.",
+              "surfaces are made without it, unless --strays keep is given.");
+      replace(words, "they were left out.",
+              "surfaces are made without them, unless --strays keep is given.");
+    }
+    texts.push_back(words);
   }
   return texts;
 }
 
 std::string suspectText(const SuspectHeight& suspect) {
-  const std::string words = suspectWords(suspect);
+  const std::string words = englishText(suspectWords(suspect));
   return words.substr(0, words.find("they were left out.")) +
          "surfaces are made without them, unless --nodata none is given.";
 }
@@ -326,8 +328,8 @@ void tellDoubts(const FileFacts& found, const UnitFacts& unit) {
   for (const std::string& warning : found.info.warnings) tell(warning);
   for (const std::string& text : strayTexts(found.strays)) tell(text);
   if (found.suspect_height) tell(suspectText(*found.suspect_height));
-  const std::string words = unitWords(unit.without_strays, {unit.unit, unit.source});
-  if (!words.empty()) tell(words);
+  const auto words = unitWords(unit.without_strays, {unit.unit, unit.source});
+  if (words) tell(englishText(*words));
 }
 
 Json jsonOfFacts(const InfoArguments& a, const FileFacts& found, const UnitFacts& unit) {

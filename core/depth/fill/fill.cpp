@@ -2,12 +2,9 @@
 #include "core/depth/fill/fill.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <mutex>
-#include <string>
 #include <utility>
 
 #include "core/base/bands.h"
@@ -161,10 +158,8 @@ void layMembranes(std::vector<LabelledHole>& holes, const EmptyAreas& areas, con
   }
 }
 
-std::string squareMm(double area_mm2) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g mm2", area_mm2);
-  return text.data();
+NumberArgument squareMm(double area_mm2) {
+  return {.value = area_mm2, .digits = 4, .form = NumberArgument::Form::significant};
 }
 
 }  // namespace
@@ -216,19 +211,20 @@ CellStatus originOfHole(const Hole& hole, HoleRule rule) {
   return rule == HoleRule::none ? CellStatus::outside : CellStatus::base_plane;
 }
 
-std::string holesLeft(const std::vector<Hole>& holes, const HoleChoice& choice) {
-  if (choice.rule != HoleRule::interpolate && choice.rule != HoleRule::membrane) return {};
+std::optional<Message> holesLeft(const std::vector<Hole>& holes, const HoleChoice& choice) {
+  if (choice.rule != HoleRule::interpolate && choice.rule != HoleRule::membrane) {
+    return std::nullopt;
+  }
   const auto filled =
       std::count_if(holes.begin(), holes.end(), [](const Hole& h) { return h.filled; });
   const auto left =
       std::find_if(holes.begin(), holes.end(), [](const Hole& h) { return !h.filled; });
-  if (left == holes.end()) return {};
-  std::string text = std::to_string(filled) + " of " + std::to_string(holes.size()) +
-                     " holes filled. The largest left (" + squareMm(left->area_mm2) + ") ";
-  text += left->area_mm2 > choice.max_area_mm2
-              ? "is larger than the limit of " + squareMm(choice.max_area_mm2)
-              : "is too large for a membrane or has too little rim";
-  return text + " and now rests on the base plane.";
+  if (left == holes.end()) return std::nullopt;
+  if (left->area_mm2 > choice.max_area_mm2) {
+    return said<MessageId::holes_left_by_limit>(filled, holes.size(), squareMm(left->area_mm2),
+                                                squareMm(choice.max_area_mm2));
+  }
+  return said<MessageId::holes_left_by_membrane>(filled, holes.size(), squareMm(left->area_mm2));
 }
 
 FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const FillSource& source,

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/base/grid.h"
@@ -11,6 +10,7 @@
 #include "core/depth/depth_map.h"
 #include "core/depth/depth_request.h"
 #include "core/depth/fill/mask.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
@@ -49,8 +49,8 @@ Mask withBetween(Mask measured, const FrontDepths& between);
 inline constexpr int kCrackRadius = 1;  ///< Closing radius there, cells.
 
 /// E202: "2 of 3 holes filled. ..." if the choice asked for filling and a hole was left; else
-/// empty.
-std::string holesLeft(const std::vector<Hole>& holes, const HoleChoice& choice);
+/// nothing.
+std::optional<Message> holesLeft(const std::vector<Hole>& holes, const HoleChoice& choice);
 
 struct FilledMap {
   DepthMap map;             ///< Heights above the base plane.

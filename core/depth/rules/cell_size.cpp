@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/message/catalogue.h"
+
 namespace relievo {
 namespace {
 
@@ -112,22 +114,22 @@ double coveredArea(const Planar& planar, double left, double bottom, double side
   return static_cast<double>(std::count(hit.begin(), hit.end(), true)) * cell * cell;
 }
 
-std::string rounded(double value) {
-  std::string text = std::to_string(value);
-  return text.substr(0, text.find('.') + 2);
+/// 2.59 is said as 2.5: no cell is promised more points than it has. 2.4999996 is 2.5 itself.
+NumberArgument roundedDown(double value) {
+  return {.value = std::floor(std::round(1e6 * value) / 1e5) / 10, .digits = 1};
 }
 
 }  // namespace
 
 CellProposal proposeCells(const Scan& scan, const Rotation& rotation, std::uint64_t points_in_all) {
   if (!scan.triangles.empty()) {
-    return {.cells = kPaperCells, .reason = "mesh: the paper's grid of 800 samples"};
+    return {.cells = kPaperCells, .reason = said<MessageId::grid_of_mesh>()};
   }
   const Planar planar = projected(scan, rotation, 200'000);
   const auto [left, right] = std::minmax_element(planar.x.begin(), planar.x.end());
   const auto [bottom, top] = std::minmax_element(planar.y.begin(), planar.y.end());
   const double side = std::max(*right - *left, *top - *bottom);
-  if (!(side > 0)) return {.cells = 2, .reason = "all points lie on one spot"};
+  if (!(side > 0)) return {.cells = 2, .reason = said<MessageId::grid_of_one_spot>()};
 
   const auto count =
       static_cast<double>(std::max<std::uint64_t>(scan.points.size(), points_in_all));
@@ -137,7 +139,7 @@ CellProposal proposeCells(const Scan& scan, const Rotation& rotation, std::uint6
     const double nodes = ((*right - *left) / *step_x + 1) * ((*top - *bottom) / *step_y + 1);
     const double across = std::round(side / *step_x) + 1;
     if (count > 0.3 * nodes && across <= kMostCells) {
-      return {.cells = static_cast<int>(across), .reason = "the points lie on a regular grid"};
+      return {.cells = static_cast<int>(across), .reason = said<MessageId::grid_of_the_points>()};
     }
   }
   return proposeCells({.side_mm = side,
@@ -153,7 +155,9 @@ CellProposal proposeCells(const CoveredArea& covered) {
       std::round(covered.side_mm / std::sqrt(covered.points_per_cell * area / count)) + 1;
   const int cells = static_cast<int>(std::clamp<double>(wanted, kFewestCells, kMostCells));
   const double spacing = covered.side_mm / (cells - 1);
-  return {.cells = cells, .reason = rounded(count * spacing * spacing / area) + " points a cell"};
+  return {
+      .cells = cells,
+      .reason = said<MessageId::grid_by_density>(roundedDown(count * spacing * spacing / area))};
 }
 
 }  // namespace relievo

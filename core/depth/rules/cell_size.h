@@ -2,17 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include "core/cloud/scan.h"
 #include "core/depth/view.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
-/// How fine a grid the data carry, and why, in words for people.
+/// How fine a grid the data carry, and why.
 struct CellProposal {
-  int cells = 0;  ///< Samples across the longer side of the view, >= 2.
-  std::string reason;
+  int cells = 0;   ///< Samples across the longer side of the view, >= 2.
+  Message reason;  ///< "the points lie on a regular grid"
 };
 
 /// Points on a regular grid: that grid. Other clouds: about 2.5 points a cell. Meshes: 800, the

@@ -20,6 +20,7 @@
 #include "core/depth/rules/row_fits.h"
 #include "core/depth/rules/row_splats.h"
 #include "core/depth/rules/rule_choice.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -251,26 +252,34 @@ std::optional<PointRule> pointRule(std::string_view name) {
   return std::nullopt;
 }
 
-std::string_view describe(PointRule rule) {
+Message ruleMessage(PointRule rule) {
   switch (rule) {
     case PointRule::second:
-      return "second point from the front";
+      return said<MessageId::rule_second>();
     case PointRule::top_mean:
-      return "mean of the top layer";
+      return said<MessageId::rule_top_mean>();
     case PointRule::median:
-      return "median of the points";
+      return said<MessageId::rule_median>();
     case PointRule::mean:
-      return "mean of the points";
+      return said<MessageId::rule_mean>();
     case PointRule::splat:
-      return "bilinear splat";
+      return said<MessageId::rule_splat>();
     case PointRule::quadratic:
-      return "local quadratic";
+      return said<MessageId::rule_quadratic>();
     case PointRule::lowest:
-      return "rear-most point";
+      return said<MessageId::rule_lowest>();
     case PointRule::front:
       break;
   }
-  return "front-most point";
+  return said<MessageId::rule_front>();
+}
+
+std::string_view describe(PointRule rule) {
+  return rowOf(ruleMessage(rule).id).screen;
+}
+
+Message ruleAndWhy(const RuleProposal& proposal) {
+  return said<MessageId::rule_and_why>(proposal.reason, ruleMessage(proposal.rule));
 }
 
 bool isForOneLayer(PointRule rule) {
@@ -333,7 +342,8 @@ class Scatter {
   int halo() const { return reachOf(rule_) + kOutlierReach; }
 
   void chooseRule(const CellPoints& points) {
-    RuleProposal rule{.rule = request_.rule.value_or(PointRule::front), .reason = "as chosen"};
+    RuleProposal rule{.rule = request_.rule.value_or(PointRule::front),
+                      .reason = said<MessageId::rule_as_chosen>()};
     const bool needs_noise = !request_.noise_mm && rule.rule == PointRule::quadratic;
     const int threads = threadsFor(points.count(), request_.threads);
     std::vector<RowSample> samples;
@@ -342,7 +352,7 @@ class Scatter {
     }
     if (!request_.rule) rule = proposeRule(samples, request_.frame, threads, task_);
     rule_ = rule.rule;
-    out_.rule = rule.reason + ": " + std::string(describe(rule_));
+    out_.rule = ruleAndWhy(rule);
     out_.one_layer = !request_.rule && isForOneLayer(rule_);
     if (rule_ == PointRule::quadratic) {
       noise_mm_ = request_.noise_mm ? *request_.noise_mm

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "core/depth/depth_request.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
@@ -14,6 +14,8 @@ namespace relievo {
 std::optional<PointRule> pointRule(std::string_view name);
 /// In words, for people: "front-most point", "median of the points", ...
 std::string_view describe(PointRule rule);
+/// The same as a message.
+Message ruleMessage(PointRule rule);
 
 /// Proposed only where the points lie in one layer, so that nothing shows through.
 bool isForOneLayer(PointRule rule);
@@ -21,11 +23,13 @@ bool isForOneLayer(PointRule rule);
 /// Makes one height of all points of a cell, also where they lie on the object's front and back.
 bool mixesLayers(PointRule rule);
 
-/// A rule and why, in words for people.
+/// A rule and why.
 struct RuleProposal {
   PointRule rule = PointRule::front;
-  std::string reason;  ///< "2.5 points per cell"
+  Message reason;  ///< "2.5 points per cell"
 };
+/// "2.5 points per cell: local quadratic"
+Message ruleAndWhy(const RuleProposal& proposal);
 
 /// From the cells the points fall into, in the rows looked at. One point at every
 /// sample: that point. Several layers (an object and its back): the mean of the top layer, so that

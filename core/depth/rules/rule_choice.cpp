@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/depth/rules/rule_choice.h"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
-#include <string>
 #include <utility>
 
 #include "core/base/bands.h"
 #include "core/depth/layers/outliers.h"
 #include "core/depth/rules/local_fit.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -46,10 +44,9 @@ std::vector<RowRange> sampledRows(GridSize size) {
   return ranges;
 }
 
-std::string densityWords(const SampleCounts& found) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.1f points per cell", found.pointsPerCell());
-  return text.data();
+template <MessageId id>
+Message densityWords(const SampleCounts& found) {
+  return said<id>(NumberArgument{.value = found.pointsPerCell(), .digits = 1});
 }
 
 }  // namespace
@@ -129,18 +126,21 @@ RuleProposal proposeRule(const std::vector<RowSample>& samples, const GridFrame&
 }
 
 RuleProposal proposeRule(const SampleCounts& found) {
-  RuleProposal proposal{.rule = PointRule::front, .reason = densityWords(found)};
+  RuleProposal proposal{.rule = PointRule::front,
+                        .reason = densityWords<MessageId::rule_by_density>(found)};
   if (found.occupied == 0) return proposal;
   const auto cells = static_cast<double>(found.occupied);
   const double density = found.pointsPerCell();
   if (density < 1.01 && static_cast<double>(found.off_samples) < 0.01 * cells) {
-    proposal.reason = "one point at each sample";
+    proposal.reason = said<MessageId::rule_one_point_each>();
   } else if (static_cast<double>(found.layered) > kMostLayeredShare * cells) {
     proposal.rule = PointRule::top_mean;
-    proposal.reason += " in several layers";
+    proposal.reason = densityWords<MessageId::rule_by_layers>(found);
   } else {
     proposal.rule = density < kEnoughToAverage ? PointRule::quadratic : PointRule::median;
-    if (density >= kEnoughToAverage) proposal.reason += " in one layer";
+    if (density >= kEnoughToAverage) {
+      proposal.reason = densityWords<MessageId::rule_by_one_layer>(found);
+    }
   }
   return proposal;
 }

@@ -5,6 +5,8 @@
 
 #include "core/io/raster/colour_raster.h"
 #include "core/io/raster/tiff_head.h"
+#include "core/message/catalogue.h"
+#include "core/session/choices.h"
 #include "core/session/colours/surface_colours.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/points/scatter.h"
@@ -16,15 +18,14 @@ std::filesystem::path spillFolder(const LargeMapOptions& large) {
 }
 
 bool takeValues(LargeMap& map, const StreamedValues& values, const MemoryPlan& plan) {
-  map.messages.insert(map.messages.end(), values.warnings().begin(), values.warnings().end());
+  say(map.messages, quoted(values.warnings()));
   if (!values.any()) return false;
   map.info.colour = values.colourFact();
   map.info.intensity = values.intensityRange();
   if (plan.values_bytes > 0) return true;
   constexpr std::uint64_t kMegabyte = 1'000'000;
-  map.not_done.push_back("The scan's colours were left out: with them this map needs about " +
-                         std::to_string((plan.colours_need + kMegabyte - 1) / kMegabyte) +
-                         " MB of memory. Allow more with --memory.");
+  map.not_done.push_back(
+      said<MessageId::colours_need_memory>((plan.colours_need + kMegabyte - 1) / kMegabyte));
   return false;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <span>
 #include <string>
 #include <utility>
@@ -74,17 +73,14 @@ GridColours levelColours(const Surface& surface, Level level) {
 
 namespace {
 
-/// "98.2 % of the measured cells ..."
-std::string ownShare(const OwnCells& cells) {
-  const double share = static_cast<double>(cells.own) /
-                       static_cast<double>(std::max<std::size_t>(cells.measured, 1));
-  return percentText(share) + " of the measured cells have one of their own";
+/// Of the measured cells: "98.2 %"
+Message ownShare(const OwnCells& cells) {
+  return percentWords(static_cast<double>(cells.own) /
+                      static_cast<double>(std::max<std::size_t>(cells.measured, 1)));
 }
 
-std::string shortText(double number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", number);
-  return text.data();
+NumberArgument sixDigits(double number) {
+  return {.value = number, .digits = 6, .form = NumberArgument::Form::significant};
 }
 
 /// @param pixels  of the finest level, alpha last
@@ -111,14 +107,13 @@ void sayColours(Surface& surface, const GridColours& finest, const Scan& scan) {
 
 }  // namespace
 
-std::string colourWords(const OwnCells& cells) {
-  return "The scan has colours; " + ownShare(cells) + ". The relief image 'natural' shows them.";
+Message colourWords(const OwnCells& cells) {
+  return said<MessageId::scan_has_colours>(ownShare(cells));
 }
 
-std::string intensityWords(const OwnCells& cells, const IntensityRange& shown) {
-  return "The scan has intensities; " + ownShare(cells) +
-         ". The relief image 'intensity' shows them, black at " + shortText(shown.low) +
-         " and white at " + shortText(shown.high) + ".";
+Message intensityWords(const OwnCells& cells, const IntensityRange& shown) {
+  return said<MessageId::scan_has_intensities>(ownShare(cells), sixDigits(shown.low),
+                                               sixDigits(shown.high));
 }
 
 ColourRule colourRuleOf(const std::string& rule) {
@@ -136,9 +131,7 @@ void addColours(Surface& surface, const Scan& scan, const Task& task) {
 void addColours(Surface& surface, GridColours&& finest, const Task& task) {
   surface.colours = colourLevels(std::move(finest), surface.pyramid, 0, task);
   if (surface.colours.empty()) return;
-  surface.messages.emplace_back(
-      "The map has colours beside it; the relief images 'natural' and 'intensity' show what there "
-      "is.");
+  surface.messages.push_back(said<MessageId::map_has_colours_beside>());
 }
 
 double rivalShare(const Surface& surface, const RegionWindow& window, ReliefKind kind,

@@ -28,8 +28,8 @@ struct OwnCells {
   std::size_t measured = 0, own = 0;
 };
 /// What is said of a map with colours, or intensities.
-std::string colourWords(const OwnCells& cells);
-std::string intensityWords(const OwnCells& cells, const IntensityRange& shown);
+Message colourWords(const OwnCells& cells);
+Message intensityWords(const OwnCells& cells, const IntensityRange& shown);
 
 /// Whose colours cells get whose heights were made so. @param rule  Surface::rule, whose end is the
 /// rule's name

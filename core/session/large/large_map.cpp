@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -121,9 +120,8 @@ Surface viewOf(const Scan& sample, SurfaceOptions options, int most_cells, const
   options.spacing_mm.reset();
   options.engine = "cpu";
   Surface surface = makeSurface(sample, options, rasterize, task);
-  surface.messages.push_back("A first view from " +
-                             std::to_string(static_cast<int>(std::ceil(100 * share))) +
-                             " % of the points.");
+  surface.messages.push_back(
+      said<MessageId::first_view_of_some_points>(static_cast<int>(std::ceil(100 * share))));
   return surface;
 }
 
@@ -177,16 +175,15 @@ struct DepthSource {
 
 void sayLosses(LargeMap& map, const DepthSource& source, const BandFill& fill,
                const OriginCounts& cells, const std::optional<PointRule>& chosen) {
-  const auto say = [&map](std::vector<std::string> sentences) {
-    std::move(sentences.begin(), sentences.end(), std::back_inserter(map.messages));
-  };
   std::optional<HiddenSurface> hidden = source.hidden;
   if (hidden && source.front != nullptr) {
     addHidden(*source.front, static_cast<double>(source.left_out.hidden), cells, *hidden);
   }
   if (hidden) map.losses = lossesOf(*hidden, source.outliers, fill.seenThroughPoints(), cells);
-  say(lossReport(map.losses.value_or(DepthLosses{}), fill.seenThrough(), map.shares));
-  if (source.hidden && chosen) say(mixedLayerWords(*chosen, *source.hidden, cells));
+  say(map.messages, lossReport(map.losses.value_or(DepthLosses{}), fill.seenThrough(), map.shares));
+  if (source.hidden && chosen) {
+    say(map.messages, mixedLayerWords(*chosen, *source.hidden, cells));
+  }
 }
 
 /// From depths to files: what both kinds of input have in common.
@@ -204,9 +201,7 @@ void fillAndWrite(LargeMap& map, const DepthSource& source, const SurfaceOptions
   map.seconds.fill = secondsSince(start);
   map.view_from_file = view(fill->baseZMm());
   map.holes = fill->holes();
-  if (std::string left = holesLeft(map.holes, options.holes); !left.empty()) {
-    map.not_done.push_back(std::move(left));
-  }
+  say(map.not_done, holesLeft(map.holes, options.holes));
   std::optional<CloudColours> colours;
   if (source.values != nullptr) {
     colours.emplace(map, source.frame, *source.values, source.keeps, large, plan.values_bytes,
@@ -282,7 +277,7 @@ LargeMap fromPoints(const std::vector<std::filesystem::path>& inputs, const Surf
   }
   Surface made;
   made.info = stream.info();
-  made.messages = stream.info().warnings;
+  made.messages = quoted(stream.info().warnings);
   Scan sample = sampleOf(stream, evenRuns(stream, kSecondSample), task);
   const std::optional<double> missing = missingHeight(options.nodata, suspectHeight(sample));
   const ScanInUse sample_in_use(sample, options.strays, missing, task);
@@ -379,7 +374,7 @@ void writeForeign(LargeMap& map, Surface& facts, const RasterRows& rows,
   sayScale(facts, scale);
   copyFacts(facts, map);
   map.missing = in_use.missing();
-  map.messages.insert(map.messages.end(), in_use.messages().begin(), in_use.messages().end());
+  say(map.messages, in_use.messages());
   const GridFrame frame = frameOf(raster.size, scale.pixel_mm);
   const MemoryPlan plan = planWork(frame, options, large, std::nullopt, {});
   map.seconds.read = secondsSince(start);
@@ -413,21 +408,16 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
   LargeMap map;
   Surface facts;
   facts.info = raster.info;
-  facts.messages = raster.info.warnings;
+  facts.messages = quoted(raster.info.warnings);
   facts.view_name = raster.is_own_map ? "as stored" : "top";
   if (raster.is_own_map) {
     facts.unit_source = UnitSource::file;
-    if (!rows.hasOrigins()) {
-      facts.messages.emplace_back(
-          "The map has no origins of its own; every height was taken as measured.");
-    }
+    if (!rows.hasOrigins()) facts.messages.push_back(said<MessageId::map_without_origins>());
   } else {
     chooseUnit(facts, options);
   }
   if (raster.is_own_map && hasOwnColours(file)) {
-    facts.messages.emplace_back(
-        "Colours beside a map are not read by tiles; its levels are made without. Leave out "
-        "--memory, or make the map from its scan.");
+    facts.messages.push_back(said<MessageId::colours_not_by_tiles>());
   }
   map.engine = raster.is_own_map ? "as stored" : "raster";
   map.rule = "as stored";

@@ -62,8 +62,8 @@ struct LargeMap {
   std::optional<DepthLosses> losses;  ///< Of points that were not merged as they came.
   Strays strays;                      ///< Of clouds.
   std::uint64_t missing = 0;          ///< Points or cells left out as none, as of a Surface.
-  std::vector<std::string> not_done;  ///< Steps that were asked for, in sentences.
-  std::vector<std::string> messages;
+  std::vector<Message> messages;
+  std::vector<Message> not_done;  ///< Steps that were asked for.
   StageSeconds seconds;
   double first_view_s = 0;  ///< From the call to the first on_view; 0: none.
   std::uint64_t spilled_bytes = 0;

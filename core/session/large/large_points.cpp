@@ -8,6 +8,7 @@
 
 #include "core/depth/rules/point_rule.h"
 #include "core/io/file_check.h"
+#include "core/message/catalogue.h"
 #include "core/session/choices.h"
 #include "core/session/closed_cloud.h"
 #include "core/session/colours/cloud_colours.h"
@@ -78,7 +79,7 @@ Placed place(Surface& facts, const PointFiles& stream, const Scan& sample,
   chooseUnit(facts, options);
   placed.rotation = chosenRotation(
       sample, options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
-  if (!placed.rotation.note.empty()) facts.messages.push_back(placed.rotation.note);
+  say(facts.messages, placed.rotation.note);
   const double mm = mmPer(facts.unit);
   const ViewFromFile turned = viewFromFile(placed.rotation.rotation, mm, 0, 0, 0);
   placed.points = sourceInUse(sourceOf(stream), sample, placed.rotation.rotation, turned, options,
@@ -107,12 +108,10 @@ Placed place(Surface& facts, const PointFiles& stream, const Scan& sample,
 namespace {
 
 void sayRule(LargeMap& map, const RuleProposal& rule, bool merges) {
-  map.rule = rule.reason + ": " + std::string(describe(rule.rule));
-  map.messages.push_back("Heights: " + map.rule + ".");
-  if (merges) {
-    map.messages.emplace_back(
-        "The points were merged as they came; stray points were not looked for.");
-  }
+  const Message words = ruleAndWhy(rule);
+  map.rule = englishText(words);
+  map.messages.push_back(said<MessageId::heights_by_rule>(words));
+  if (merges) map.messages.push_back(said<MessageId::points_were_merged>());
 }
 
 /// A band of rows as the surface in front says.
@@ -134,9 +133,7 @@ void sayLeftOut(Surface& facts, const SourceInUse& points, const SurfaceOptions&
   } else if (points.missing > 0) {
     facts.messages.push_back(missingWords(points.missing, *options.nodata->value));
   }
-  for (std::string words : {strayWords(points.strays), groupWords(points.strays)}) {
-    if (!words.empty()) facts.messages.push_back(std::move(words));
-  }
+  say(facts.messages, strayWords(points.strays));
 }
 
 namespace {
@@ -162,7 +159,7 @@ class GriddedPoints {
   PointDecisions decide(const Task& task) {
     PointDecisions decided{.rule = {}, .left_out = sort(task)};
     if (options_.rule) {
-      decided.rule = {.rule = *options_.rule, .reason = "as chosen"};
+      decided.rule = {.rule = *options_.rule, .reason = said<MessageId::rule_as_chosen>()};
       return decided;
     }
     store_->keepWithin(samplingBytes(plan_, placed_.frame, large_, samplePoints(*store_)));
@@ -219,13 +216,11 @@ class GriddedPoints {
 void sayTakenOver(LargeMap& map, const KnownParts& known, int rows, int all_rows, int damaged) {
   map.taken_over = {.points = known.points, .parts = known.parts, .rows = rows, .damaged = damaged};
   if (known.parts > 0 || rows > 0) {
-    map.messages.push_back("Went on with earlier work: " + grouped(known.points) +
-                           " points were in tiles, " + std::to_string(rows) + " of " +
-                           std::to_string(all_rows) + " rows of tiles had their heights.");
+    map.messages.push_back(said<MessageId::went_on_with_earlier_work>(
+        CountArgument::grouped(known.points), rows, all_rows));
   }
   if (damaged > 0) {
-    map.messages.push_back(std::to_string(damaged) +
-                           " of its files were damaged and were made anew.");
+    map.messages.push_back(said<MessageId::damaged_work_made_anew>(damaged));
   }
 }
 

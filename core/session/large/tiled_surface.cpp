@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/message/catalogue.h"
 #include "core/tiles/tiled_map.h"
 
 namespace relievo {
@@ -29,8 +30,8 @@ Surface openTiledSurface(const std::filesystem::path& finest, std::size_t cache_
                         std::to_string(frames.size()) + " levels";
   surface.info.points = surface.info.finite_points = size.count();
   surface.info.unit = LengthUnit::mm;
-  if (const std::string& left = tiles->coloursLeftAside(); !left.empty()) {
-    surface.messages.push_back(left + " The map is shown without colours.");
+  if (const std::optional<Message>& left = tiles->coloursLeftAside()) {
+    surface.messages.push_back(said<MessageId::colours_left_aside>(*left));
   }
   surface.tiles = std::move(tiles);
   return surface;

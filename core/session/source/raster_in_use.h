@@ -3,11 +3,11 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/base/task.h"
 #include "core/io/raster/raster_rows.h"
+#include "core/message/message.h"
 #include "core/session/nodata.h"
 #include "core/tiles/band_fill.h"
 
@@ -25,7 +25,7 @@ class RasterInUse {
   double highest() const { return highest_; }
   std::uint64_t missing() const { return missing_; }
   /// What to say of heights that stand for none.
-  const std::vector<std::string>& messages() const { return messages_; }
+  const std::vector<Message>& messages() const { return messages_; }
   /// In millimetres above `value`; NaN: none. @param mm  in a step of the file's heights
   RowsOf depths(double mm, double value) const;
 
@@ -36,7 +36,7 @@ class RasterInUse {
   std::optional<double> value_;  ///< Stands for none.
   double lowest_ = 0, highest_ = 0;
   std::uint64_t missing_ = 0;
-  std::vector<std::string> messages_;
+  std::vector<Message> messages_;
 };
 
 }  // namespace relievo

@@ -2,9 +2,7 @@
 #include "core/session/source/raster_scale.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "core/base/failure.h"
 #include "core/io/raster/raster.h"
@@ -24,10 +22,11 @@ double downToOneDigit(double value) {
   return std::max(1.0, std::floor(value / power)) * power;
 }
 
-std::string shortText(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
+NumberArgument millimetres(double value) {
+  return {.value = value,
+          .digits = 4,
+          .form = NumberArgument::Form::significant,
+          .unit = MessageUnit::millimetre};
 }
 
 }  // namespace
@@ -57,19 +56,13 @@ ScaleInUse scaleInUse(const RasterHead& raster, LengthUnit unit, UnitSource unit
   return scale;
 }
 
-std::string scaleWords(const ScaleInUse& scale) {
-  if (!scale.isOpen()) return {};
-  std::string words = "The raster does not say how large it is; its samples were taken to lie " +
-                      shortText(scale.pixel_mm) + " mm apart, ";
-  words += "and a step of its values to be " + shortText(scale.height_mm) + " mm high";
-  if (scale.height_source == UnitSource::guessed) {
-    words +=
-        ", a guess: with steps of a unit it would be higher than it is long, with these it is "
-        "about a tenth as high";
-  }
-  return words +
-         ". Say --pixel-size and --height-scale in mm; --height-zero is the value on the base "
-         "plane.";
+std::optional<Message> scaleWords(const ScaleInUse& scale) {
+  if (!scale.isOpen()) return std::nullopt;
+  const NumberArgument pixel = millimetres(scale.pixel_mm);
+  const NumberArgument height = millimetres(scale.height_mm);
+  return scale.height_source == UnitSource::guessed
+             ? said<MessageId::raster_size_guessed>(pixel, height)
+             : said<MessageId::raster_size_assumed>(pixel, height);
 }
 
 }  // namespace relievo

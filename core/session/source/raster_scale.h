@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "core/base/unit.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
@@ -49,7 +49,7 @@ struct ScaleInUse {
 ScaleInUse scaleInUse(const RasterHead& raster, LengthUnit unit, UnitSource unit_source,
                       const RasterScale& said, double low, double high);
 
-/// What to say of a scale that nobody stated. Empty for others.
-std::string scaleWords(const ScaleInUse& scale);
+/// What to say of a scale that nobody stated. Nothing for others.
+std::optional<Message> scaleWords(const ScaleInUse& scale);
 
 }  // namespace relievo

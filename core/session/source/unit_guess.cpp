@@ -2,9 +2,9 @@
 #include "core/session/source/unit_guess.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -39,25 +39,22 @@ UnitGuess fromSize(const ScanInfo& info) {
   const double longest = std::max({size.x, size.y, size.z});
   const double shortest = std::min({size.x, size.y, size.z});
   if (isFormat(info, {"LAS", "LAZ", "COPC", "E57", "PTX"})) {
-    return {.unit = LengthUnit::m, .reason = "files of this format are in metres as a rule"};
+    return {.unit = LengthUnit::m, .reason = said<MessageId::unit_of_format>()};
   }
   if (longest < kSmallestOfModels) {
-    return {.unit = LengthUnit::m, .reason = "it is smaller than anything scanned in millimetres"};
+    return {.unit = LengthUnit::m, .reason = said<MessageId::unit_of_tiny>()};
   }
   if (longest < kSmallestInMm && shortest > kFlat * longest && !isFormat(info, {"STL", "3DS"})) {
-    return {.unit = LengthUnit::cm, .reason = "an object of this shape is seldom as small"};
+    return {.unit = LengthUnit::cm, .reason = said<MessageId::unit_of_small>()};
   }
   if (longest > kLargestInMm) {
-    return {.unit = LengthUnit::m, .reason = "it is larger than most that is in millimetres"};
+    return {.unit = LengthUnit::m, .reason = said<MessageId::unit_of_large>()};
   }
-  return {.unit = LengthUnit::mm, .reason = "of its size"};
+  return {.unit = LengthUnit::mm, .reason = said<MessageId::unit_of_usual>()};
 }
 
-std::string sizeIn(const ScanInfo& info, LengthUnit unit) {
-  const FilePoint size = mmPer(unit) * (info.bounds->max - info.bounds->min);
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "%.4g x %.4g x %.4g mm", size.x, size.y, size.z);
-  return text.data();
+NumberArgument fourDigits(double number) {
+  return {.value = number, .digits = 4, .form = NumberArgument::Form::significant};
 }
 
 }  // namespace
@@ -65,12 +62,11 @@ std::string sizeIn(const ScanInfo& info, LengthUnit unit) {
 UnitGuess guessUnit(const ScanInfo& info) {
   const double off = distanceOff(*info.bounds);
   if (off >= kProjected) {
-    return {.unit = LengthUnit::m,
-            .is_strong = true,
-            .reason = "its coordinates are those of a map projection"};
+    return {
+        .unit = LengthUnit::m, .is_strong = true, .reason = said<MessageId::unit_of_projection>()};
   }
   if (off >= kPerhapsProjected) {
-    return {.unit = LengthUnit::m, .reason = "it lies as far off as in a map projection"};
+    return {.unit = LengthUnit::m, .reason = said<MessageId::unit_of_far_off>()};
   }
   return fromSize(info);
 }
@@ -86,21 +82,17 @@ UnitInUse unitInUse(const ScanInfo& info, const std::optional<LengthUnit>& chose
   return {};
 }
 
-std::string unitWords(const ScanInfo& info, const UnitInUse& unit) {
+std::optional<Message> unitWords(const ScanInfo& info, const UnitInUse& unit) {
   if (unit.source == UnitSource::guessed) {
-    return "The points carry no unit; one file unit was taken as 1 " +
-           std::string(name(unit.unit)) + ", a guess: " + guessUnit(info).reason +
-           ". Give the unit if it is another, for example feet.";
+    return said<MessageId::unit_guessed>(name(unit.unit), guessUnit(info).reason);
   }
-  if (unit.source != UnitSource::assumed) return {};
-  std::string words =
-      "The points carry no unit; one file unit was taken as 1 mm. Give the unit if it is "
-      "another.";
-  if (!info.bounds) return words;
+  if (unit.source != UnitSource::assumed) return std::nullopt;
+  if (!info.bounds) return said<MessageId::unit_assumed>();
   const UnitGuess guess = guessUnit(info);
-  if (guess.unit == LengthUnit::mm) return words;
-  return words + " More likely is " + std::string(name(guess.unit)) + ", " +
-         sizeIn(info, guess.unit) + ": " + guess.reason + ".";
+  if (guess.unit == LengthUnit::mm) return said<MessageId::unit_assumed>();
+  const FilePoint size = mmPer(guess.unit) * (info.bounds->max - info.bounds->min);
+  return said<MessageId::unit_assumed_but_likelier>(
+      name(guess.unit), fourDigits(size.x), fourDigits(size.y), fourDigits(size.z), guess.reason);
 }
 
 }  // namespace relievo

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "core/base/unit.h"
 #include "core/cloud/scan.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
@@ -14,7 +14,7 @@ struct UnitGuess {
   LengthUnit unit = LengthUnit::mm;
   /// Beyond doubt that it is no millimetre: used unasked, and said. Else only offered.
   bool is_strong = false;
-  std::string reason;  ///< "its coordinates are those of a map projection"
+  Message reason;  ///< "its coordinates are those of a map projection"
 };
 
 /// From coordinates, size, shape and format. @pre info.bounds
@@ -31,8 +31,8 @@ struct UnitInUse {
 UnitInUse unitInUse(const ScanInfo& info, const std::optional<LengthUnit>& chosen,
                     UnitSource chosen_source);
 
-/// What to say of a unit that nobody stated: assumed or guessed, why, and what is likelier. Empty
-/// for others.
-std::string unitWords(const ScanInfo& info, const UnitInUse& unit);
+/// What to say of a unit that nobody stated: assumed or guessed, why, and what is likelier.
+/// Nothing for others.
+std::optional<Message> unitWords(const ScanInfo& info, const UnitInUse& unit);
 
 }  // namespace relievo

@@ -84,8 +84,11 @@ std::optional<PointDecisions> loadDecisions(JobFolder& job) {
   Content bytes(*content);
   StoredDecisions stored;
   if (!bytes.take(stored)) return std::nullopt;
+  // Kept as bytes: a folder goes on with the same program only (JobFacts).
+  std::optional<Message> reason = messageFromBytes(bytes.rest());
+  if (!reason) return std::nullopt;
   return PointDecisions{
-      .rule = {.rule = static_cast<PointRule>(stored.rule), .reason = std::string(bytes.rest())},
+      .rule = {.rule = static_cast<PointRule>(stored.rule), .reason = *std::move(reason)},
       .left_out = {.hidden = stored.hidden, .strays = stored.strays, .on_front = stored.on_front}};
 }
 
@@ -95,7 +98,8 @@ void keepDecisions(JobFolder& job, const PointDecisions& decisions) {
   stored.strays = decisions.left_out.strays;
   stored.on_front = decisions.left_out.on_front;
   stored.rule = static_cast<std::int64_t>(decisions.rule.rule);
-  job.keep(kDecisions, {bytesOf(stored), decisions.rule.reason});
+  const std::string reason = messageBytes(decisions.rule.reason);
+  job.keep(kDecisions, {bytesOf(stored), reason});
 }
 
 std::optional<DepthRows> loadRows(JobFolder& job, int tile_row, GridSize map) {

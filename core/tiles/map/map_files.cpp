@@ -181,10 +181,10 @@ void MapFiles::openColours() {
           pixelFile(intensityFileOf(level->heights_file), 2, level->heights, heads);
     }
   } catch (const FileError& error) {
-    left_aside_ = error.what();
+    left_aside_ = messageOf(error);
   }
   for (const auto member : {&LevelTiles::colours, &LevelTiles::intensities}) {
-    const bool some_lack = !left_aside_.empty() ||
+    const bool some_lack = left_aside_.has_value() ||
                            std::any_of(levels_.begin(), levels_.end(),
                                        [member](const auto& level) { return !((*level).*member); });
     if (!some_lack) continue;

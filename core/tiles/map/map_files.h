@@ -4,11 +4,12 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/io/web/published_map.h"
+#include "core/message/message.h"
 #include "core/tiles/map/tiled_facts.h"
 
 namespace relievo {
@@ -28,8 +29,8 @@ class MapFiles {
   MapFiles& operator=(const MapFiles&) = delete;
 
   const TiledFacts& facts() const noexcept { return facts_; }
-  /// Why colours beside the map are not used, because they belong to another map; else empty.
-  const std::string& coloursLeftAside() const noexcept { return left_aside_; }
+  /// Why colours beside the map are not used, because they belong to another map; else nothing.
+  const std::optional<Message>& coloursLeftAside() const noexcept { return left_aside_; }
   bool has(TilePart part) const noexcept;
   /// What lies beside the finest level and belongs to it: origins, coarser levels and theirs.
   std::vector<std::filesystem::path> otherFiles() const;
@@ -48,7 +49,7 @@ class MapFiles {
 
   TiledFacts facts_;
   std::vector<std::unique_ptr<LevelTiles>> levels_;
-  std::string left_aside_;
+  std::optional<Message> left_aside_;
 };
 
 }  // namespace relievo

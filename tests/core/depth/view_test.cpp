@@ -249,13 +249,13 @@ TEST(ChosenRotation, ThePrincipalAxesLieAlongTheLongSideAndTheShortOne) {
       view.rotation[0] * truth[0] + view.rotation[1] * truth[1] + view.rotation[2] * truth[2];
   EXPECT_GT(std::abs(along), std::cos(1 * M_PI / 180));
   EXPECT_NEAR(determinant(view.rotation), 1, 1e-9);
-  EXPECT_TRUE(view.note.empty());
+  EXPECT_FALSE(view.note);
 }
 
 TEST(ChosenRotation, ACubesAxesAreSaidToBeUncertain) {
   const Scan cube = test::latticeScan(20, 20, 1, [](double, double) { return 0.0; });
   const NamedRotation view = chosenRotation(cube, {.name = "axes", .rotation = {}});
-  EXPECT_FALSE(view.note.empty());
+  EXPECT_TRUE(view.note);
 }
 
 TEST(ChosenRotation, TurnsAboutTheViewsOwnAxesInDegrees) {

@@ -198,10 +198,8 @@ TEST(MakeSurface, SaysThatARuleForOneLayerMixesTheFrontWithTheBack) {
     options.view = ViewChoice{.name = "top", .rotation = {}};
     options.cells = 40;
     options.rule = rule;
-    const std::vector<std::string> said = makeSurface(scan, options, rasterize).messages;
-    return std::any_of(said.begin(), said.end(), [](const std::string& message) {
-      return message.find("makes one height of them") != std::string::npos;
-    });
+    const std::vector<Message> said = makeSurface(scan, options, rasterize).messages;
+    return englishText(said).find("makes one height of them") != std::string::npos;
   };
   for (const PointRule rule :
        {PointRule::splat, PointRule::quadratic, PointRule::mean, PointRule::median}) {
@@ -238,9 +236,7 @@ TEST(MakeSurface, PointsOnALineGiveAMapThatCanBeDrawnAndReadBack) {
       EXPECT_GE(size.cols, 2);
       EXPECT_GE(size.rows, 2);
       EXPECT_EQ(std::min(size.cols, size.rows), 2);
-      EXPECT_TRUE(std::any_of(surface.messages.begin(), surface.messages.end(), [](const auto& m) {
-        return m.find("lie on one line of cells") != std::string::npos;
-      }));
+      EXPECT_NE(englishText(surface.messages).find("lie on one line of cells"), std::string::npos);
       writeMap(folder.path() / "map.tif", surface.map, {.view_from_file = surface.view_from_file});
       const RasterMap back = readRaster(folder.path() / "map.tif");
       EXPECT_EQ(back.size, size);

@@ -14,6 +14,7 @@
 #include "ui/dialogs/tiled_map_dialog.h"
 #include "ui/language/core_text.h"
 #include "ui/language/error_text.h"
+#include "ui/message/message_text.h"
 #include "ui/style/text.h"
 #include "ui/work/file_names.h"
 #include "ui/work/file_path.h"
@@ -170,7 +171,7 @@ void TilesController::finish(const Work& work) {
                        .arg(size.cols)
                        .arg(size.rows)
                        .arg(work.made->frames.size())};
-  for (const std::string& left : work.made->not_done) said << QString::fromStdString(left);
+  for (const Message& left : work.made->not_done) said << messageText(left);
   announce(said.join(' '));
   Q_EMIT ended(true);
   if (!work.opens) return;

@@ -280,19 +280,20 @@ TEST(PointRule, TheTopLayerIsKeptApartFromTheBack) {
   EXPECT_NEAR(fromTruth(scan, PointRule::top_mean).bias, 0, 0.1 * kNoiseMm);
   EXPECT_LT(fromTruth(scan, PointRule::mean).bias, -2);
   EXPECT_EQ(proposeRule(requestOf(scan)).rule, PointRule::top_mean);
-  EXPECT_EQ(proposeRule(requestOf(scan)).reason, "24.0 points per cell in several layers");
+  EXPECT_EQ(englishText(proposeRule(requestOf(scan)).reason),
+            "24.0 points per cell in several layers");
 }
 
 TEST(PointRule, IsProposedFromTheDataInWords) {
   const Scan lattice = test::latticeScan(kCells, kCells, kSpacing, relief);
   EXPECT_EQ(proposeRule(requestOf(lattice)).rule, PointRule::front);
-  EXPECT_EQ(proposeRule(requestOf(lattice)).reason, "one point at each sample");
+  EXPECT_EQ(englishText(proposeRule(requestOf(lattice)).reason), "one point at each sample");
   const Scan sparse = noisyRelief(2.5, 0, 5);
   EXPECT_EQ(proposeRule(requestOf(sparse)).rule, PointRule::quadratic);
-  EXPECT_EQ(proposeRule(requestOf(sparse)).reason, "2.5 points per cell");
+  EXPECT_EQ(englishText(proposeRule(requestOf(sparse)).reason), "2.5 points per cell");
   const Scan dense = noisyRelief(16, 0.0005, 6);
   EXPECT_EQ(proposeRule(requestOf(dense)).rule, PointRule::median);
-  EXPECT_EQ(proposeRule(requestOf(dense)).reason, "16.0 points per cell in one layer");
+  EXPECT_EQ(englishText(proposeRule(requestOf(dense)).reason), "16.0 points per cell in one layer");
 }
 
 }  // namespace

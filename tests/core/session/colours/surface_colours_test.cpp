@@ -62,9 +62,9 @@ bool isSure(double x, double y, double margin) {
 }
 
 bool says(const Surface& surface, const std::string& words) {
-  return std::any_of(
-      surface.messages.begin(), surface.messages.end(),
-      [&](const std::string& message) { return message.find(words) != std::string::npos; });
+  return std::any_of(surface.messages.begin(), surface.messages.end(), [&](const Message& message) {
+    return englishText(message).find(words) != std::string::npos;
+  });
 }
 
 class ColouredSurface : public ::testing::Test {

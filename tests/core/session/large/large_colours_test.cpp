@@ -147,9 +147,9 @@ void expectTheSame(const Surface& whole, const Surface& tiled) {
   EXPECT_TRUE(windowColours(tiled, windowOf(tiled, region), 1) == windowColours(whole, window, 1));
 }
 
-bool says(const std::vector<std::string>& messages, const std::string& words) {
-  return std::any_of(messages.begin(), messages.end(), [&](const std::string& message) {
-    return message.find(words) != std::string::npos;
+bool says(const std::vector<Message>& messages, const std::string& words) {
+  return std::any_of(messages.begin(), messages.end(), [&](const Message& message) {
+    return englishText(message).find(words) != std::string::npos;
   });
 }
 
@@ -175,9 +175,10 @@ TEST_P(LargeColours, AreThoseOfTheMapInMemory) {
   expectTheSame(whole, tiled);
   EXPECT_TRUE(canShow(tiled, ReliefKind::natural));
   EXPECT_TRUE(canShow(tiled, ReliefKind::intensity));
-  for (const std::string& message : whole.messages) {
-    if (message.starts_with("The scan has")) {
-      EXPECT_TRUE(says(large.messages, message)) << message;
+  for (const Message& message : whole.messages) {
+    const std::string words = englishText(message);
+    if (words.starts_with("The scan has")) {
+      EXPECT_TRUE(says(large.messages, words)) << words;
     }
   }
 }

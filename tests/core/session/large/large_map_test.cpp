@@ -136,6 +136,12 @@ INSTANTIATE_TEST_SUITE_P(NotMerging, LargeMapRule,
                            return rule.param == PointRule::splat ? "Splat" : "Quadratic";
                          });
 
+std::vector<std::string> textsOf(const std::vector<Message>& messages) {
+  std::vector<std::string> texts;
+  for (const Message& message : messages) texts.push_back(englishText(message));
+  return texts;
+}
+
 TEST(LargeMap, LosesWhatTheMapInMemoryLosesAndSaysSo) {
   const test::TileFolder folder;
   test::Las las = bigLas(600'000);
@@ -160,10 +166,10 @@ TEST(LargeMap, LosesWhatTheMapInMemoryLosesAndSaysSo) {
   EXPECT_EQ(large.losses->undercut_share, whole.losses->undercut_share);
   EXPECT_EQ(large.losses->steep_share, whole.losses->steep_share);
   EXPECT_EQ(large.losses->outliers, whole.losses->outliers);
-  EXPECT_EQ(large.not_done, whole.not_done);
+  EXPECT_EQ(textsOf(large.not_done), textsOf(whole.not_done));
   EXPECT_FALSE(whole.not_done.empty());
-  for (const std::string& message : whole.messages) {
-    EXPECT_THAT(large.messages, ::testing::Contains(message));
+  for (const std::string& message : textsOf(whole.messages)) {
+    EXPECT_THAT(textsOf(large.messages), ::testing::Contains(message));
   }
   options.rule = PointRule::mean;  // Points merged as they come: only those in front come.
   const LargeMap merged = makeLargeMap(

@@ -57,9 +57,9 @@ std::filesystem::path greyTiff(const test::TemporaryFolder& folder) {
   return folder.write("grey.tif", bytes);
 }
 
-std::string allOf(const std::vector<std::string>& sentences) {
+std::string allOf(const std::vector<Message>& sentences) {
   std::string all;
-  for (const std::string& s : sentences) all += s + "\n";
+  for (const Message& s : sentences) all += englishText(s) + "\n";
   return all;
 }
 

@@ -21,7 +21,7 @@ TEST(UnitGuess, ProjectedCoordinatesAreNeverTakenForMillimetres) {
   const UnitInUse unit = unitInUse(utm, std::nullopt, UnitSource::given);
   EXPECT_EQ(unit.unit, LengthUnit::m);
   EXPECT_EQ(unit.source, UnitSource::guessed);
-  EXPECT_NE(unitWords(utm, unit).find("map projection"), std::string::npos);
+  EXPECT_NE(englishText(unitWords(utm, unit).value()).find("map projection"), std::string::npos);
   EXPECT_EQ(unitInUse(infoOf("LAS 1.2", {-2e6, 3e5, 0}, {-1.999e6, 3.01e5, 9}), std::nullopt,
                       UnitSource::given)
                 .source,
@@ -46,7 +46,7 @@ TEST(UnitGuess, WhatIsStatedComesFirst) {
   const UnitInUse given = unitInUse(utm, LengthUnit::mm, UnitSource::remembered);
   EXPECT_EQ(given.unit, LengthUnit::mm);
   EXPECT_EQ(given.source, UnitSource::remembered);
-  EXPECT_TRUE(unitWords(utm, given).empty());
+  EXPECT_FALSE(unitWords(utm, given));
 }
 
 TEST(UnitGuess, WeakOnesStayMillimetresAndSayWhatIsLikelier) {
@@ -68,7 +68,8 @@ TEST(UnitGuess, WeakOnesStayMillimetresAndSayWhatIsLikelier) {
     const UnitInUse unit = unitInUse(info, std::nullopt, UnitSource::given);
     EXPECT_EQ(unit.unit, LengthUnit::mm);
     EXPECT_EQ(unit.source, UnitSource::assumed);
-    const bool says_more = unitWords(info, unit).find("More likely") != std::string::npos;
+    const std::string words = englishText(unitWords(info, unit).value());
+    const bool says_more = words.find("More likely") != std::string::npos;
     EXPECT_EQ(says_more, c.likely != LengthUnit::mm);
   }
 }
