@@ -2,10 +2,12 @@
 #include "core/depth/view.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -195,6 +197,17 @@ Rotation turned(const Rotation& rotation, const std::array<double, 3>& turn_deg)
   return result;
 }
 
+namespace {
+/// Six digits, as "%g", in every locale.
+std::string shortText(double number) {
+  constexpr int kDigits = 6;
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number,
+                                 std::chars_format::general, kDigits);
+  return {text.data(), end.ptr};
+}
+}  // namespace
+
 NamedRotation chosenRotation(const Scan& scan, const ViewChoice& choice, const Task& task) {
   const auto& turn = choice.turn_deg;
   if (!std::all_of(turn.begin(), turn.end(), [](double deg) { return std::isfinite(deg); })) {
@@ -203,9 +216,8 @@ NamedRotation chosenRotation(const Scan& scan, const ViewChoice& choice, const T
   NamedRotation view = untouched(scan, choice, task);
   if (turn == std::array<double, 3>{}) return view;
   view.rotation = turned(view.rotation, turn);
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), " + %g, %g, %g degrees", turn[0], turn[1], turn[2]);
-  view.name += text.data();
+  view.name += " + " + shortText(turn[0]) + ", " + shortText(turn[1]) + ", " + shortText(turn[2]) +
+               " degrees";
   return view;
 }
 

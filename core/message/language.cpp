@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <charconv>
 
 #include "core/message/catalogue.h"
 
@@ -20,9 +20,13 @@ std::string textOf(const MessageLanguage& language, const CountArgument& count) 
 
 std::string textOf(const MessageLanguage& language, const NumberArgument& number) {
   std::array<char, 512> text{};  // The largest double has 309 digits before its point.
-  const char* form = number.form == NumberArgument::Form::significant ? "%.*g" : "%.*f";
-  std::snprintf(text.data(), text.size(), form, number.digits, number.value);
-  std::string digits = text.data();
+  const std::chars_format form = number.form == NumberArgument::Form::significant
+                                     ? std::chars_format::general
+                                     : std::chars_format::fixed;
+  // Whatever the locale of the process is: a language has a point of its own.
+  char* const end =
+      std::to_chars(text.data(), text.data() + text.size(), number.value, form, number.digits).ptr;
+  std::string digits(text.data(), end);
   if (number.form == NumberArgument::Form::trimmed && digits.find('.') != std::string::npos) {
     digits.erase(digits.find_last_not_of('0') + 1);
     if (digits.ends_with('.')) digits.pop_back();

@@ -30,13 +30,17 @@ class Container : public test::CommandTest {
   }
   /// Runs relievo in one, in the folder "out" of the test's folder.
   int contained(const std::string& words) const {
-    // The folder of this test may lie in /tmp, which is hidden: it is seen at /mnt.
+    // The folder of this test may lie in /tmp, which is hidden: it is seen at /mnt. So may the
+    // program, which comes back to its own place by way of /srv.
     return exitOf(
         "unshare --mount --pid --fork --mount-proc sh -c '"
         "set -e; mount --make-rprivate /; mount --bind \"" +
         folder_.path().string() +
-        "\" /mnt; mount -o remount,bind,ro /; mount -t tmpfs -o size=256k none /tmp; "
-        "cd /mnt; cd out; exec env -i PATH=/usr/bin:/bin \"" RELIEVO_BINARY_DIR "/bin/relievo\" " +
+        "\" /mnt; mount --bind \"" RELIEVO_BINARY_DIR
+        "\" /srv; mount -o remount,bind,ro /; mount -t tmpfs -o size=256k none /tmp; "
+        "mkdir -p \"" RELIEVO_BINARY_DIR "\"; mount --bind /srv \"" RELIEVO_BINARY_DIR
+        "\"; cd /mnt; cd out; exec env -i PATH=/usr/bin:/bin \"" RELIEVO_BINARY_DIR
+        "/bin/relievo\" " +
         words + "' </dev/null >" + path("said") + " 2>&1");
   }
   std::string said() const { return test::bytesOf(path("said")); }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <clocale>
 #include <set>
 #include <string>
 #include <utility>
@@ -46,6 +47,20 @@ TEST(Message, HasItsPartsInItsSentence) {
 TEST(Message, PartsAreNotTakenForPlaces) {
   EXPECT_EQ(englishText(said<MessageId::field_unknown_word>("%2 %1", "%1")),
             "'%2 %1' is not a known '%1'.");
+}
+
+TEST(Message, NumbersDoNotFollowTheLocaleOfTheProcess) {
+  if (std::setlocale(LC_NUMERIC, "de_DE.UTF-8") == nullptr) GTEST_SKIP() << "no German locale here";
+  const NumberArgument fixed{.value = 8.94, .digits = 1};
+  const NumberArgument significant{
+      .value = 0.25, .digits = 3, .form = NumberArgument::Form::significant};
+  const NumberArgument trimmed{.value = 1.50, .digits = 2, .form = NumberArgument::Form::trimmed};
+  std::string said;
+  for (const NumberArgument& number : {fixed, significant, trimmed}) {
+    said += englishText(MessageArgument(number)) + ";";
+  }
+  std::setlocale(LC_NUMERIC, "C");
+  EXPECT_EQ(said, "8.9;0.25;1.5;");
 }
 
 TEST(Message, NumbersHaveTheDigitsAndTheUnitThatWereAskedFor) {
