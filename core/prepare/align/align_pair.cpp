@@ -15,7 +15,6 @@ namespace {
 using OrientedCloud = pcl::PointCloud<pcl::PointNormal>;
 using Icp = pcl::IterativeClosestPointWithNormals<pcl::PointNormal, pcl::PointNormal, double>;
 
-constexpr double kNormalsAgree = 0.766;  ///< cos 40 degrees.
 constexpr int kIterations = 30;
 /// PCL holds it against the squared translation and a cosine; smaller ones never end (clouds.md).
 constexpr double kStill = 1e-8;

@@ -11,7 +11,6 @@
 namespace relievo::align {
 namespace {
 
-constexpr double kNormalsAgree = 0.766;  ///< cos 40 degrees.
 constexpr std::size_t kFewestMatches = 30;
 
 std::vector<Point3f> moved(const std::vector<Point3f>& points, const LocalPose& pose) {

@@ -12,6 +12,9 @@
 /// the reference's middle; lengths in file units.
 namespace relievo::align {
 
+/// Normals of one place make at least this cosine with each other: 40 degrees.
+inline constexpr double kNormalsAgree = 0.766;
+
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
