@@ -135,6 +135,48 @@ NamedRegion placeFrom(const Json& json) {
   return place;
 }
 
+/// Within the limits of what is drawn. @throw FileError
+void checkEyeAngle(const std::optional<double>& angle_deg) {
+  if (!angle_deg || (*angle_deg >= 0 && *angle_deg <= 90)) return;
+  throw failure<MessageId::field_out_of_range>("chosen_eye_angle_deg", Json(*angle_deg).dump());
+}
+
+template <class T, class ToJson>
+Json listChangeJson(const ListChange<T>& change, const ToJson& to_json) {
+  Json back = Json::array();
+  for (const T& one : change.back) back.push_back(to_json(one));
+  return {{"at", change.at}, {"gone", change.gone}, {"back", back}};
+}
+
+template <class T, class FromJson>
+std::optional<ListChange<T>> listChangeFrom(const Json& json, const char* key,
+                                            const FromJson& from_json) {
+  if (!json.contains(key)) return std::nullopt;
+  const Json& read = json.at(key);
+  ListChange<T> change{.at = read.at("at").get<std::size_t>(),
+                       .gone = read.at("gone").get<std::size_t>(),
+                       .back = {}};
+  for (const Json& one : read.at("back")) change.back.push_back(from_json(one));
+  return change;
+}
+
+Json stepJson(const UndoStep& step) {
+  Json json = placeJson(step.before);
+  if (step.chosen_eye_angle_deg) json["chosen_eye_angle_deg"] = *step.chosen_eye_angle_deg;
+  if (step.places) json["places"] = listChangeJson(*step.places, placeJson);
+  if (step.measurements) json["measurements"] = listChangeJson(*step.measurements, measurementJson);
+  return json;
+}
+
+UndoStep stepFrom(const Json& json) {
+  UndoStep step{.before = placeFrom(json),
+                .chosen_eye_angle_deg = optionalFrom<double>(json, "chosen_eye_angle_deg"),
+                .places = listChangeFrom<NamedRegion>(json, "places", placeFrom),
+                .measurements = listChangeFrom<Measurement>(json, "measurements", measurementFrom)};
+  checkEyeAngle(step.chosen_eye_angle_deg);
+  return step;
+}
+
 /// Keys that a later version wrote.
 std::string unknownKeys(const Json& json) {
   constexpr std::array<const char*, 16> kKnown{"relievo_project",
@@ -181,12 +223,6 @@ CameraPath pathFrom(const Json& json) {
   return path;
 }
 
-/// Within the limits of what is drawn. @throw FileError
-void checkEyeAngle(const std::optional<double>& angle_deg) {
-  if (!angle_deg || (*angle_deg >= 0 && *angle_deg <= 90)) return;
-  throw failure<MessageId::field_out_of_range>("chosen_eye_angle_deg", Json(*angle_deg).dump());
-}
-
 Project projectFrom(const Json& json) {
   Project p;
   p.version = json.at("program").at("version").get<std::string>();
@@ -217,7 +253,7 @@ Project projectFrom(const Json& json) {
     p.paths.push_back(pathFrom(path));
   }
   p.history = json.value("history", std::vector<std::string>());
-  for (const Json& step : json.value("undo", Json::array())) p.undo.push_back(placeFrom(step));
+  for (const Json& step : json.value("undo", Json::array())) p.undo.push_back(stepFrom(step));
   p.saved_as = nameFromText(json.value("saved_as", std::string()));
   p.others = unknownKeys(json);
   return p;
@@ -375,7 +411,7 @@ std::string projectJson(const Project& p) {
   for (const CameraPath& path : p.paths) json["camera_paths"].push_back(pathJson(path));
   json["history"] = p.history;
   json["undo"] = Json::array();
-  for (const NamedRegion& step : p.undo) json["undo"].push_back(placeJson(step));
+  for (const UndoStep& step : p.undo) json["undo"].push_back(stepJson(step));
   if (!p.saved_as.empty()) json["saved_as"] = textOfName(p.saved_as);
   if (!p.made.empty()) json["made"] = Json::parse(p.made);
   if (!p.others.empty()) json.update(Json::parse(p.others));

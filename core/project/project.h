@@ -9,6 +9,8 @@
 
 #include "core/measure/measure.h"
 #include "core/project/figure_request.h"
+#include "core/project/named_region.h"
+#include "core/project/undo_step.h"
 #include "core/provenance/provenance.h"
 #include "core/region/region.h"
 #include "core/relief/look.h"
@@ -19,18 +21,6 @@ namespace relievo {
 
 /// The records are those of a provenance. No other schema was in a release.
 inline constexpr int kProjectSchema = 2;
-
-/// A place on the object that somebody gave a name to.
-struct NamedRegion {
-  std::string name;
-  Region region;
-  double gain = 1;
-  /// Also how it is looked at: light, relief image, stereo, turn; nothing: the place alone.
-  std::optional<ViewState> view = std::nullopt;
-  /// A marker: the middle of the region, gone to at whatever resolution is shown.
-  bool is_point = false;
-  friend bool operator==(const NamedRegion&, const NamedRegion&) = default;
-};
 
 /// The whole state of the work as one plain value: which file, how its surface is made, what is
 /// shown and measured. Written into project files and into every picture; a window changes nothing
@@ -61,8 +51,8 @@ struct Project {
   std::vector<std::string> figures;
   std::vector<CameraPath> paths;     ///< The first is the window's.
   std::vector<std::string> history;  ///< Names of the steps that led here, oldest first.
-  /// The last of these that can be undone without making the surface anew: where each began.
-  std::vector<NamedRegion> undo;
+  /// The last of these that can be undone without making the surface anew.
+  std::vector<UndoStep> undo;
   std::string version;   ///< Of the program that wrote it.
   std::string made;      ///< See madeText; empty: not said.
   std::string saved_as;  ///< Of an automatic copy: the project file it goes on from, absolute.

@@ -160,8 +160,9 @@ void LookController::showView(const ViewState& view, const QString& name) {
     p.look = view.look;
     p.stereo = view.stereo;
     p.chosen_eye_angle_deg.reset();
+    p.azimuth_deg = view.azimuth_deg;
+    p.elevation_deg = view.elevation_deg;
   });
-  document_.setTurn(view.azimuth_deg, view.elevation_deg);
 }
 
 void LookController::chooseStereo(const StereoOptions& stereo) {

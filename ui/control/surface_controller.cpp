@@ -46,6 +46,7 @@ void SurfaceController::makeCommands() {
   commands_.on(Command::fit, this, [this] { detail_.straighten(); });
   commands_.on(Command::finer, this, [this] { stepDetail(true); });
   commands_.on(Command::coarser, this, [this] { stepDetail(false); });
+  connect(&detail_, &DetailView::resolutionAsked, this, &SurfaceController::stepDetail);
   commands_.on(Command::whole, this, [this] {
     if (document_.region().whole()) announce(tr("Whole object"));
   });

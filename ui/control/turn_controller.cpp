@@ -18,6 +18,12 @@ TurnController::TurnController(const ControllerParts& parts, DetailView& detail,
     settings_.setChoice(QStringLiteral("turn_relief"), on);
     if (on) follow();
   });
+  const QAction* command = &commands_[Command::turn_relief];
+  const auto note = [this, command] {
+    document_.choices().setReliefFollows(command->isChecked() && command->isEnabled());
+  };
+  connect(command, &QAction::changed, this, note);
+  note();
   // A view that is pasted, filmed or opened may be turned, too; its relief is the one it came with.
   connect(&detail_, &DetailView::turnedBySomebody, this, &TurnController::follow);
   // The document has taken it by now, and what was turned meanwhile is left. One that failed or was
@@ -31,8 +37,7 @@ TurnController::TurnController(const ControllerParts& parts, DetailView& detail,
 // another surface would close. One surface at a time: a newer one would stop it, and a view that
 // turns on would have none.
 void TurnController::follow() {
-  const QAction& command = commands_[Command::turn_relief];
-  if (!command.isChecked() || !command.isEnabled()) return;
+  if (!document_.choices().reliefFollows()) return;
   if (!detail_.isTurned() || document_.loader().busy()) return;
   const Project& shown = document_.project();
   document_.choices().turnTo(detail_.lookRotation(),

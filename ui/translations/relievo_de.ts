@@ -2616,8 +2616,8 @@
         <translation>Ausschnitt verschieben</translation>
     </message>
     <message>
-        <source>The part inside the pink window. The pointer carries the hand just above the surface. What dragging does, F7 changes between the two: %1. %2; the wheel meanwhile presses deeper. Keys: arrows, Page Down, Page Up.</source>
-        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche. Was Ziehen bewirkt, F7 wechselt zwischen beiden: %1. %2; das Rad drückt währenddessen tiefer. Tasten: Pfeile, Bild ab, Bild auf.</translation>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface. What dragging does, F7 changes between the two: %1. %2; the wheel meanwhile presses deeper, and with another button held it changes the resolution. Keys: arrows, Page Down, Page Up.</source>
+        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche. Was Ziehen bewirkt, F7 wechselt zwischen beiden: %1. %2; das Rad drückt währenddessen tiefer, und solange eine weitere Taste gehalten wird, ändert es die Auflösung. Tasten: Pfeile, Bild ab, Bild auf.</translation>
     </message>
 </context>
 <context>
@@ -2897,6 +2897,14 @@
     <message>
         <source>This map is read by tiles, as it was made; nothing was changed. To make it otherwise, run relievo depthmap --memory on its scan, with the choices you want.</source>
         <translation>Diese Karte wird in Kacheln gelesen, so wie sie gemacht wurde; nichts wurde geändert. Um sie anders zu machen, rufen Sie relievo depthmap --memory mit ihrem Scan und der gewünschten Auswahl auf.</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>Ansicht drehen</translation>
+    </message>
+    <message>
+        <source>Straighten the view</source>
+        <translation>Ansicht geraderichten</translation>
     </message>
 </context>
 <context>

@@ -2616,8 +2616,8 @@
         <translation>विंडो खिसकाएँ</translation>
     </message>
     <message>
-        <source>The part inside the pink window. The pointer carries the hand just above the surface. What dragging does, F7 changes between the two: %1. %2; the wheel meanwhile presses deeper. Keys: arrows, Page Down, Page Up.</source>
-        <translation>गुलाबी विंडो के भीतर का भाग। सूचक हाथ को सतह के ठीक ऊपर ले जाता है। खींचने से क्या होता है, F7 दोनों के बीच बदलता है: %1। %2; उस समय पहिया और गहरा दबाता है। कुंजियाँ: तीर, Page Down, Page Up।</translation>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface. What dragging does, F7 changes between the two: %1. %2; the wheel meanwhile presses deeper, and with another button held it changes the resolution. Keys: arrows, Page Down, Page Up.</source>
+        <translation>गुलाबी विंडो के भीतर का भाग। सूचक हाथ को सतह के ठीक ऊपर ले जाता है। खींचने से क्या होता है, F7 दोनों के बीच बदलता है: %1। %2; उस समय पहिया और गहरा दबाता है, और दूसरा बटन भी दबा हो तो रिज़ॉल्यूशन बदलता है। कुंजियाँ: तीर, Page Down, Page Up।</translation>
     </message>
 </context>
 <context>
@@ -2897,6 +2897,14 @@
     <message>
         <source>This map is read by tiles, as it was made; nothing was changed. To make it otherwise, run relievo depthmap --memory on its scan, with the choices you want.</source>
         <translation>यह मानचित्र टाइलों में, जैसा बना था वैसा ही पढ़ा जाता है; कुछ नहीं बदला गया। इसे दूसरे ढंग से बनाने के लिए इसके स्कैन पर अपने विकल्पों के साथ relievo depthmap --memory चलाएँ।</translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation>दृश्य घुमाएँ</translation>
+    </message>
+    <message>
+        <source>Straighten the view</source>
+        <translation>दृश्य सीधा करें</translation>
     </message>
 </context>
 <context>

@@ -94,12 +94,12 @@ bool DetailView::isTurned() const {
 }
 
 void DetailView::straighten() {
-  document_.setTurn(0, 0);
+  document_.straighten();
 }
 
 void DetailView::turnBy(double azimuth_deg, double elevation_deg) {
   const Project& shown = document_.project();
-  document_.setTurn(shown.azimuth_deg + azimuth_deg, shown.elevation_deg + elevation_deg);
+  document_.turnView(shown.azimuth_deg + azimuth_deg, shown.elevation_deg + elevation_deg);
   Q_EMIT turnedBySomebody();
 }
 
@@ -273,7 +273,8 @@ void DetailView::setBindings(const PointerBindings& bindings) {
   setWhatsThis(
       tr("The part inside the pink window. The pointer carries the hand just above the surface. "
          "What dragging does, F7 changes between the two: %1. %2; the wheel meanwhile presses "
-         "deeper. Keys: arrows, Page Down, Page Up.")
+         "deeper, and with another button held it changes the resolution. Keys: arrows, Page Down, "
+         "Page Up.")
           .arg(bindingsText(PointerMode::look, bindings),
                bindingsText(PointerMode::touch, bindings)));
 }
@@ -362,17 +363,28 @@ void DetailView::leaveEvent(QEvent* event) {
 
 void DetailView::wheelEvent(QWheelEvent* event) {
   event->accept();
-  if (!document_.isOpen() || drag_ != Drag::none) return;
+  if (!document_.isOpen() || (drag_ != Drag::none && !mouse_presses_)) return;
   wheel_rest_ += event->angleDelta().y();
   const int notches = wheel_rest_ / QWheelEvent::DefaultDeltasPerStep;
   wheel_rest_ -= notches * QWheelEvent::DefaultDeltasPerStep;
   if (notches == 0) return;
-  if (mouse_presses_ || (event->modifiers() & Qt::ControlModifier) != 0) {
+  if (drag_ != Drag::none) {
+    stepResolution(event->position(), (notches > 0) == bindings_.forward_is_closer);
+  } else if (mouse_presses_ || (event->modifiers() & Qt::ControlModifier) != 0) {
     // Pushing the wheel away from oneself pushes into the surface.
     setPressDepthMm(press_depth_mm_ + kDepthStepMm * notches);
   } else {
     zoomAbout(event->position(), bindings_.forward_is_closer ? notches : -notches);
   }
+}
+
+// What the other button has moved so far is a step before this one; from here it goes on.
+void DetailView::stepResolution(const QPointF& point, bool finer) {
+  forgetNewest();
+  if (drag_ == Drag::pan) document_.region().commit(tr("Move window"));
+  Q_EMIT resolutionAsked(finer);
+  drag_point_ = point;
+  drag_start_ = document_.project().region;
 }
 
 void DetailView::zoomAbout(const QPointF& point, int notches) {

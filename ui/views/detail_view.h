@@ -55,6 +55,8 @@ class DetailView : public SurfaceView {
  Q_SIGNALS:
   void handMoved(relievo::ViewMm position, bool inside);
   void pressDepthChanged(double depth_hand_mm);
+  /// The wheel, while the left button presses the hand in and another one is held, too.
+  void resolutionAsked(bool finer);
   void picked(double x_mm, double y_mm);
   void pickingEnded();  ///< A double click or the key F.
   void turned(bool away_from_straight);
@@ -86,6 +88,7 @@ class DetailView : public SurfaceView {
   void placeHand(double x_mm, double y_mm);
   void keepHand();
   void zoomAbout(const QPointF& point, int notches);
+  void stepResolution(const QPointF& point, bool finer);
   void turnTo(const QPointF& point);
   void pan(const QPointF& point);
   bool moveHandByKey(int key, double cells);

@@ -21,17 +21,19 @@ namespace relievo {
 namespace {
 
 constexpr int kUndoLimit = 250;
-constexpr int kTurnStep = 0x7452;  // Turns in a row are one step.
+// Turns in a row are one step, of the relief and of the view.
+constexpr int kTurnStep = 0x7452;
+constexpr int kTurnViewStep = 0x7456;
 
 /// Takes the names of steps that come back out of those that only have names, the last ones first.
 /// @return false: they are not all there
-bool takeOut(const std::vector<NamedRegion>& steps, std::vector<std::string>& names) {
+bool takeOut(const std::vector<UndoStep>& steps, std::vector<std::string>& names) {
   std::size_t end = names.size();
   for (std::size_t i = steps.size(); i-- > 0;) {
     do {
       if (end == 0) return false;
       --end;
-    } while (names[end] != steps[i].name);
+    } while (names[end] != steps[i].before.name);
     names.erase(names.begin() + static_cast<std::ptrdiff_t>(end));
   }
   return true;
@@ -171,7 +173,8 @@ void Document::adopt(std::shared_ptr<const Surface> surface, const SurfaceOption
     next.project.region = wholeRegion(next.surface->ladder);
   }
   const Project before = state_.project;
-  if (turn) setTurn(0, 0);  // So that an undo comes back to a view that asks for no other turn.
+  // So that an undo comes back to a view that asks for no other turn.
+  if (turn && choices_.reliefFollows()) setTurn(0, 0);
   push(std::move(next), name, turn ? kTurnStep : -1);
   if (turn) {  // It went on while the surface was made.
     setTurn(before.azimuth_deg - turn->azimuth_deg, before.elevation_deg - turn->elevation_deg);
@@ -214,39 +217,46 @@ void Document::lookAhead(const Surface& surface) {
           });
 }
 
-// Each step began where its record says, and ended where the next one began.
 bool Document::restoreSteps(const LoadJob& job, DocumentState now) {
-  const std::vector<NamedRegion> undo = std::exchange(now.project.undo, {});
+  const std::vector<UndoStep> undo = std::exchange(now.project.undo, {});
   earlier_steps_ = std::exchange(now.project.history, {});
   const Region asked = job.open.project ? job.open.project->region : Region{};
   fitLook(now);
-  const int levels = now.surface->ladder.levels();
   std::vector<std::string> earlier = earlier_steps_;
-  const bool fit = now.project.region == asked && takeOut(undo, earlier) &&
-                   std::all_of(undo.begin(), undo.end(), [&](const NamedRegion& step) {
-                     return step.region.level.value < levels;
-                   });
+  const bool fit = now.project.region == asked && takeOut(undo, earlier);
   if (!show(now)) return false;
-  if (fit && !undo.empty()) {
+  const std::vector<DocumentState> states = fit ? statesOf(undo) : std::vector<DocumentState>();
+  if (states.size() > 1) {
     earlier_steps_ = std::move(earlier);
     // They end at what is shown already: of all the windows on the way none is needed.
     steps_come_back_ = true;
-    const Project end = state_.project;
-    const auto place = [&](DocumentState& state, std::size_t i) {
-      state.project.region = i < undo.size() ? undo[i].region : end.region;
-      state.project.gain = i < undo.size() ? undo[i].gain : end.gain;
-    };
-    place(state_, 0);
+    state_ = states.front();
     for (std::size_t i = 0; i < undo.size(); ++i) {
-      DocumentState after = state_;
-      place(after, i + 1);
-      history_.push(
-          new StateCommand(*this, state_, after, QString::fromStdString(undo[i].name), -1));
+      history_.push(new StateCommand(*this, states[i], states[i + 1],
+                                     QString::fromStdString(undo[i].before.name), -1));
     }
+    state_ = states.back();
     steps_come_back_ = false;
   }
   noteSteps();
   return true;
+}
+
+std::vector<DocumentState> Document::statesOf(const std::vector<UndoStep>& steps) const {
+  std::vector<DocumentState> states{state_};
+  for (std::size_t i = steps.size(); i-- > 0;) {
+    DocumentState before = states.back();
+    Project& p = before.project;
+    if (!takeBack(steps[i], p) || !(p.region.level.value < before.surface->ladder.levels())) {
+      return {};
+    }
+    if (!canShow(*before.surface, p.look.kind)) p.look.kind = ReliefKind::lit;
+    p.azimuth_deg = turnedBack(p.azimuth_deg);
+    p.elevation_deg = tilted(p.elevation_deg);
+    states.push_back(std::move(before));
+  }
+  std::reverse(states.begin(), states.end());
+  return states;
 }
 
 void Document::noteSteps() {
@@ -257,16 +267,14 @@ void Document::noteSteps() {
   state_.project.undo = undoSteps();
 }
 
-std::vector<NamedRegion> Document::undoSteps() const {
-  std::vector<NamedRegion> steps;
+std::vector<UndoStep> Document::undoSteps() const {
+  std::vector<UndoStep> steps;
   for (int i = history_.index() - 1; i >= 0; --i) {
     const auto* command = static_cast<const StateCommand*>(history_.command(i));
-    const DocumentState& before = command->before();
-    if (before.surface != state_.surface) break;  // Its surface would have to be made again.
-    if (!command->moves()) continue;
-    steps.push_back({.name = history_.text(i).toStdString(),
-                     .region = before.project.region,
-                     .gain = before.project.gain});
+    // Its surface would have to be made again.
+    if (command->before().surface != state_.surface) break;
+    steps.push_back(undoStep(history_.text(i).toStdString(), command->before().project,
+                             command->after().project));
   }
   std::reverse(steps.begin(), steps.end());
   return steps;
@@ -274,6 +282,8 @@ std::vector<NamedRegion> Document::undoSteps() const {
 
 bool Document::push(DocumentState after, const QString& name, int merge_id) {
   fitLook(after);
+  after.project.azimuth_deg = turnedBack(after.project.azimuth_deg);
+  after.project.elevation_deg = tilted(after.project.elevation_deg);
   if (sameInSteps(state_, after)) return false;
   const DocumentState before = state_;
   history_.push(new StateCommand(*this, before, std::move(after), name, merge_id));
@@ -296,6 +306,21 @@ void Document::amend(const std::function<void(Project&)>& change) {
   change(state_.project);
   tell(before);
   Q_EMIT amended();
+}
+
+void Document::turnView(double azimuth_deg, double elevation_deg) {
+  if (choices_.reliefFollows()) return setTurn(azimuth_deg, elevation_deg);
+  edit(
+      tr("Turn the view"),
+      [&](Project& p) {
+        p.azimuth_deg = azimuth_deg;
+        p.elevation_deg = elevation_deg;
+      },
+      kTurnViewStep);
+}
+
+void Document::straighten() {
+  edit(tr("Straighten the view"), [](Project& p) { p.azimuth_deg = p.elevation_deg = 0; });
 }
 
 void Document::setTurn(double azimuth_deg, double elevation_deg) {

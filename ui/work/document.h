@@ -90,7 +90,12 @@ class Document : public QObject {
   bool edit(const QString& name, const std::function<void(Project&)>& change, int merge_id = -1);
   /// A change that is no step and that undo leaves alone: camera paths, figures, recordings.
   void amend(const std::function<void(Project&)>& change);
-  /// Turn of the camera; no step, but an other surface and its undo bring the one before back.
+  /// Somebody turns the camera: turns in a row are one step. Where the relief follows the view, the
+  /// relief is the step.
+  void turnView(double azimuth_deg, double elevation_deg);
+  /// Looks straight at the relief, by a step of its own.
+  void straighten();
+  /// Turn of the camera by nobody: a film, a relief that follows the view. No step.
   void setTurn(double azimuth_deg, double elevation_deg);
   /// What the view makes of the stereo that was chosen; see Project.
   void setDrawnEyeAngle(double drawn_deg, const std::optional<double>& chosen_deg);
@@ -137,6 +142,9 @@ class Document : public QObject {
   void lookAhead(const Surface& surface);
   /// False, and told by failed(), if its window cannot be read.
   bool restoreSteps(const LoadJob& job, DocumentState now);
+  /// The states between the steps, oldest first and the present one last; empty if a step does not
+  /// fit.
+  std::vector<DocumentState> statesOf(const std::vector<UndoStep>& steps) const;
   /// Null, and told by failed(), if it cannot be read from a map by tiles.
   std::shared_ptr<const RegionWindow> windowFor(const DocumentState& state);
   /// False, and told by failed(), as change().
@@ -145,9 +153,9 @@ class Document : public QObject {
   void fitLook(DocumentState& next);
   bool push(DocumentState after, const QString& name, int merge_id = -1);
   /// Names of the steps that led here, those of earlier runs first, and those that can be undone
-  /// after a restart, each with where it began.
+  /// after a restart.
   void noteSteps();
-  std::vector<NamedRegion> undoSteps() const;
+  std::vector<UndoStep> undoSteps() const;
 
   DocumentState state_;
   // Of the surface named beside it; it takes a look at each cell, and states are asked for often.

@@ -30,7 +30,8 @@ bool sameStereo(const Project& a, const Project& b) {
 
 bool sameInSteps(const DocumentState& a, const DocumentState& b) {
   const Project &p = a.project, &q = b.project;
-  return a == b && p.look == q.look && sameStereo(p, q) && p.places == q.places &&
+  return a == b && p.look == q.look && sameStereo(p, q) && p.azimuth_deg == q.azimuth_deg &&
+         p.elevation_deg == q.elevation_deg && p.places == q.places &&
          p.measurements == q.measurements;
 }
 
@@ -46,9 +47,9 @@ DocumentState withChange(DocumentState now, const DocumentState& from, const Doc
     p.accept_incomplete = r.accept_incomplete;
     p.scan = r.scan;
     p.options = r.options;
-    p.azimuth_deg = r.azimuth_deg;
-    p.elevation_deg = r.elevation_deg;
   }
+  takeChange(p.azimuth_deg, q.azimuth_deg, r.azimuth_deg);
+  takeChange(p.elevation_deg, q.elevation_deg, r.elevation_deg);
   takeChange(p.region, q.region, r.region);
   takeChange(p.gain, q.gain, r.gain);
   takeChange(p.look, q.look, r.look);
@@ -86,13 +87,9 @@ bool StateCommand::mergeWith(const QUndoCommand* later) {
   return true;
 }
 
-bool StateCommand::moves() const {
-  return before_.project.region != after_.project.region ||
-         before_.project.gain != after_.project.gain;
-}
-
 // Another surface is looked straight at; the one that is left comes back as it was turned.
 void StateCommand::keepTurn(DocumentState& left) const {
+  if (before_.surface == after_.surface) return;
   left.project.azimuth_deg = document_.project().azimuth_deg;
   left.project.elevation_deg = document_.project().elevation_deg;
 }

@@ -26,7 +26,7 @@ class StateCommand : public QUndoCommand {
   int id() const override { return merge_id_; }
   bool mergeWith(const QUndoCommand* later) override;
   const DocumentState& before() const { return before_; }
-  bool moves() const;  ///< The window, or changes its gain.
+  const DocumentState& after() const { return after_; }
 
  private:
   void keepTurn(DocumentState& left) const;

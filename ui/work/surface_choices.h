@@ -20,6 +20,9 @@ class SurfaceChoices {
   void setView(const ViewChoice& view);
   /// As `view`, from where the turned view looks; what turns in a row do is one step.
   void turnTo(const Rotation& view, const ReliefTurn& turn);
+  /// Whether somebody wants the relief to be made anew wherever the view is turned to, and it can.
+  void setReliefFollows(bool on) { relief_follows_ = on; }
+  bool reliefFollows() const { return relief_follows_; }
   void setEngine(const QString& engine);
   void setUnit(LengthUnit unit);
   void setStrays(StrayRule rule);
@@ -30,6 +33,7 @@ class SurfaceChoices {
   const SurfaceOptions& now() const;
 
   Document& document_;
+  bool relief_follows_ = false;
 };
 
 }  // namespace relievo

@@ -93,7 +93,7 @@ Project fullProject() {
                     {"piece", MeasureKind::area, {{1, 2}, {3, 4}, {5, 6}}, 1.5},
                     {"cut", MeasureKind::section, {}, 7.25, {0.6, 0, 0.8}}};
   p.history = {"Depth map", "Detail 1 \u2192 2"};
-  p.undo = {{"Detail 1 \u2192 2", p.region, 1.5}};
+  p.undo = {{.before = {"Detail 1 \u2192 2", p.region, 1.5}}};
   return p;
 }
 
@@ -172,7 +172,7 @@ TEST(ProjectJson, NumbersOfAnyBitsComeBackEqual) {
     p.places = {{"p", p.region, p.gain, viewOf(p)}};
     p.measurements = {{"cut", MeasureKind::section, {}, any(random), {any(random), 0, 1}},
                       {"way", MeasureKind::profile, {{any(random), any(random)}, {0, 1}}, 0}};
-    p.undo = {{"Move window", p.region, p.gain}};
+    p.undo = {{.before = {"Move window", p.region, p.gain}}};
     EXPECT_TRUE(projectFromJson(projectJson(p), "test") == p) << "round " << round;
   }
 }
@@ -213,7 +213,7 @@ TEST(Project, IsAnotherOneIfAnyFieldIs) {
       [](Project& p) { p.figures = {"other.png"}; },
       [](Project& p) { p.paths[0].keys[1].t_s = 4; },
       [](Project& p) { p.history.pop_back(); },
-      [](Project& p) { p.undo[0].gain = 1; },
+      [](Project& p) { p.undo[0].before.gain = 1; },
       [](Project& p) { p.version = "0"; },
       [](Project& p) { p.made = "{}"; },
       [](Project& p) { p.saved_as.clear(); },

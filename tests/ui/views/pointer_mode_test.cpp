@@ -29,7 +29,27 @@ TEST_F(PointerModeTest, ALeftDragTurnsAtFirstAndPressesNothing) {
   EXPECT_TRUE(view().isTurned());
   EXPECT_LT(document().project().azimuth_deg, 0) << "the near side follows the pointer";
   EXPECT_FALSE(pressed);
-  EXPECT_EQ(document().history().count(), 0) << "to look is no step";
+}
+
+TEST_F(PointerModeTest, TurnsInARowAreOneStepThatUndoTakesBack) {
+  dragLeft({60, 0});
+  const double turned_deg = document().project().azimuth_deg;
+  dragLeft({-20, 15});
+  EXPECT_EQ(document().history().count(), 1);
+  EXPECT_EQ(document().history().undoText(), "Turn the view");
+  const Project after = document().project();
+  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(view().isTurned());
+  QTest::keyClick(&window(), Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(document().project().azimuth_deg, after.azimuth_deg);
+  EXPECT_EQ(document().project().elevation_deg, after.elevation_deg);
+  EXPECT_NE(document().project().azimuth_deg, turned_deg);
+  // Straight again is a step of its own, so that the turned view is not lost by it.
+  QTest::mouseClick(child<QPushButton>("straighten"), Qt::LeftButton);
+  EXPECT_FALSE(view().isTurned());
+  EXPECT_EQ(document().history().undoText(), "Straighten the view");
+  QTest::keyClick(&window(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().project().azimuth_deg, after.azimuth_deg);
 }
 
 TEST_F(PointerModeTest, TheSwitchIsInTheToolBarAndOnAKey) {

@@ -219,7 +219,9 @@ TEST_F(WorkTest, PlacesAndAHundredStepsComeBackWithTheProjectAndAreUndone) {
   ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(document().project().region, end);
   EXPECT_EQ(places().places().size(), 1U);
-  ASSERT_EQ(document().history().index(), 100);
+  ASSERT_EQ(document().history().index(), 101);
+  document().history().undo();
+  EXPECT_TRUE(places().places().empty());
   EXPECT_EQ(document().history().undoText(), "Move window");
   for (int i = 0; i < 99; ++i) document().history().undo();
   EXPECT_EQ(document().project().region.side_mm, 60);
@@ -228,6 +230,46 @@ TEST_F(WorkTest, PlacesAndAHundredStepsComeBackWithTheProjectAndAreUndone) {
   EXPECT_EQ(document().detail(), 1) << "as it was opened";
   document().history().redo();
   EXPECT_EQ(document().project().region.side_mm, 60);
+}
+
+TEST_F(WorkTest, MeasurementsPlacesLookAndTurnAreUndoneAfterTheProjectIsOpenedAgain) {
+  openRelief();
+  auto* measure = window().findChild<MeasurePanel*>();
+  measure->setMeasurements({{"first", MeasureKind::depth, {{10, 10}, {100, 90}}, 0}});
+  window().detailView().turnBy(20, 10);
+  window().runCommand("relief_slope");
+  document().region().setRect({40, 40, 60, 60});
+  window().runCommand("name_place");
+  measure->setMeasurements({{"first", MeasureKind::depth, {{10, 10}, {100, 90}}, 0},
+                            {"second", MeasureKind::depth, {{50, 50}, {80, 80}}, 0}});
+  window().runCommand("name_place");
+  std::vector<Project> states{window().project()};
+  const int steps = document().history().index();
+  for (int i = 0; i < steps; ++i) {
+    document().history().undo();
+    states.push_back(window().project());
+  }
+  for (int i = 0; i < steps; ++i) document().history().redo();
+  window().saveProject(path("p.relievo.json"));
+  restart();
+  window().open(path("p.relievo.json"));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
+  ASSERT_EQ(document().history().index(), steps);
+  for (const Project& was : states) {
+    const Project& now = document().project();
+    EXPECT_EQ(now.places, was.places);
+    EXPECT_EQ(now.measurements, was.measurements);
+    EXPECT_EQ(now.look, was.look);
+    EXPECT_EQ(now.region, was.region);
+    EXPECT_EQ(now.azimuth_deg, was.azimuth_deg);
+    EXPECT_EQ(now.elevation_deg, was.elevation_deg);
+    EXPECT_EQ(now.history, was.history);
+    document().history().undo();
+  }
+  EXPECT_TRUE(document().project().measurements.empty());
+  for (int i = 0; i < steps; ++i) document().history().redo();
+  EXPECT_EQ(document().project().places, states.front().places);
+  EXPECT_EQ(document().project().measurements, states.front().measurements);
 }
 
 TEST_F(WorkTest, UnsavedWorkHasACopyThatGoesWithSavingAndWithTheEnd) {
@@ -260,7 +302,11 @@ TEST_F(WorkTest, AfterACrashTheStartOffersTheWorkAndRestoresIt) {
   ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().loader().busy(); }));
   EXPECT_EQ(document().project().region, region);
   EXPECT_EQ(window().findChild<MeasurePanel*>()->measurements().size(), 1U);
+  EXPECT_EQ(document().history().undoText(), "Measurements");
+  document().history().undo();
+  EXPECT_TRUE(window().findChild<MeasurePanel*>()->measurements().empty());
   EXPECT_EQ(document().history().undoText(), "Choose window");
+  document().history().redo();
   EXPECT_FALSE(QFile::exists(copies() + "/autosave-dead01.json"));
   ASSERT_TRUE(waitFor([&] { return copyCount() == 1; })) << "it is still in no file of the user's";
 }

@@ -58,7 +58,7 @@ VideoController::VideoController(const ControllerParts& parts, DetailView& detai
   connect(&preview_, &PathPreview::viewChanged, this, &VideoController::showPathView);
   connect(&preview_, &PathPreview::ended, this, [this] {
     document_.region().revert();
-    detail_.straighten();
+    document_.setTurn(azimuth_before_deg_, elevation_before_deg_);
     announce(tr("End of the camera path"));
   });
 }
@@ -231,6 +231,8 @@ void VideoController::previewPath() {
   }
   if (!hasPath() || !document_.isOpen()) return;
   replay_.close();
+  azimuth_before_deg_ = document_.project().azimuth_deg;
+  elevation_before_deg_ = document_.project().elevation_deg;
   try {
     preview_.play(document_.project().paths.front(), document_.surface()->ladder);
   } catch (const Error& error) {

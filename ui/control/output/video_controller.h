@@ -49,6 +49,7 @@ class VideoController : public Controller {
   ReplayControl& replay_;
   SoundTrackOf sound_;
   PathPreview preview_;
+  double azimuth_before_deg_ = 0, elevation_before_deg_ = 0;  ///< The turn before the preview.
   VideoControl video_;
 };
 
