@@ -24,6 +24,7 @@
 #include "ui/exhibit/exhibit_control.h"
 #include "ui/language/error_text.h"
 #include "ui/message/message_text.h"
+#include "ui/views/cloud_view.h"
 #include "ui/views/detail_view.h"
 #include "ui/work/file_names.h"
 
@@ -260,11 +261,19 @@ std::uint8_t WindowHost::edges() const {
                            : std::uint8_t{0};
 }
 
-void WindowHost::turnView(double azimuth_deg, double elevation_deg) {
+void WindowHost::turnView(double azimuth_deg, double elevation_deg, double tilt_deg) {
+  if (CloudView* scan = window_.scanInHand()) {
+    scan->turnBy(-azimuth_deg, -elevation_deg, tilt_deg);
+    return;
+  }
   if (window_.document().isOpen()) window_.detailView().turnBy(azimuth_deg, elevation_deg);
 }
 
 void WindowHost::pushView(const ViewPush& push) {
+  if (CloudView* scan = window_.scanInHand()) {
+    scan->push(push.right, push.up, push.nearer);
+    return;
+  }
   Document& document = window_.document();
   if (!document.isOpen() || document.region().inGesture()) return;
   const Region& from = document.project().region;

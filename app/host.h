@@ -50,7 +50,7 @@ class WindowHost : public ShownWindow,
   ObjectPlace placeAt(double x_mm, double y_mm) const override;
   bool showRegion(const Region& region) override;
   std::uint8_t edges() const override;
-  void turnView(double azimuth_deg, double elevation_deg) override;
+  void turnView(double azimuth_deg, double elevation_deg, double tilt_deg) override;
   void pushView(const ViewPush& push) override;
   QString recordingHeader(const QString& file) const override;
   QString scanName() const override;

@@ -72,10 +72,12 @@ class ShownWindow : public QObject {
   virtual ObjectPlace placeAt(double x_mm, double y_mm) const = 0;
   /// Goes back to a region that was shown. @return false: nothing is open, or it is shown already
   virtual bool showRegion(const Region& region) = 0;
-  /// Turns the detail view, as the commands "turn_left" and "turn_up" do in steps.
-  virtual void turnView(double azimuth_deg, double elevation_deg) = 0;
-  /// Moves the window as dragging and the wheel do, about its centre. Pushes that follow each
-  /// other are one step of the history; within a gesture of the mouse they do nothing.
+  /// Turns the detail view, as the commands "turn_left" and "turn_up" do in steps; while the scan
+  /// in 3-D has the keyboard, that. Only that can be tilted, counter-clockwise as it is seen.
+  virtual void turnView(double azimuth_deg, double elevation_deg, double tilt_deg) = 0;
+  /// Moves the window as dragging and the wheel do, about its centre; or the scan in 3-D as above.
+  /// Pushes that follow each other are one step of the history; within a gesture of the mouse they
+  /// do nothing.
   virtual void pushView(const ViewPush& push) = 0;
   /// What the next finer level says about a shown window, 400 x 400 heights with its gain
   /// (core/session/finer_heights.h). Empty: nothing; or it is read from disk, off the GUI thread,

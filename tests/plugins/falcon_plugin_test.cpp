@@ -302,6 +302,10 @@ TEST_F(SpaceMousePluginTest, OrTheViewIfThatIsChosen) {
   EXPECT_TRUE(eventually([this] { return host_.turned_az_deg < -20; }))
       << "the near side follows the cap, as with the command turn_right";
   EXPECT_DOUBLE_EQ(host_.turned_el_deg, -host_.turned_az_deg);
+  EXPECT_EQ(host_.tilted_deg, 0);
+  hid_.hold(0,
+            {2, 0, 0, 0xa2, 0xfe, 0, 0});  // To one side, as HID counts: about the line of sight.
+  EXPECT_TRUE(eventually([this] { return host_.tilted_deg < -20; }));
   hid_.send(0, {2, 0, 0, 0, 0, 0, 0});
   EXPECT_EQ(host_.pushed.right, 0) << "turns alone move nothing";
   hid_.hold(0, {1, 0x5e, 0x01, 0xaf, 0, 0xa2, 0xfe});  // Right, half toward the user, up.

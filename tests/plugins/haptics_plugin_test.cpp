@@ -201,6 +201,21 @@ TEST_F(HapticsPluginTest, AHandAtRestCostsNoFrames) {
   EXPECT_EQ(host_.probes.back().window_id, target.window_id);
 }
 
+TEST_F(HapticsPluginTest, TellsTheLoopsHealthOnceInThirtyTwoFrames) {
+  host_.window = flatWindow(5, 18);
+  attach();
+  hover();
+  host_.actions.at("forces")->trigger();  // With forces on each frame looks at the loop.
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.forces_on; }));
+  const int plots = host_.plots;
+  const int statuses = host_.statuses;
+  ASSERT_TRUE(eventually([&] { return host_.plots >= plots + 320; }));
+  const int told = host_.statuses - statuses;
+  EXPECT_GE(told, 5);
+  // Frames in which nothing was plotted count, too, and those in which forces change tell at once.
+  EXPECT_LE(told, 30);
+}
+
 TEST_F(HapticsPluginTest, KeepsTouchingThroughAChangeOfWindow) {
   host_.window = flatWindow(5, 21);
   attach();

@@ -38,8 +38,12 @@ class TestHost : public ShownWindow,
   void showProbe(const Probe& probe) override { probes.push_back(probe); }
   void plot(std::span<const ForcePoint> samples) override {
     plotted.insert(plotted.end(), samples.begin(), samples.end());
+    ++plots;
   }
-  void showStatus(const TouchStatus& new_status) override { status = new_status; }
+  void showStatus(const TouchStatus& new_status) override {
+    status = new_status;
+    ++statuses;
+  }
   void announce(const QString& text, SaidBecause why) override {
     announcements << text;
     (why == SaidBecause::noticed ? noticed : answers) << text;
@@ -99,7 +103,8 @@ class TestHost : public ShownWindow,
     return true;
   }
   std::uint8_t edges() const override { return at_edges; }
-  void turnView(double azimuth_deg, double elevation_deg) override {
+  void turnView(double azimuth_deg, double elevation_deg, double tilt_deg) override {
+    tilted_deg += tilt_deg;
     turned_az_deg += azimuth_deg;
     turned_el_deg += elevation_deg;
   }
@@ -134,7 +139,9 @@ class TestHost : public ShownWindow,
   std::map<QString, QAction*> actions;
   std::vector<Probe> probes;
   std::vector<ForcePoint> plotted;
+  int plots = 0;  ///< One of each frame in which the loop ran on.
   TouchStatus status;
+  int statuses = 0;            ///< That were shown.
   QStringList offered;         ///< Buttons that the window was asked about ...
   bool takes_buttons = false;  ///< ... and what it answered.
   QStringList announcements, commands, recordings, errors;
@@ -146,7 +153,7 @@ class TestHost : public ShownWindow,
   QString map_state, scan = QStringLiteral("relief"), ending = QStringLiteral("csv");
   QString folder;  ///< Of recordings; empty: relievo in the documents folder.
   std::uint8_t at_edges = 0;
-  double turned_az_deg = 0, turned_el_deg = 0;
+  double turned_az_deg = 0, turned_el_deg = 0, tilted_deg = 0;
   ViewPush pushed;
   std::shared_ptr<const RegionWindow> window;
   ObjectPlace object{.width_mm = 90, .height_mm = 60, .spacing_mm = 0.5};

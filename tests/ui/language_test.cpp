@@ -284,6 +284,25 @@ TEST_F(PseudoTest, DialogsShowNothingUntranslated) {
   }
 }
 
+/// The words that docs/notation.md replaced: no sentence of window or plug-ins says them.
+TEST(Words, ThoseOfBeforeAreNotShown) {
+  QFile file(QStringLiteral(RELIEVO_SOURCE_DIR "/ui/translations/relievo_de.ts"));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QString sources = QString::fromUtf8(file.readAll());
+  const QRegularExpression source(QStringLiteral("<source>(.*?)</source>"),
+                                  QRegularExpression::DotMatchesEverythingOption);
+  // A scan that others are aligned to is the reference; sounds knock and tick, commands do not.
+  const QRegularExpression before(QStringLiteral(
+      "\\b(Gain|gain:|Detail [0-9%]|flyers?|Engine|Beacons?|Lit stone|Edge tick|Contact tick|"
+      "Firm ground|Reference view|M between|Hiccups?)\\b"));
+  int sentences = 0;
+  for (auto each = source.globalMatch(sources); each.hasNext(); ++sentences) {
+    const QString words = each.next().captured(1);
+    EXPECT_FALSE(before.match(words).hasMatch()) << words.toStdString();
+  }
+  EXPECT_GT(sentences, 1000);
+}
+
 /// The window in German.
 class GermanTest : public GuiTest {
  protected:
@@ -314,6 +333,27 @@ class GermanTest : public GuiTest {
 
   QTranslator german_;
 };
+
+TEST_F(GermanTest, LargeTextOfTheUnitsQuestionLeavesRoomForTheViews) {
+  window().resize(1440, 900);
+  window().settings().setChoice("text_percent", 300);
+  applyTextSize(300);
+  QFile file(path("plain.xyz"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  for (int i = 0; i < 1600; ++i) {
+    file.write(QByteArray::number(i % 40) + ' ' + QByteArray::number(i / 40) + ' ' +
+               QByteArray::number(i % 7) + '\n');
+  }
+  file.close();
+  window().open(file.fileName());
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().loader().busy(); }));
+  ASSERT_TRUE(waitFor([this] { return window().message().contains("Einheit"); }))
+      << window().message().toStdString();
+  QApplication::processEvents();
+  EXPECT_GE(window().detailView().height(), 200);
+  EXPECT_GE(window().detailView().width(), 200);
+  applyTextSize(kLeastTextPercent);
+}
 
 TEST_F(GermanTest, WhatASurfaceSaysOfItselfIsGerman) {
   window().open(writeSurvey());

@@ -180,6 +180,7 @@ TEST_F(ReplayTest, PlaysAtFullAndAtQuarterSpeedAndHaltsAtTheEnd) {
   replay();
   QTest::keyClick(control().panel(), Qt::Key_Space);
   EXPECT_TRUE(player().playing());
+  EXPECT_EQ(child<QLabel>("status_message")->text(), "Playing") << "no time that stands still";
   player().pause();
   player().setTime(0);
   player().advance(2);

@@ -194,6 +194,29 @@ TEST_F(ViewTest, SideBySideShowsEachEyeItsHalfAndThePointerReachesBoth) {
   EXPECT_EQ(detail.shot(), mono);
 }
 
+TEST_F(ViewTest, OverAndUnderShowsTheLeftEyeAboveTheRightOne) {
+  auto& detail = window().detailView();
+  document().region().setRect({60, 60, 100, 100});
+  const QImage mono = detail.shot();
+  child<QComboBox>("stereo_kind")->setCurrentIndex(4);
+  child<QCheckBox>("stereo_on")->setChecked(true);
+  ASSERT_EQ(detail.sceneState().stereo.mode, StereoMode::over_under);
+  const auto halfOfHeight = [](const QImage& picture, int which) {
+    const int half = picture.height() / 2;
+    return picture.copy(0, which * (picture.height() - half), picture.width(), half);
+  };
+  const QImage pair = detail.shot();
+  ASSERT_EQ(pair.size(), mono.size());
+  const QImage above = halfOfHeight(pair, 0), below = halfOfHeight(pair, 1);
+  EXPECT_LT(share(above, below), 0.4) << "the same place";
+  EXPECT_GT(share(above, below), 0.002) << "seen by two eyes";
+  child<QCheckBox>("stereo_swap")->setChecked(true);
+  const QImage swapped = detail.shot();
+  const double of_eyes = share(above, below);
+  EXPECT_LT(share(halfOfHeight(swapped, 0), below), 0.1 * of_eyes);
+  EXPECT_LT(share(halfOfHeight(swapped, 1), above), 0.1 * of_eyes);
+}
+
 TEST_F(ViewTest, OnAFullScreenAPairHasTheScreenToItself) {
   child<QComboBox>("stereo_kind")->setCurrentIndex(3);
   window().runCommand("stereo");
@@ -333,6 +356,20 @@ TEST_F(ViewTest, InterpolatedCellsLookLikeMeasuredOnesUntilTheyAreAskedFor) {
   whole.close();
   open(whole.fileName());
   const QImage measured = window().detailView().shot();
+  // A hole is no interpolated cell: it is hatched whether these are marked or not.
+  QFile hole(path("hole.xyz"));
+  ASSERT_TRUE(hole.open(QIODevice::WriteOnly));
+  for (int row = 0; row < 60; ++row) {
+    for (int col = 0; col < 60; ++col) {
+      if (std::abs(row - 30) < 10 && std::abs(col - 30) < 10) continue;
+      hole.write(QByteArray::number(col) + ' ' + QByteArray::number(row) + " 0\n");
+    }
+  }
+  hole.close();
+  open(hole.fileName());
+  ASSERT_FALSE(action("show_unmeasured")->isChecked());
+  ASSERT_EQ(document().surface()->holes.size(), 1U);
+  EXPECT_GT(share(window().detailView().shot(), measured), 0.03) << "the hatch";
   open(points.fileName());
   const auto& origins = document().window()->origins;
   ASSERT_GT(std::count(origins.begin(), origins.end(), CellStatus::interpolated), 20);
@@ -353,6 +390,29 @@ TEST_F(ViewTest, InterpolatedCellsLookLikeMeasuredOnesUntilTheyAreAskedFor) {
   document().history().undo();
   EXPECT_FALSE(action("show_unmeasured")->isChecked());
   EXPECT_FALSE(legend->isVisible());
+}
+
+TEST_F(ViewTest, TheScaleBarOfAGermanWindowHasADecimalComma) {
+  document().region().setRect({100, 90, 3, 3});
+  const QImage point = window().detailView().shot();
+  QLocale::setDefault(QLocale(QLocale::German));
+  restart();
+  openRelief();
+  document().region().setRect({100, 90, 3, 3});
+  const QImage comma = window().detailView().shot();
+  QLocale::setDefault(QLocale(QLocale::English));
+  ASSERT_EQ(point.size(), comma.size());
+  QRect other;
+  for (int y = 0; y < point.height(); ++y) {
+    for (int x = 0; x < point.width(); ++x) {
+      if (point.pixel(x, y) != comma.pixel(x, y)) other |= QRect(x, y, 1, 1);
+    }
+  }
+  EXPECT_FALSE(other.isEmpty()) << "0.5 mm and 0,5 mm";
+  EXPECT_LT(other.width(), 12) << "one character, and what stands behind it";
+  EXPECT_LT(other.height(), 12);
+  EXPECT_GT(other.top(), point.height() - 100) << "in the bar, at the bottom left";
+  EXPECT_LT(other.right(), 200);
 }
 
 TEST_F(ViewTest, OneValueHasOneColourInBothViewsAndTheBarsEndsAreRound) {

@@ -214,9 +214,16 @@ void CloudView::drawCoarselyForNow() {
   still_.start();
 }
 
-void CloudView::turnBy(double right_deg, double up_deg) {
+void CloudView::turnBy(double right_deg, double up_deg, double tilt_deg) {
+  if (outline_open_) return;
   drawCoarselyForNow();
-  setCamera(turnedBy(camera_, right_deg, up_deg));
+  setCamera(turnedBy(camera_, right_deg, up_deg, tilt_deg));
+}
+
+void CloudView::push(double right, double up, double nearer) {
+  const double side = std::min(pictureSize().width, pictureSize().height);
+  if (right != 0 || up != 0) shiftBy({side * right, -side * up});
+  if (nearer != 1) zoomBy(nearer, QRectF(rect()).center());
 }
 
 void CloudView::zoomBy(double factor, const QPointF& about) {

@@ -52,6 +52,11 @@ class CloudView : public QWidget {
   void look(const Rotation& view);  ///< From this side; all of the points fitted.
   void fit();
   void takeColours();  ///< Of the window.
+  /// As somebody turns it: `right` moves the near side to the right, `up` upward, `tilt` is
+  /// counter-clockwise. Nothing while an outline is drawn, which belongs to its direction.
+  void turnBy(double right_deg, double up_deg, double tilt_deg = 0);
+  /// In parts of the shorter side; and as many times nearer (> 0).
+  void push(double right, double up, double nearer);
 
   /// Pixels of this widget; where the cross is.
   QPointF cross() const { return cross_; }
@@ -88,7 +93,6 @@ class CloudView : public QWidget {
   void setCamera(const CloudCamera& camera);
   /// Draws less of a large cloud until the view has stood still for a moment.
   void drawCoarselyForNow();
-  void turnBy(double right_deg, double up_deg);
   void zoomBy(double factor, const QPointF& about);
   void shiftBy(const QPointF& pixels);
   bool turnKey(QKeyEvent* event);

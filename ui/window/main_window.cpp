@@ -25,6 +25,7 @@
 #include "ui/plots/profile_strip.h"
 #include "ui/plots/time_plot.h"
 #include "ui/style/text.h"
+#include "ui/views/cloud_view.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"
 #include "ui/views/scan_view.h"
@@ -93,6 +94,11 @@ MainWindow::~MainWindow() {
   hearing_.reset();
   controllers_.reset();
   delete takeCentralWidget();
+}
+
+CloudView* MainWindow::scanInHand() {
+  CloudView* scan = area_->scan().cloud();
+  return scan != nullptr && scan->isVisible() && scan == focusWidget() ? scan : nullptr;
 }
 
 DetailView& MainWindow::detailView() {

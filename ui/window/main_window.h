@@ -15,6 +15,7 @@ class QToolBar;
 
 namespace relievo {
 
+class CloudView;
 class FirstViewCard;
 class MessageStrip;
 class StartPage;
@@ -34,6 +35,8 @@ class MainWindow : public QMainWindow {
 
   Document& document() { return document_; }
   DetailView& detailView();
+  /// The scan in 3-D, while it has the keyboard; else null.
+  CloudView* scanInHand();
   ReferenceView& referenceView();
   Settings& settings() { return settings_; }
   Controllers& controllers() { return *controllers_; }

@@ -106,12 +106,12 @@ void DeviceButtons::pushCap(const hid::CapMotion& motion, double dt_s) {
   if (by != DeviceMm{}) Q_EMIT handPushed(by);
 }
 
-/// The relief does what the cap does. The view has no third angle: a cap that is tilted to a side
-/// turns nothing.
+/// The relief does what the cap does, or the scan in 3-D, which alone has a third angle.
 void DeviceButtons::pushView(const hid::CapMotion& motion, double dt_s) {
   const double deg = kFullTurnDegPerS * dt_s;
-  if (motion.about_right != 0 || motion.about_up != 0) {
-    host_.view.turnView(-deg * motion.about_up, deg * motion.about_right);
+  if (motion.about_right != 0 || motion.about_up != 0 || motion.about_toward != 0) {
+    host_.view.turnView(-deg * motion.about_up, deg * motion.about_right,
+                        deg * motion.about_toward);
   }
   const double sides = kFullPushSidesPerS * dt_s;
   if (motion.right != 0 || motion.up != 0 || motion.toward != 0) {

@@ -27,6 +27,19 @@ Surface surfaceWithHole() {
   return makeSurface(scan, {}, rasterize);
 }
 
+TEST(Caption, SaysHowMuchTheLevelIsSmoothed) {
+  const Scan scan = test::latticeScan(401, 401, 0.5, [](double, double) { return 0; });
+  const Surface surface = makeSurface(scan, {}, rasterize);
+  ASSERT_EQ(surface.ladder.levels(), 3);
+  Project p;
+  p.file = "plate.ply";
+  p.region = {.x_mm = 20, .y_mm = 30, .side_mm = 100, .level = {1}};
+  const RegionWindow window = sampleWindow(surface.map, surface.pyramid, p.region, p.gain);
+  // A Gaussian of one cell of the finer level.
+  EXPECT_THAT(captionOf(p, surface, window, pictureFacts(p, 0.25)),
+              HasSubstr("Resolution 2 of 3 (level 1, pyramid factor 2, smoothed by \u03c3 = 0.5 mm)"));
+}
+
 TEST(Caption, SaysEverythingThatDecidesThePicture) {
   const Surface surface = surfaceWithHole();
   ASSERT_EQ(surface.holes.size(), 1U);

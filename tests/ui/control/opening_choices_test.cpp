@@ -6,8 +6,10 @@
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QDropEvent>
 #include <QImage>
 #include <QLabel>
+#include <QMimeData>
 #include <QPushButton>
 #include <QtTest/QTest>
 #include <QUndoStack>
@@ -127,6 +129,10 @@ TEST_F(OpeningChoicesTest, TheNextFileIsSeenLikeThisOneIfAsked) {
   document().region().setRect({40, 50, 60, 60});
   document().region().setGain(2);
   window().detailView().turnBy(20, 10);
+  window().runCommand("relief_slope");
+  window().runCommand("light_rake_left");
+  const ReliefLook look = document().project().look;
+  ASSERT_NE(look.light, LightOptions{});
   action("keep_view")->trigger();
   const QString third = writeRelief(QStringLiteral("third.ply"));
   ASSERT_TRUE(opened(third));
@@ -135,10 +141,34 @@ TEST_F(OpeningChoicesTest, TheNextFileIsSeenLikeThisOneIfAsked) {
   EXPECT_EQ(after.elevation_deg, before.elevation_deg);
   EXPECT_EQ(after.gain, 2);
   EXPECT_EQ(after.region, before.region);
+  EXPECT_EQ(after.look, look) << "light and relief image";
   ASSERT_TRUE(after.options.view.has_value());
   EXPECT_EQ(after.options.view->name, document().surface()->view_name) << "the same side";
   restart();
   EXPECT_TRUE(action("keep_view")->isChecked()) << "remembered";
+}
+
+TEST_F(OpeningChoicesTest, AFileThatIsDroppedWithControlIsSeenLikeTheOneBefore) {
+  openRelief();
+  document().region().setRect({40, 50, 60, 60});
+  window().detailView().turnBy(20, 10);
+  const Project before = document().project();
+  ASSERT_FALSE(action("keep_view")->isChecked());
+  const auto dropped = [&](const QString& file, Qt::KeyboardModifiers with) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file)});
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, with);
+    QApplication::sendEvent(&window(), &enter);
+    QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, with);
+    QApplication::sendEvent(&window(), &event);
+    return waitFor([&] { return !document().loader().busy() && document().file() == file; });
+  };
+  ASSERT_TRUE(dropped(writeRelief(QStringLiteral("other.ply")), Qt::ControlModifier));
+  EXPECT_EQ(document().project().azimuth_deg, before.azimuth_deg);
+  EXPECT_EQ(document().project().region, before.region);
+  ASSERT_TRUE(dropped(writeRelief(QStringLiteral("third.ply")), Qt::NoModifier));
+  EXPECT_EQ(document().project().azimuth_deg, 0) << "by itself: its own view";
+  EXPECT_EQ(document().detail(), 1);
 }
 
 }  // namespace

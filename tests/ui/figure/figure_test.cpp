@@ -283,6 +283,22 @@ TEST_F(FigureTest, TheLegendStatesTheSharesThatTheCaptionStates) {
   EXPECT_NE(bytesOf(folder_ / "c.svg").find(" % of the object<"), std::string::npos);
 }
 
+TEST_F(FigureTest, TheHatchOfWhatWasNotMeasuredIsLeftOutByChoice) {
+  project_.figure.layout = FigureLayout::detail;
+  project_.figure.dpi = 100;
+  project_.region = {.x_mm = 5, .y_mm = 50, .side_mm = 40, .level = {0}};
+  ASSERT_TRUE(project_.figure.hatch);
+  const Figure hatched = draw();
+  project_.figure.hatch = false;
+  const Figure plain = draw();
+  EXPECT_GT(meanDifference(hatched.image, plain.image), 0.2);
+  // Where there is no hole nothing differs.
+  project_.region = {.x_mm = 55, .y_mm = 20, .side_mm = 40, .level = {0}};
+  const Figure without = draw();
+  project_.figure.hatch = true;
+  EXPECT_EQ(meanDifference(draw().image, without.image), 0);
+}
+
 TEST_F(FigureTest, LabelsOfMeasurementsAtOnePlaceStandBelowEachOther) {
   project_.figure.dpi = 100;
   for (const char* name : {"one", "two", "three"}) {

@@ -240,6 +240,51 @@ TEST_F(VideoTest, PairsAreOfTheWholeFrameAndGoIntoEveryProfileButRows) {
   EXPECT_NO_THROW(check(request_));
 }
 
+TEST_F(VideoTest, EachEyeHasItsHalfAboveTheOthersOrItsRows) {
+  const auto at = [](const RgbaImage& image, int x, int y) {
+    return image.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                           static_cast<std::size_t>(x)) +
+                      1];
+  };
+  request_.profile = VideoProfile::archive;
+  request_.eye_angle_deg = 12;
+  request_.stereo = StereoPrint::interlaced;
+  VideoFrames rows(*surface_, &recording_, request_);
+  rows.keepEyes();
+  const RgbaImage woven = rows.draw(5);
+  const RgbaImage left = rows.ofEye(FigureEye::left);
+  const RgbaImage right = rows.ofEye(FigureEye::right);
+  ASSERT_EQ(woven.height, left.height);
+  int not_its_eyes = 0, two_eyes = 0;
+  for (int y = 0; y < woven.height; ++y) {
+    for (int x = 0; x < woven.width; ++x) {
+      not_its_eyes += at(woven, x, y) != at(y % 2 == 0 ? left : right, x, y) ? 1 : 0;
+      two_eyes += at(left, x, y) != at(right, x, y) ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(not_its_eyes, 0);
+  EXPECT_GT(two_eyes, 100);
+  write("rows.mp4");
+  EXPECT_EQ(probed("rows.mp4", "stream=nb_read_frames"), "11\n");
+
+  request_.stereo = StereoPrint::over_under;
+  VideoFrames halves(*surface_, &recording_, request_);
+  const RgbaImage pair = halves.draw(5);
+  EXPECT_EQ(pair.height, request_.height_px);
+  const int half = pair.height / 2;
+  int in_relief = 0, beside = 0, far_apart = 0;
+  for (int y = 0; y < half; ++y) {
+    for (int x = 0; x < pair.width; ++x) {
+      const int apart = std::abs(at(pair, x, y) - at(pair, x, y + half));
+      if (apart > 0) ++(x < pair.height ? in_relief : beside);
+      far_apart += apart > 100 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(in_relief, 50) << "two eyes";
+  EXPECT_EQ(beside, 0) << "plots lie in the plane of the screen";
+  EXPECT_LT(far_apart, half * pair.width / 20) << "the same place";
+}
+
 TEST_F(VideoTest, BothEyesAreFilesOfTheirOwnOfWhichTheGreyVideoIsMixed) {
   request_.profile = VideoProfile::images;
   request_.stereo = StereoPrint::grey;

@@ -41,10 +41,11 @@ std::array<double, 2> seenUnder(const CloudCamera& camera, const PictureSize& si
           middle[1] + (0.5 * size.height - place.y) * unit};
 }
 
-CloudCamera turnedBy(const CloudCamera& camera, double right_deg, double up_deg) noexcept {
+CloudCamera turnedBy(const CloudCamera& camera, double right_deg, double up_deg,
+                     double tilt_deg) noexcept {
   // The object turns about the picture's y by right_deg and about its x by -up_deg.
   CloudCamera result = camera;
-  result.view = turned(camera.view, {-up_deg, right_deg, 0});
+  result.view = turned(camera.view, {-up_deg, right_deg, tilt_deg});
   return result;
 }
 

@@ -36,8 +36,9 @@ std::array<double, 2> seenUnder(const CloudCamera& camera, const PictureSize& si
                                 const PicturePlace& place) noexcept;
 
 /// The camera turned about the picture's own axes, its middle stays. Degrees, right-handed:
-/// `right` moves the near side to the right, `up` upward.
-CloudCamera turnedBy(const CloudCamera& camera, double right_deg, double up_deg) noexcept;
+/// `right` moves the near side to the right, `up` upward; `tilt` is counter-clockwise.
+CloudCamera turnedBy(const CloudCamera& camera, double right_deg, double up_deg,
+                     double tilt_deg = 0) noexcept;
 
 /// All of a box in a picture of this shape, seen along the camera's directions.
 CloudCamera fitted(const CloudCamera& camera, const FileBounds& box, const PictureSize& size);
