@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/record/sample_drain.h"
 
-#include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -12,7 +13,9 @@ struct SampleDrain::Impl {
   SampleRing& ring;
   std::vector<SampleSink> sinks;
   std::vector<HapticSample> batch;
-  std::atomic<bool> stopping{false};
+  std::mutex mutex;  ///< Of the two below; the loop never takes it.
+  std::condition_variable changed;
+  bool stopping = false, urgent = true;
   std::thread thread;
 
   Impl(SampleRing& r, std::vector<SampleSink> s) : ring(r), sinks(std::move(s)) {
@@ -29,13 +32,21 @@ struct SampleDrain::Impl {
     return batch.size() < batch.capacity();
   }
 
-  void run() {
+  /// Until the next round is due. @return it is the last one, which takes what is left
+  bool rest() {
     using namespace std::chrono_literals;
-    for (bool last = false; !last;) {
-      last = stopping.load(std::memory_order_acquire);  // Then one more round takes what is left.
+    std::unique_lock lock(mutex);
+    const bool was_urgent = urgent;
+    changed.wait_for(lock, urgent ? 10ms : 125ms,
+                     [&] { return stopping || (urgent && !was_urgent); });
+    return stopping;
+  }
+
+  void run() {
+    for (bool last = false;; last = rest()) {
       while (!deliver()) {
       }
-      if (!last) std::this_thread::sleep_for(10ms);
+      if (last) return;
     }
   }
 };
@@ -46,8 +57,20 @@ SampleDrain::SampleDrain(SampleRing& from, std::vector<SampleSink> sinks)
 }
 
 SampleDrain::~SampleDrain() {
-  impl_->stopping.store(true, std::memory_order_release);
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->stopping = true;
+  }
+  impl_->changed.notify_all();
   impl_->thread.join();
+}
+
+void SampleDrain::setUrgent(bool urgent) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->urgent = urgent;
+  }
+  impl_->changed.notify_all();
 }
 
 }  // namespace relievo

@@ -13,13 +13,18 @@ namespace relievo {
 using SampleSink = std::function<void(std::span<const HapticSample>)>;  ///< [drain thread] no throw
 
 /// The one consumer of a loop's samples: a thread that hands them, in batches and in order, to its
-/// sinks. Sinks are called about 100 times a second, with an empty batch too if nothing came.
+/// sinks. Sinks are called about 100 times a second, or 8 times while nothing is urgent, with an
+/// empty batch too if nothing came.
 class SampleDrain {
  public:
   SampleDrain(SampleRing& from, std::vector<SampleSink> sinks);
   ~SampleDrain();  ///< Delivers what is left, then joins.
   SampleDrain(const SampleDrain&) = delete;
   SampleDrain& operator=(const SampleDrain&) = delete;
+
+  /// While nothing happens that a sink would have to tell at once. Back from there, samples that
+  /// wait are delivered at once. [any thread but the loop's]
+  void setUrgent(bool urgent);
 
  private:
   struct Impl;

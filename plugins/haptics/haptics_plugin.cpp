@@ -42,6 +42,9 @@ void HapticsPlugin::attach(Host& host) {
   sound_->applySettings(SoundControl::Tell::no);
   surface_->showWindow();
   connect(&pace_.timer(), &QTimer::timeout, this, &HapticsPlugin::frame, Qt::UniqueConnection);
+  pace_.onRest([this](bool at_rest) {
+    if (session()) session()->setUrgent(!at_rest);
+  });
   pace_.start();
   device_->startWatchingPlugs();
   sleep_ = std::make_unique<SleepWatch>();

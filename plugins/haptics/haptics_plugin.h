@@ -61,7 +61,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void frame();  // 60 times a second, less often at rest.
   bool mayChange() const;
   bool showProbe(const HapticSample& sample);  // Whether it shows another one.
-  /// About 8 times a second; the host hears of it twice a second.
+  /// About 60 times a second, at rest 4 times; the host hears of it twice a second.
   void slowReadouts(bool with_status = true);
   void tellStatus(const LoopReport& report);
   void watchSleep(const HapticSample& sample);

@@ -154,6 +154,7 @@ void LoopSession::startRecording(const std::string& file, const std::string& hea
     filling_.wait();
     takePrepared();
   }
+  drain_->setUrgent(true);  // What waits was before the recording.
   recorder_.start(file, header, shown_.get());
   recording_folder_ = std::filesystem::path(file).parent_path();
   prepareNext();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <vector>
 
 namespace relievo {
 namespace {
@@ -34,12 +35,16 @@ TEST(FramePace, AChangeBeginsTheSecondAnew) {
 
 TEST(FramePace, WhoeverDoesSomethingIsFollowedAtOnce) {
   FramePace pace;
+  std::vector<bool> told;
+  pace.onRest([&](bool at_rest) { told.push_back(at_rest); });
   pace.start();
   for (int look = 0; look < 2 * FramePace::kFramesUntilRest; ++look) pace.follow(false);
   pace.wake();
   EXPECT_FALSE(pace.isAtRest());
   EXPECT_EQ(pace.timer().interval(), FramePace::kFrameMs);
   EXPECT_TRUE(pace.timer().isActive());
+  pace.wake();
+  EXPECT_EQ(told, (std::vector{true, false})) << "once each";
 }
 
 }  // namespace

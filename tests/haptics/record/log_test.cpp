@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <thread>
 
 #include "core/base/error.h"
 #include "core/recording/log_note.h"
@@ -276,6 +279,30 @@ TEST(SampleDrain, HandsOverEverySampleInOrderToAllSinks) {
   ASSERT_EQ(first.size(), 5000U);
   for (std::uint64_t i = 0; i < 5000; ++i) ASSERT_EQ(first[i], i);
   EXPECT_EQ(first, second);
+}
+
+TEST(SampleDrain, DeliversWhatWaitsAsSoonAsItIsUrgentAgain) {
+  SampleRing ring;
+  std::atomic<std::uint64_t> rounds = 0, taken = 0;
+  SampleDrain drain(ring, {[&](std::span<const HapticSample> batch) {
+                      ++rounds;
+                      taken += batch.size();
+                    }});
+  const auto after = [&](std::uint64_t more) {
+    const std::uint64_t from = rounds;
+    while (rounds < from + more) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  drain.setUrgent(false);
+  after(2);  // From here on it takes its time.
+  const auto begun = std::chrono::steady_clock::now();
+  after(4);
+  EXPECT_GE(std::chrono::steady_clock::now() - begun, std::chrono::milliseconds(3 * 125))
+      << "four rounds of an eighth of a second each, of which the first has begun";
+  for (std::uint64_t i = 0; i < 100; ++i) EXPECT_TRUE(ring.push(sampleAt(i)));
+  drain.setUrgent(true);
+  while (taken < 100) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  after(3);
+  EXPECT_EQ(taken, 100U) << "each once";
 }
 
 std::string wholeText(const std::filesystem::path& file) {
