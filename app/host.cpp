@@ -31,7 +31,9 @@
 namespace relievo {
 namespace {
 
-constexpr int kMergePushes = 201;  // Beside the document's own ids and those of the look.
+// What a device pushes and turns in a row is one step. Beside the document's own ids and those of
+// the look.
+constexpr int kMergePushes = 201;
 
 }  // namespace
 
@@ -266,7 +268,9 @@ void WindowHost::turnView(double azimuth_deg, double elevation_deg, double tilt_
     scan->turnBy(-azimuth_deg, -elevation_deg, tilt_deg);
     return;
   }
-  if (window_.document().isOpen()) window_.detailView().turnBy(azimuth_deg, elevation_deg);
+  if (window_.document().isOpen()) {
+    window_.detailView().turnBy(azimuth_deg, elevation_deg, kMergePushes);
+  }
 }
 
 void WindowHost::pushView(const ViewPush& push) {

@@ -268,6 +268,17 @@ TEST_F(TouchWindowTest, PushesOfTheViewAreOneStepAndNoneWithinAGesture) {
   EXPECT_NEAR(document().project().region.side_mm, before.side_mm / 1.5, 1e-9);
   document().history().undo();
   EXPECT_EQ(document().project().region, before);
+  // A cap that is pushed is turned, too.
+  const int before_all = document().history().count();
+  for (int i = 0; i < 10; ++i) {
+    host.turnView(1, 0.5, 0);
+    host.pushView({.right = 0.01});
+  }
+  EXPECT_NEAR(document().project().azimuth_deg, 10, 1e-9);
+  EXPECT_LE(document().history().count(), before_all + 1);
+  document().history().undo();
+  EXPECT_EQ(document().project().azimuth_deg, 0);
+  EXPECT_EQ(document().project().region, before);
   document().region().preview(moved);
   host.pushView({.right = 0.1});
   EXPECT_EQ(document().project().region, moved) << "the mouse moves it";

@@ -97,9 +97,10 @@ void DetailView::straighten() {
   document_.straighten();
 }
 
-void DetailView::turnBy(double azimuth_deg, double elevation_deg) {
+void DetailView::turnBy(double azimuth_deg, double elevation_deg, int merge_id) {
   const Project& shown = document_.project();
-  document_.turnView(shown.azimuth_deg + azimuth_deg, shown.elevation_deg + elevation_deg);
+  document_.turnView(shown.azimuth_deg + azimuth_deg, shown.elevation_deg + elevation_deg,
+                     merge_id);
   Q_EMIT turnedBySomebody();
 }
 

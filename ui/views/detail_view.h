@@ -46,7 +46,8 @@ class DetailView : public SurfaceView {
   /// Back to looking straight down on the relief.
   void straighten();
   /// As somebody turns it, by mouse, key or device; what is shown by other means is no such turn.
-  void turnBy(double azimuth_deg, double elevation_deg);
+  /// @param merge_id  see Document::edit
+  void turnBy(double azimuth_deg, double elevation_deg, int merge_id = Document::kTurnsInARow);
   /// Rotation from the present view frame to the one the camera looks along.
   Rotation cameraRotation() const;
   /// Rotation from the file's axes to the frame that the camera looks along. @pre a surface is open

@@ -21,9 +21,7 @@ namespace relievo {
 namespace {
 
 constexpr int kUndoLimit = 250;
-// Turns in a row are one step, of the relief and of the view.
-constexpr int kTurnStep = 0x7452;
-constexpr int kTurnViewStep = 0x7456;
+constexpr int kTurnStep = 0x7452;  // Turns of the relief in a row are one step.
 
 /// Takes the names of steps that come back out of those that only have names, the last ones first.
 /// @return false: they are not all there
@@ -308,7 +306,7 @@ void Document::amend(const std::function<void(Project&)>& change) {
   Q_EMIT amended();
 }
 
-void Document::turnView(double azimuth_deg, double elevation_deg) {
+void Document::turnView(double azimuth_deg, double elevation_deg, int merge_id) {
   if (choices_.reliefFollows()) return setTurn(azimuth_deg, elevation_deg);
   edit(
       tr("Turn the view"),
@@ -316,7 +314,7 @@ void Document::turnView(double azimuth_deg, double elevation_deg) {
         p.azimuth_deg = azimuth_deg;
         p.elevation_deg = elevation_deg;
       },
-      kTurnViewStep);
+      merge_id);
 }
 
 void Document::straighten() {

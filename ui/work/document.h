@@ -92,7 +92,8 @@ class Document : public QObject {
   void amend(const std::function<void(Project&)>& change);
   /// Somebody turns the camera: turns in a row are one step. Where the relief follows the view, the
   /// relief is the step.
-  void turnView(double azimuth_deg, double elevation_deg);
+  void turnView(double azimuth_deg, double elevation_deg, int merge_id = kTurnsInARow);
+  static constexpr int kTurnsInARow = 0x7456;  ///< For edit().
   /// Looks straight at the relief, by a step of its own.
   void straighten();
   /// Turn of the camera by nobody: a film, a relief that follows the view. No step.
