@@ -22,8 +22,8 @@ class SampleDrain {
   SampleDrain(const SampleDrain&) = delete;
   SampleDrain& operator=(const SampleDrain&) = delete;
 
-  /// While nothing happens that a sink would have to tell at once. Back from there, samples that
-  /// wait are delivered at once. [any thread but the loop's]
+  /// False while nothing happens that a sink would have to tell at once. When it becomes true, the
+  /// samples that wait are delivered at once. [any thread but the loop's]
   void setUrgent(bool urgent);
 
  private:

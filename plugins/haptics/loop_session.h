@@ -50,9 +50,9 @@ class LoopSession {
   /// There is a surface, or one is being prepared.
   bool hasWindow() const noexcept { return has_window_ || isPreparing(); }
   bool isPreparing() const noexcept { return filling_.valid() || waiting_; }
-  /// How long after another one a surface that nobody feels is prepared.
-  /// While the hand rests and nothing is felt or recorded; see SampleDrain.
+  /// False while the hand rests and nothing is felt or recorded; see SampleDrain.
   void setUrgent(bool urgent) { drain_->setUrgent(urgent); }
+  /// How long after another one a surface that nobody feels is prepared.
   void setUnfeltEvery(std::chrono::milliseconds time) { pace_.unfelt_every = time; }
   /// Why a surface could not be prepared, once; empty: nothing went wrong.
   std::string takeProblem() { return std::exchange(problem_, {}); }

@@ -216,7 +216,9 @@ void Document::lookAhead(const Surface& surface) {
 }
 
 bool Document::restoreSteps(const LoadJob& job, DocumentState now) {
-  const std::vector<UndoStep> undo = std::exchange(now.project.undo, {});
+  std::vector<UndoStep> undo = std::exchange(now.project.undo, {});
+  // A file may name more than the history keeps; each of them would be a whole state here.
+  if (undo.size() > kUndoLimit) undo.erase(undo.begin(), undo.end() - kUndoLimit);
   earlier_steps_ = std::exchange(now.project.history, {});
   const Region asked = job.open.project ? job.open.project->region : Region{};
   fitLook(now);

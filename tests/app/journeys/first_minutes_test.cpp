@@ -53,10 +53,6 @@ class FirstMinutesTest : public Journey, public ::testing::WithParamInterface<By
   }
 
   static bool byKeys() { return GetParam() == By::keys; }
-  static bool soon(const std::function<bool()>& holds) {
-    constexpr int kPatienceMs = 20'000;
-    return QTest::qWaitFor(holds, kPatienceMs);
-  }
 
   /// To whatever has the keyboard. Xvfb has no window manager that would make a window active.
   void pressKey(int key, Qt::KeyboardModifiers with = {}, int times = 1) {
@@ -157,30 +153,9 @@ class FirstMinutesTest : public Journey, public ::testing::WithParamInterface<By
     ASSERT_TRUE(soon([button] { return button->isEnabled(); }));
     click(*button);
   }
-  /// Point of the untilted detail view over a place.
-  QPointF over(double x_mm, double y_mm) {
-    const Region& r = document().project().region;
-    const double mm = r.side_mm / std::min(detail().width() - 4, detail().height() - 4);
-    return {0.5 * detail().width() + (x_mm - r.centreX()) / mm,
-            0.5 * detail().height() - (y_mm - r.centreY()) / mm};
-  }
-  /// By arrows, to within half a cell of a place of the window.
-  void carryHand(double x_mm, double y_mm) {
-    const double cell = document().window()->spacingMm();
-    pressKey(Qt::Key_Right);  // A hand that was elsewhere comes into this window.
-    for (const bool along_x : {true, false}) {
-      const auto from = detail().hand();
-      ASSERT_TRUE(from);
-      const int cells =
-          static_cast<int>(std::lround((along_x ? x_mm - from->x : y_mm - from->y) / cell));
-      const int key = along_x ? (cells > 0 ? Qt::Key_Right : Qt::Key_Left)
-                              : (cells > 0 ? Qt::Key_Up : Qt::Key_Down);
-      pressKey(key, Qt::ShiftModifier, std::abs(cells) / 10);
-      pressKey(key, {}, std::abs(cells) % 10);
-    }
-  }
   void pick(double x_mm, double y_mm) {
     if (byKeys()) {
+      ASSERT_TRUE(detail().hasFocus());
       carryHand(x_mm, y_mm);
       pressKey(Qt::Key_Return);
     } else {

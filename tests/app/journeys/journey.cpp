@@ -2,6 +2,7 @@
 #include "tests/app/journeys/journey.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <QApplication>
 #include <QComboBox>
@@ -59,6 +60,10 @@ bool Journey::eventually(const std::function<bool()>& holds) {
   return QTest::qWaitFor(holds, 240'000);
 }
 
+bool Journey::soon(const std::function<bool()>& holds) {
+  return QTest::qWaitFor(holds, 20'000);
+}
+
 bool Journey::settled() {
   return eventually([this] { return document().isOpen() && !document().loader().busy(); });
 }
@@ -77,6 +82,33 @@ bool Journey::hears(const QString& words) {
 double Journey::forceShown() {
   const QString text = child<QLabel>("status_force")->text();
   return text.endsWith("N") ? text.section('/', 0, 0).toDouble() : 0;
+}
+
+QPointF Journey::over(double x_mm, double y_mm) {
+  const Region& r = document().project().region;
+  const double mm = r.side_mm / std::min(detail().width() - 4, detail().height() - 4);
+  return {0.5 * detail().width() + (x_mm - r.centreX()) / mm,
+          0.5 * detail().height() - (y_mm - r.centreY()) / mm};
+}
+
+void Journey::carryHand(double x_mm, double y_mm) {
+  const auto keys = [this](Qt::Key key, Qt::KeyboardModifiers with, int times) {
+    for (int i = 0; i < times; ++i) QTest::keyClick(&detail(), key, with);
+  };
+  const double cell = document().window()->spacingMm();
+  keys(Qt::Key_Right, {}, 1);  // A hand that was elsewhere comes into this window.
+  for (const bool along_x : {true, false}) {
+    const auto from = detail().hand();
+    ASSERT_TRUE(from);
+    const int cells =
+        static_cast<int>(std::lround((along_x ? x_mm - from->x : y_mm - from->y) / cell));
+    const Qt::Key key = along_x ? (cells > 0 ? Qt::Key_Right : Qt::Key_Left)
+                                : (cells > 0 ? Qt::Key_Up : Qt::Key_Down);
+    keys(key, Qt::ShiftModifier, std::abs(cells) / 10);
+    keys(key, {}, std::abs(cells) % 10);
+  }
+  EXPECT_NEAR(detail().hand()->x, x_mm, cell);
+  EXPECT_NEAR(detail().hand()->y, y_mm, cell);
 }
 
 void Journey::key(int key, Qt::KeyboardModifiers with) {

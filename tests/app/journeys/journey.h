@@ -33,6 +33,8 @@ class Journey : public GuiTest {
 
   /// Minutes: what happens is tested here, not how fast.
   static bool eventually(const std::function<bool()>& holds);
+  /// So long, then a person tries again.
+  static bool soon(const std::function<bool()>& holds);
   /// Nothing is being opened or made.
   bool settled();
   DetailView& detail() { return window().detailView(); }
@@ -46,6 +48,10 @@ class Journey : public GuiTest {
   /// Of the status bar, N; 0 if no force is shown.
   double forceShown();
 
+  /// Point of the untilted detail view over a place.
+  QPointF over(double x_mm, double y_mm);
+  /// By arrows of the detail view, to within half a cell of a place of the window.
+  void carryHand(double x_mm, double y_mm);
   /// A key of the detail view. Without a window manager nobody makes the window active again.
   void key(int key, Qt::KeyboardModifiers with = {});
   /// Chooses an entry, and types a number, as a user does by keys: the field tells of it.

@@ -83,33 +83,9 @@ class JourneyTest : public Journey, public ::testing::WithParamInterface<By> {
     }
     return nullptr;
   }
-  /// Point of the untilted detail view over a place.
-  QPointF over(double x_mm, double y_mm) {
-    const Region& r = document().project().region;
-    const double mm = r.side_mm / std::min(detail().width() - 4, detail().height() - 4);
-    return {0.5 * detail().width() + (x_mm - r.centreX()) / mm,
-            0.5 * detail().height() - (y_mm - r.centreY()) / mm};
-  }
-  /// Moves the hand by arrows to within half a cell of a place of the window.
-  void handByKeys(double x_mm, double y_mm) {
-    const double cell = document().window()->spacingMm();
-    keys(detail(), Qt::Key_Right);  // A hand that was elsewhere comes into this window.
-    for (const bool along_x : {true, false}) {
-      const auto from = detail().hand();
-      ASSERT_TRUE(from);
-      const int cells =
-          static_cast<int>(std::lround((along_x ? x_mm - from->x : y_mm - from->y) / cell));
-      const int key = along_x ? (cells > 0 ? Qt::Key_Right : Qt::Key_Left)
-                              : (cells > 0 ? Qt::Key_Up : Qt::Key_Down);
-      keys(detail(), key, std::abs(cells) / 10, Qt::ShiftModifier);
-      keys(detail(), key, std::abs(cells) % 10);
-    }
-    EXPECT_NEAR(detail().hand()->x, x_mm, cell);
-    EXPECT_NEAR(detail().hand()->y, y_mm, cell);
-  }
   void pick(double x_mm, double y_mm) {
     if (byKeys()) {
-      handByKeys(x_mm, y_mm);
+      carryHand(x_mm, y_mm);
       keys(detail(), Qt::Key_Return);
     } else {
       press(detail(), over(x_mm, y_mm));
@@ -131,7 +107,7 @@ class JourneyTest : public Journey, public ::testing::WithParamInterface<By> {
   bool pressed(double x_mm, double y_mm) {
     detail().setFocus();
     if (byKeys()) {
-      handByKeys(x_mm, y_mm);
+      carryHand(x_mm, y_mm);
     } else {
       move(detail(), over(x_mm, y_mm));
     }
@@ -158,12 +134,6 @@ class JourneyTest : public Journey, public ::testing::WithParamInterface<By> {
     }
     EXPECT_TRUE(eventually([this] { return probe() && !probe()->touching; }));
   }
-  /// So long, then a person tries again.
-  static bool soon(const std::function<bool()>& holds) {
-    constexpr int kPatienceMs = 20'000;
-    return QTest::qWaitFor(holds, kPatienceMs);
-  }
-
   emulator::MockHid hid_;
   emulator::StallWatch stalls_;
   std::filesystem::path log_;  ///< What was recorded.
@@ -425,7 +395,7 @@ void JourneyTest::steerBySpaceMouse() {
   hid_.plugIn(0, 0x256f, 0xc635, "SpaceMouse Compact", multi_axis);
   ASSERT_TRUE(hears("SpaceMouse Compact connected"));
   if (byKeys()) {
-    handByKeys(200, 100);
+    carryHand(200, 100);
   } else {
     move(detail(), over(200, 100));
   }

@@ -36,8 +36,9 @@ TEST(Caption, SaysHowMuchTheLevelIsSmoothed) {
   p.region = {.x_mm = 20, .y_mm = 30, .side_mm = 100, .level = {1}};
   const RegionWindow window = sampleWindow(surface.map, surface.pyramid, p.region, p.gain);
   // A Gaussian of one cell of the finer level.
-  EXPECT_THAT(captionOf(p, surface, window, pictureFacts(p, 0.25)),
-              HasSubstr("Resolution 2 of 3 (level 1, pyramid factor 2, smoothed by \u03c3 = 0.5 mm)"));
+  EXPECT_THAT(
+      captionOf(p, surface, window, pictureFacts(p, 0.25)),
+      HasSubstr("Resolution 2 of 3 (level 1, pyramid factor 2, smoothed by \u03c3 = 0.5 mm)"));
 }
 
 TEST(Caption, SaysEverythingThatDecidesThePicture) {

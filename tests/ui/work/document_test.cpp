@@ -205,6 +205,24 @@ TEST_F(DocumentTest, WorkIsUnsavedWhileItDiffersFromWhatWasSaved) {
   EXPECT_TRUE(document.saved().hasUnsaved());
 }
 
+TEST_F(DocumentTest, AFileThatNamesMoreStepsThanTheHistoryKeepsGivesTheLastOnes) {
+  Document document(rasterize);
+  OpenRequest request = relief();
+  ASSERT_TRUE(open(document, request));
+  request.project = document.stored();
+  for (int i = 0; i < 1000; ++i) {
+    request.project->undo.push_back(undoStep("step", document.project(), document.project()));
+    request.project->undo.back().before.gain = 1 + 0.001 * i;
+    request.project->history.push_back("step");
+  }
+  Document other(rasterize);
+  ASSERT_TRUE(open(other, request));
+  EXPECT_EQ(other.history().count(), 250);
+  EXPECT_EQ(other.project().history.size(), 1000U);
+  for (int i = 0; i < 250; ++i) other.history().undo();
+  EXPECT_DOUBLE_EQ(other.project().gain, 1.75);
+}
+
 TEST_F(DocumentTest, AStateComesBackWholeWithItsStepsAndItsPath) {
   Document document(rasterize);
   OpenRequest request = relief();
