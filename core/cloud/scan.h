@@ -10,6 +10,7 @@
 
 #include "core/base/unit.h"
 #include "core/base/vec3.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
@@ -58,7 +59,7 @@ struct ScanInfo {
   std::optional<IntensityRange> intensity;  ///< If the scan has intensities.
   std::uint64_t withheld = 0;    ///< LAS points marked "not to be used"; left out unless asked for.
   std::string reference_system;  ///< Of LAS: well-known text, "EPSG:n" or GeoTIFF keys; else empty.
-  std::vector<std::string> warnings;  ///< For people; each one sentence.
+  std::vector<Message> warnings;  ///< For people; each one sentence.
 };
 
 /// A picture on a mesh. Texels row by row from the top, sRGB.

@@ -23,6 +23,7 @@
 #include "core/io/worker/import_answer.h"
 #include "core/io/worker/scan_transport.h"
 #include "core/io/worker/worker_process.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -110,8 +111,8 @@ bool readCompanion(const std::filesystem::path& file, std::string_view format, R
                    const Visit& pixel) {
   std::error_code missing;
   if (!std::filesystem::exists(file, missing)) return false;
-  const auto drop = [&](const std::string& reason) {
-    map.info.warnings.push_back(shownName(file) + " " + reason + " and was left aside.");
+  const auto drop = [&](Message why) {
+    map.info.warnings.push_back(std::move(why));
     return false;
   };
   try {
@@ -121,10 +122,11 @@ bool readCompanion(const std::filesystem::path& file, std::string_view format, R
                                                   .options = options},
                                                  task);
     const RasterHead& head = rows.head();
-    if (head.info.format != format) return drop("was not written with the map");
+    if (head.info.format != format)
+      return drop(said<MessageId::companion_not_of_map>(shownName(file)));
     if (head.size.cols != 2 * map.size.cols || head.size.rows != map.size.rows ||
         head.projection != std::to_string(checksum) || head.set != map.set) {
-      return drop("belongs to another map");
+      return drop(said<MessageId::companion_of_another_map>(shownName(file)));
     }
     const auto cols = static_cast<std::size_t>(map.size.cols);
     std::vector<float> row(2 * cols);
@@ -144,7 +146,7 @@ bool readCompanion(const std::filesystem::path& file, std::string_view format, R
       }
     }
   } catch (const FileError&) {
-    return drop("cannot be read");
+    return drop(said<MessageId::companion_unreadable>(shownName(file)));
   }
   return true;
 }

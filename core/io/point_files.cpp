@@ -15,6 +15,7 @@
 #include "core/base/control_group.h"
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -175,16 +176,15 @@ void PointFiles::Impl::add(std::size_t file, const PointStream& stream) {
   const bool same_intensities =
       intensity_type == stream.intensityType() && word_intensities == stream.hasWordIntensities();
   if (!same_colours && (colour_type || stream.colourType())) {
-    info.warnings.push_back(shownName(files[file]) +
-                            ": its colours are not of the form of those before; no colours are "
-                            "taken.");
+    info.warnings.push_back(
+        relievo::said<MessageId::colours_of_another_form>(shownName(files[file])));
   }
   if (!same_colours) colour_type.reset();
   if (!same_intensities) intensity_type.reset();
 }
 
 void PointFiles::Impl::join(const Task& work) {
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   for (std::size_t file = 0; file < files.size(); ++file) {
     work.check();
     work.report("Opening the files", static_cast<double>(file) / static_cast<double>(files.size()));
@@ -192,11 +192,11 @@ void PointFiles::Impl::join(const Task& work) {
     info.warnings.clear();
     add(file, stream);
     const std::string name = shownName(files[file]);
-    for (const std::string& warning : info.warnings) warnings.push_back(warning);
+    warnings.insert(warnings.end(), info.warnings.begin(), info.warnings.end());
     if (file > 0) {
-      for (const std::string& warning : stream.info().warnings) {
-        warnings.push_back(warning.find(name) == std::string::npos ? name + ": " + warning
-                                                                   : warning);
+      for (const Message& warning : stream.info().warnings) {
+        const bool names_it = englishText(warning).find(name) != std::string::npos;
+        warnings.push_back(names_it ? warning : said<MessageId::remark_on_file>(name, warning));
       }
     }
     info.parts.push_back({.name = name, .points = stream.info().points, .viewpoint = {}});
@@ -204,7 +204,7 @@ void PointFiles::Impl::join(const Task& work) {
   if (warnings.size() > kMostWarnings) {
     const std::size_t more = warnings.size() - kMostWarnings;
     warnings.resize(kMostWarnings);
-    warnings.push_back("And " + std::to_string(more) + " more such remarks on the files.");
+    warnings.push_back(said<MessageId::more_remarks_on_files>(more));
   }
   info.warnings = std::move(warnings);
   opener = std::make_unique<Opener>();

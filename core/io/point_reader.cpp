@@ -23,6 +23,7 @@
 #include "core/io/scan_builder.h"
 #include "core/io/worker/planted_fault.h"
 #include "core/io/worker/reader_guard.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -131,7 +132,7 @@ void PointReader::openLas(const ImportOptions& options, const Task& task, Stream
   const bool values = parts == StreamedParts::values;
   record_bytes_ = values ? last_byte : kPointBytes;
   LazFile laz = readLazFile(source, header, head_.info.file);
-  if (!laz.has_list) head_.info.warnings.emplace_back(kLazListMissing);
+  if (!laz.has_list) head_.info.warnings.push_back(said<MessageId::laz_list_missing>());
   setPoints(laz.points, header.points, options);
   // Withheld points are told by their flags.
   const LazWanted wanted{
@@ -188,7 +189,7 @@ void PointReader::setPoints(std::uint64_t found, std::uint64_t promised,
   head_.info.points = found;
   if (head_.info.points < promised) {
     const Task task;
-    handleTruncation({"points", promised, head_.info.points, head_.info.points},
+    handleTruncation({RecordKind::points, promised, head_.info.points, head_.info.points},
                      {head_.info.file, {}, options, task}, head_.info);
   }
   if (head_.info.points == 0) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/point_values.h"
+#include "core/message/catalogue.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,10 +95,10 @@ std::uint16_t IntensityScale::operator()(float number) const noexcept {
 }
 
 std::vector<Rgba> settledColours(std::span<const std::array<float, 3>> stored, ColourFact& fact,
-                                 std::vector<std::string>& warnings) {
+                                 std::vector<Message>& warnings) {
   ColourScale scale;
   for (const auto& colour : stored) scale.look(colour);
-  if (scale.isBeyond()) warnings.emplace_back(kBeyondWords);
+  if (scale.isBeyond()) warnings.push_back(said<MessageId::colours_beyond_words>());
   if (!scale.hasColours()) return {};
   fact.bits = scale.bits();
   std::vector<Rgba> colours;
@@ -106,7 +107,7 @@ std::vector<Rgba> settledColours(std::span<const std::array<float, 3>> stored, C
   return colours;
 }
 
-void settleByteColours(std::vector<Rgba>& colours, std::vector<std::string>& warnings) {
+void settleByteColours(std::vector<Rgba>& colours, std::vector<Message>& warnings) {
   std::uint8_t most = 0;
   for (const Rgba& c : colours) {
     most = std::max({most, c[0], c[1], c[2]});
@@ -119,8 +120,7 @@ void settleByteColours(std::vector<Rgba>& colours, std::vector<std::string>& war
   for (Rgba& c : colours) {
     for (std::size_t i = 0; i < 3; ++i) c[i] = c[i] != 0 ? 255 : 0;
   }
-  warnings.emplace_back(
-      "Its colours hold nothing but 0 and 1; they were taken as none and all of red, green, blue.");
+  warnings.push_back(said<MessageId::colours_zero_and_one>());
 }
 
 std::vector<std::uint16_t> settledIntensities(std::span<const float> stored,

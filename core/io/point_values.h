@@ -69,15 +69,11 @@ class IntensityScale {
 /// @param fact  its `bits` are set to what was found
 /// @return  empty if no point has a colour: all are 0, or beyond 65535
 std::vector<Rgba> settledColours(std::span<const std::array<float, 3>> stored, ColourFact& fact,
-                                 std::vector<std::string>& warnings);
-
-/// What a warning says where ColourScale::isBeyond.
-inline constexpr std::string_view kBeyondWords =
-    "Its colours hold numbers beyond 65535, which mean nothing known; they were left out.";
+                                 std::vector<Message>& warnings);
 
 /// The same of 8-bit numbers. Programs that cast 0 ... 1 to whole numbers write nothing but 0 and
 /// 1; these are spread over the range, and a warning says so. Empties the list if all are 0.
-void settleByteColours(std::vector<Rgba>& colours, std::vector<std::string>& warnings);
+void settleByteColours(std::vector<Rgba>& colours, std::vector<Message>& warnings);
 
 /// Intensities as whole numbers. Formats promise ranges that their writers do not keep, so the
 /// range is that of the numbers, without stray ones. Whole numbers of 16 bits stay as they are. NaN

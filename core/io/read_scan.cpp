@@ -10,6 +10,7 @@
 #include "core/io/format.h"
 #include "core/io/mapped_file.h"
 #include "core/io/worker/reader_guard.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 
@@ -37,34 +38,40 @@ bool isWantedPart(const ReadJob& job, std::size_t index) {
 namespace {
 
 [[noreturn]] void throwEndsEarly(const Truncation& shortfall, const ReadJob& job) {
+  const std::string file = shownName(job.file);
   const CountArgument promised = CountArgument::grouped(shortfall.promised);
   const CountArgument found = CountArgument::grouped(shortfall.found);
-  if (shortfall.complete_points == 0) {
-    throw failure<MessageId::file_ends_early>(shownName(job.file), promised, found);
+  const CountArgument points = CountArgument::grouped(shortfall.complete_points);
+  const bool none = shortfall.complete_points == 0;
+  if (shortfall.records == RecordKind::faces) {
+    if (none) throw failure<MessageId::file_ends_early_faces>(file, promised, found);
+    throw failure<MessageId::file_ends_early_faces_with_points>(file, promised, found, points);
   }
-  throw failure<MessageId::file_ends_early_with_points>(
-      shownName(job.file), promised, found, CountArgument::grouped(shortfall.complete_points));
+  if (shortfall.records == RecordKind::bytes) {
+    if (none) throw failure<MessageId::file_ends_early_bytes>(file, promised, found);
+    throw failure<MessageId::file_ends_early_bytes_with_points>(file, promised, found, points);
+  }
+  if (none) throw failure<MessageId::file_ends_early>(file, promised, found);
+  throw failure<MessageId::file_ends_early_with_points>(file, promised, found, points);
 }
 
 }  // namespace
 
 void handleTruncation(const Truncation& shortfall, const ReadJob& job, ScanInfo& info) {
-  const std::string records(shortfall.records);
-  const std::string found = grouped(shortfall.found);
-  if (job.options.accept_incomplete) {
-    info.warnings.push_back("The file is incomplete: its header promises " +
-                            grouped(shortfall.promised) + " " + records + ", it ends at " + found +
-                            ". What is there was loaded.");
-    return;
+  if (!job.options.accept_incomplete) throwEndsEarly(shortfall, job);
+  const CountArgument promised = CountArgument::grouped(shortfall.promised);
+  const CountArgument found = CountArgument::grouped(shortfall.found);
+  switch (shortfall.records) {
+    case RecordKind::points:
+      info.warnings.push_back(said<MessageId::incomplete_points>(promised, found));
+      break;
+    case RecordKind::faces:
+      info.warnings.push_back(said<MessageId::incomplete_faces>(promised, found));
+      break;
+    case RecordKind::bytes:
+      info.warnings.push_back(said<MessageId::incomplete_bytes>(promised, found));
+      break;
   }
-  if (records == "points") throwEndsEarly(shortfall, job);
-  std::string message = "Cannot read " + shownName(job.file) + ": header promises " +
-                        grouped(shortfall.promised) + " " + records + ", file ends at " + found +
-                        ". Nothing was loaded. ";
-  if (shortfall.complete_points == 0) throw FileError(message + "Choose another file.");
-  message += "Load the " + grouped(shortfall.complete_points) + " ";
-  message += records == "faces" ? "points and " + found + " complete faces" : "complete points";
-  throw FileError(message + ", or choose another file.", "E101");
 }
 
 Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,

@@ -17,7 +17,8 @@ namespace relievo {
 
 /// See texture_file.h.
 using LoadTexture = std::optional<Texture> (*)(const std::filesystem::path& file,
-                                               std::uint64_t most_texels, std::string& reason);
+                                               std::uint64_t most_texels,
+                                               std::optional<Message>& reason);
 
 /// What a program reads by large libraries; null where it has none.
 struct ReadLibraries {
@@ -65,9 +66,12 @@ void checkParts(const ReadJob& job, std::size_t count);
 /// Is the scan of this index (from 0) to be read?
 bool isWantedPart(const ReadJob& job, std::size_t index);
 
+/// What a header counts.
+enum class RecordKind : std::uint8_t { points, faces, bytes };
+
 /// A file that ends before what its header promises.
 struct Truncation {
-  std::string_view records = "points";  ///< Or "faces", or "bytes".
+  RecordKind records = RecordKind::points;
   std::uint64_t promised = 0;
   std::uint64_t found = 0;            ///< Complete ones.
   std::uint64_t complete_points = 0;  ///< What can be loaded with accept_incomplete.

@@ -11,6 +11,7 @@
 #include "core/io/file_check.h"
 #include "core/io/formats/polygon.h"
 #include "core/io/point_values.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -326,9 +327,7 @@ void ScanBuilder::makeTriangles() {
   }
   if (fanned_ > 0) {
     scan_.info.warnings.push_back(
-        grouped(fanned_) +
-        " faces have dents and more than 4096 corners; they were cut into triangles without regard "
-        "to these. Split them where they were made.");
+        said<MessageId::faces_cut_without_dents>(CountArgument::grouped(fanned_)));
   }
 }
 
@@ -341,25 +340,24 @@ Scan ScanBuilder::finish() {
   if (sink_ != nullptr) leave();
   if (info.finite_points > 0) info.bounds = box_;
   if (info.dropped_faces > 0) {
-    info.warnings.push_back(grouped(info.dropped_faces) + " of " + grouped(info.faces) +
-                            " faces were left out: they name points that are not there or not "
-                            "finite, or have fewer than three corners.");
+    info.warnings.push_back(said<MessageId::faces_left_out>(
+        CountArgument::grouped(info.dropped_faces), CountArgument::grouped(info.faces)));
   }
   if (every_ != 1) {
-    info.warnings.push_back("One point in " + grouped(every_) + " was taken: " +
-                            grouped(keptOf(info.points)) + " of " + grouped(info.points) + ".");
+    info.warnings.push_back(said<MessageId::one_point_in_several>(
+        CountArgument::grouped(every_), CountArgument::grouped(keptOf(info.points)),
+        CountArgument::grouped(info.points)));
   }
   if (too_far_ > 0) {
-    info.warnings.push_back(grouped(too_far_) +
-                            " points beyond 1e38 were left out; they are no measurements.");
+    info.warnings.push_back(said<MessageId::points_too_far>(CountArgument::grouped(too_far_)));
   }
   if (info.finite_points == 0) {
     throw failure<MessageId::no_finite_point>(shownName(info.file),
                                               CountArgument::grouped(info.points));
   }
   if (info.bounds->min == info.bounds->max) {
-    info.warnings.emplace_back(info.finite_points == 1 ? "The scan has one point only."
-                                                       : "All points are the same.");
+    info.warnings.push_back(info.finite_points == 1 ? said<MessageId::scan_of_one_point>()
+                                                    : said<MessageId::points_all_the_same>());
   }
   return std::move(scan_);
 }

@@ -2,33 +2,28 @@
 #include "core/io/system_unit.h"
 
 #include <array>
-#include <string>
 
 #include "core/io/formats/number_text.h"
 #include "core/io/formats/unit_text.h"
 #include "core/io/raster/raster_file.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 
 double addUnitOfSystem(const LasSystem& named, ScanInfo& info) {
-  const std::string system =
-      "It names its coordinate system, EPSG:" + std::to_string(named.code) + ", ";
   const auto facts = systemFacts(named.code);
   if (!facts) {
-    info.warnings.push_back(system + "which is not known here, and no unit; state it with --unit.");
+    info.warnings.push_back(said<MessageId::system_unknown>(named.code));
     return 1;
   }
   if (facts->is_geographic) {
-    info.warnings.push_back(system +
-                            "whose x and y are degrees, not lengths, so shapes will be wrong. "
-                            "Reproject it to metres.");
+    info.warnings.push_back(said<MessageId::system_in_degrees>(named.code));
     return 1;
   }
-  const double metres = facts->metres;
-  info.unit = unitOfMetres(metres);
+  info.unit = unitOfMetres(facts->metres);
   if (!info.unit) {
-    info.warnings.push_back(system + "whose unit of " + roundTripText(std::array{metres}) +
-                            " m is not known here; state it with --unit.");
+    info.warnings.push_back(
+        said<MessageId::system_unit_unknown>(named.code, roundTripText(std::array{facts->metres})));
   }
   return heightFactor(named, info);
 }

@@ -51,6 +51,13 @@ std::string englishText(const std::vector<Message>& sentences) {
   return text;
 }
 
+std::vector<std::string> englishTexts(const std::vector<Message>& sentences) {
+  std::vector<std::string> texts;
+  texts.reserve(sentences.size());
+  for (const Message& sentence : sentences) texts.push_back(englishText(sentence));
+  return texts;
+}
+
 std::string englishSpoken(const Message& message) {
   return spokenIn(MessageLanguage{}, message);
 }

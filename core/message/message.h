@@ -105,6 +105,8 @@ std::string englishText(const Message& message);
 /// The same for one argument, and for sentences one after the other.
 std::string englishText(const MessageArgument& argument);
 std::string englishText(const std::vector<Message>& sentences);
+/// Each of them on its own.
+std::vector<std::string> englishTexts(const std::vector<Message>& sentences);
 /// For ears: the shorter sentence where the catalogue has one.
 std::string englishSpoken(const Message& message);
 /// "E101", or nothing. It is that of a message within, if this one has none.

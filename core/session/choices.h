@@ -16,9 +16,6 @@ namespace relievo {
 // What is chosen between a file and its surface, the same for maps in memory and for tiled ones.
 // Each says in surface.messages what it chose unasked.
 
-/// What readers say of a file, in their own words (ScanInfo::warnings), as messages.
-std::vector<Message> quoted(const std::vector<std::string>& warnings);
-
 /// What there is to say, if there is something.
 void say(std::vector<Message>& messages, std::optional<Message> message);
 void say(std::vector<Message>& messages, std::vector<Message> more);

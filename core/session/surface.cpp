@@ -58,14 +58,6 @@ void requireCells(double cols, double rows, MapPlace place) {
 
 }  // namespace
 
-std::vector<Message> quoted(const std::vector<std::string>& warnings) {
-  std::vector<Message> messages;
-  for (const std::string& warning : warnings) {
-    messages.push_back(said<MessageId::quoted>(warning));
-  }
-  return messages;
-}
-
 void say(std::vector<Message>& messages, std::optional<Message> message) {
   if (message) messages.push_back(*std::move(message));
 }
@@ -88,7 +80,8 @@ void sayScale(Surface& surface, const ScaleInUse& scale) {
   std::erase_if(surface.messages, [](const Message& message) {
     return message.id == MessageId::unit_assumed ||
            message.id == MessageId::unit_assumed_but_likelier ||
-           message.id == MessageId::unit_guessed || englishText(message) == kNoGeoreference;
+           message.id == MessageId::unit_guessed ||
+           message.id == MessageId::raster_without_georeference;
   });
   say(surface.messages, scaleWords(scale));
 }
@@ -315,7 +308,7 @@ void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceO
 Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const DepthEngine& engine,
                     const Task& task) {
   Surface surface;
-  surface.messages = quoted(whole.info.warnings);
+  surface.messages = whole.info.warnings;
   Stopwatch watch;
   if (!options.nodata) surface.suspect_height = suspectHeight(whole);
   const std::optional<double> missing = missingHeight(options.nodata, surface.suspect_height);
@@ -394,7 +387,7 @@ Surface makeSurface(const RasterMap& raster, const SurfaceOptions& options, cons
   Surface surface;
   surface.info = raster.info;
   surface.is_raster = true;
-  surface.messages = quoted(raster.info.warnings);
+  surface.messages = raster.info.warnings;
   Stopwatch watch;
   if (raster.is_own_map) {
     takeOwnMap(surface, raster);

@@ -43,6 +43,7 @@ struct HapticLoop::Impl {
   ButtonRing buttons;
   HeardRing heard;
   std::atomic<bool> listened{false};
+  std::atomic<bool> resting{false};
   SnapshotRing snapshots;
   std::atomic<bool> snapshot_wanted{false};
   std::atomic<std::int64_t> alive_ns{0};
@@ -54,7 +55,9 @@ struct HapticLoop::Impl {
   void run(std::promise<RealtimeGrant> started);
   void settle();
   HapticOptions optionsNow(std::int64_t now_ns, bool forces_allowed) RELIEVO_REALTIME;
-  void tick(std::int64_t deadline_ns, std::int64_t now_ns, bool forces_allowed) RELIEVO_REALTIME;
+  bool mayRest() const RELIEVO_REALTIME;
+  void tick(std::int64_t deadline_ns, std::int64_t now_ns, bool rested,
+            bool forces_allowed) RELIEVO_REALTIME;
   void reportButtons(const HapticSample& sample) RELIEVO_REALTIME;
 };
 
@@ -91,9 +94,16 @@ HapticOptions HapticLoop::Impl::optionsNow(std::int64_t now_ns,
   return withinDevice(now, device->info());
 }
 
-void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
+/// A device that pushes is never left alone for longer than a period, nor is who listens: sound
+/// keeps time by the ticks.
+bool HapticLoop::Impl::mayRest() const RELIEVO_REALTIME {
+  return resting.load(std::memory_order_relaxed) && !listened.load(std::memory_order_relaxed) &&
+         !(device->info().max_force_n > 0);
+}
+
+void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns, bool rested,
                             bool forces_allowed) RELIEVO_REALTIME {
-  const bool late = meter.wake(deadline_ns, now_ns, loop_options.period_ns);
+  const bool late = meter.wake(deadline_ns, now_ns, loop_options.period_ns, rested);
   if (!core.changing()) spaces.update();  // One change at a time; the newest window waits.
   const HapticOptions now_options = optionsNow(now_ns, forces_allowed);
   if (watchdog->beat(now_ns)) core.resume();
@@ -144,14 +154,16 @@ void HapticLoop::Impl::run(std::promise<RealtimeGrant> started) {
 
   settle();
 
-  const std::int64_t period = loop_options.period_ns;
+  const std::int64_t usual = loop_options.period_ns, slow = std::max(usual, kRestPeriodNs);
+  std::int64_t period = usual;
   std::int64_t deadline = monotonicNs() + period;
   meter.begin(deadline - period);
   for (bool leaving = false; !leaving;) {
     sleepUntil(deadline);
     const std::int64_t now = monotonicNs();
     leaving = stopping.load(std::memory_order_acquire);  // Then this tick is the last, at zero.
-    tick(deadline, now, !leaving);
+    tick(deadline, now, period != usual, !leaving);
+    period = mayRest() ? slow : usual;
     deadline = nextDeadline(deadline, now, period);
   }
   watchdog->rest();
@@ -233,6 +245,9 @@ void HapticLoop::listen(bool on) noexcept {
 }
 void HapticLoop::wantSnapshot() noexcept {
   impl_->snapshot_wanted.store(true, std::memory_order_relaxed);
+}
+void HapticLoop::rest(bool at_rest) noexcept {
+  impl_->resting.store(at_rest, std::memory_order_relaxed);
 }
 SnapshotRing& HapticLoop::snapshots() noexcept {
   return impl_->snapshots;

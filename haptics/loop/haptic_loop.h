@@ -69,6 +69,11 @@ class HapticLoop {
   /// [any thread] Asks for a snapshot before one of the next ticks; it is there before its sample.
   void wantSnapshot() noexcept;
   SnapshotRing& snapshots() noexcept;  ///< [drain thread reads]
+  /// [any thread] Nobody moves the hand, and nothing is felt or recorded: the next ticks may be
+  /// kRestPeriodNs apart. Only of a device that cannot push, and while nobody listen()s; else the
+  /// loop ticks on as before. The end of a rest waits for the next tick, at most kRestPeriodNs.
+  void rest(bool at_rest) noexcept;
+  static constexpr std::int64_t kRestPeriodNs = 4'000'000;  ///< Far below any pause or stall.
   /// [any thread] The window lives; see ForceStopOptions::window_silence_s. start() says it, too.
   void sayAlive() noexcept;
 

@@ -15,22 +15,28 @@ void count(std::array<std::uint64_t, Edges + 1>& bins, const std::array<std::int
 }
 }  // namespace
 
-bool LoopMeter::wake(std::int64_t deadline_ns, std::int64_t now_ns,
-                     std::int64_t period_ns) RELIEVO_REALTIME {
+bool LoopMeter::wake(std::int64_t deadline_ns, std::int64_t now_ns, std::int64_t period_ns,
+                     bool at_rest) RELIEVO_REALTIME {
   const std::int64_t delay = now_ns - deadline_ns;
   count(stats_.delays, LoopStats::kDelayEdgesNs, delay);
   ++stats_.ticks;
   const bool late = delay > period_ns / 2;
   if (late) ++stats_.late_ticks;
-  if (stats_.ticks > 1) {
+  stats_.at_rest = at_rest;
+  if (stats_.ticks > 1 && !at_rest) {
     stats_.worst_period_ms =
         std::max(stats_.worst_period_ms, 1e-6 * static_cast<double>(now_ns - last_ns_));
   }
   last_ns_ = now_ns;
   constexpr std::uint64_t kTicksPerRate = 256;
-  if (stats_.ticks % kTicksPerRate == 0 && now_ns > mark_ns_) {
-    stats_.rate_hz = 1e9 * kTicksPerRate / static_cast<double>(now_ns - mark_ns_);
+  if (at_rest) {
     mark_ns_ = now_ns;
+    ticks_since_mark_ = 0;
+  } else if (++ticks_since_mark_ >= kTicksPerRate && now_ns > mark_ns_) {
+    stats_.rate_hz =
+        1e9 * static_cast<double>(ticks_since_mark_) / static_cast<double>(now_ns - mark_ns_);
+    mark_ns_ = now_ns;
+    ticks_since_mark_ = 0;
   }
   return late;
 }

@@ -149,12 +149,17 @@ std::uint64_t LoopSession::lead(GuidePath path) {
   return path.id;
 }
 
+void LoopSession::setUrgent(bool urgent) {
+  loop_->rest(!urgent);
+  drain_->setUrgent(urgent);
+}
+
 void LoopSession::startRecording(const std::string& file, const std::string& header) {
   if (!shown_ && filling_.valid()) {  // The very first: a few milliseconds.
     filling_.wait();
     takePrepared();
   }
-  drain_->setUrgent(true);  // What waits was before the recording.
+  setUrgent(true);  // What waits was before the recording.
   recorder_.start(file, header, shown_.get());
   recording_folder_ = std::filesystem::path(file).parent_path();
   prepareNext();

@@ -50,8 +50,9 @@ class LoopSession {
   /// There is a surface, or one is being prepared.
   bool hasWindow() const noexcept { return has_window_ || isPreparing(); }
   bool isPreparing() const noexcept { return filling_.valid() || waiting_; }
-  /// False while the hand rests and nothing is felt or recorded; see SampleDrain.
-  void setUrgent(bool urgent) { drain_->setUrgent(urgent); }
+  /// False while the hand rests and nothing is felt or recorded; see SampleDrain and
+  /// HapticLoop::rest().
+  void setUrgent(bool urgent);
   /// How long after another one a surface that nobody feels is prepared.
   void setUnfeltEvery(std::chrono::milliseconds time) { pace_.unfelt_every = time; }
   /// Why a surface could not be prepared, once; empty: nothing went wrong.

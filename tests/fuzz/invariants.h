@@ -39,7 +39,7 @@ inline void checkScan(const Scan& scan) {
           "a box is finite");
   require(isFinite(scan.origin), "the origin is finite");
   require(info.dropped_faces <= info.faces, "no more faces dropped than there are");
-  for (const std::string& warning : info.warnings) checkSentence(warning);
+  for (const Message& warning : info.warnings) checkSentence(englishText(warning));
   for (const auto& p : scan.points) {
     require(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]), "points are finite");
   }

@@ -327,7 +327,7 @@ void addAnswers(const Seeds& seeds) {
   scan.info.finite_points = 3;
   scan.info.faces = 1;
   scan.info.unit = LengthUnit::ft;
-  scan.info.warnings = {"One.", "Two."};
+  scan.info.warnings = {said<MessageId::quoted>("One."), said<MessageId::raster_bands>(2)};
   scan.info.bounds = FileBounds{{0, 0, 0}, {1, 1, 0}};
   scan.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   scan.triangles = {{0, 1, 2}};

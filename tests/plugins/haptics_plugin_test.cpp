@@ -199,6 +199,12 @@ TEST_F(HapticsPluginTest, AHandAtRestCostsNoFrames) {
     return settled == 0;
   }));
   EXPECT_EQ(host_.probes.back().window_id, target.window_id);
+  const auto loop_rests = [this] {
+    return inPanel<QLabel>("loopHealth")->text().contains("250 times a second while it rests");
+  };
+  EXPECT_TRUE(eventually(loop_rests));
+  host_.actions.at("forces")->trigger();
+  EXPECT_TRUE(eventually([&] { return !loop_rests(); }));
 }
 
 TEST_F(HapticsPluginTest, TellsTheLoopsHealthOnceInThirtyTwoFrames) {

@@ -825,6 +825,10 @@
         <source>Map by tiles</source>
         <translation>Karte in Kacheln</translation>
     </message>
+    <message>
+        <source>Looks at the hand 250 times a second while it rests; before:</source>
+        <translation>Sieht 250-mal je Sekunde nach der Hand, solange sie ruht; davor:</translation>
+    </message>
 </context>
 <context>
     <name>relievo::AddressDialog</name>
@@ -9304,6 +9308,270 @@
     <message>
         <source>Points and spread per cell are known for point clouds by the method CPU only; no quality map was written.</source>
         <translation>Punkte und Streuung je Zelle sind nur für Punktwolken mit dem Verfahren CPU bekannt; es wurde keine Qualitätskarte geschrieben.</translation>
+    </message>
+    <message>
+        <source>The file is incomplete: its header promises {1|%1 point|%1 points}, it ends at %2. What is there was loaded.</source>
+        <translation>Die Datei ist unvollständig: Ihr Dateikopf verspricht {1|%1 Punkt|%1 Punkte}, sie endet bei %2. Geladen wurde, was da ist.</translation>
+    </message>
+    <message>
+        <source>The file is incomplete: its header promises {1|%1 face|%1 faces}, it ends at %2. What is there was loaded.</source>
+        <translation>Die Datei ist unvollständig: Ihr Dateikopf verspricht {1|%1 Fläche|%1 Flächen}, sie endet bei %2. Geladen wurde, was da ist.</translation>
+    </message>
+    <message>
+        <source>The file is incomplete: its header promises %1 bytes, it ends at %2. What is there was loaded.</source>
+        <translation>Die Datei ist unvollständig: Ihr Dateikopf verspricht %1 Bytes, sie endet bei %2. Geladen wurde, was da ist.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises {2|%2 face|%2 faces}, file ends at %3. Nothing was loaded. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht {2|%2 Fläche|%2 Flächen}, die Datei endet bei %3. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises {2|%2 face|%2 faces}, file ends at %3. Nothing was loaded. Load the {4|%4 point|%4 points} and {3|%3 complete face|%3 complete faces}, or choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht {2|%2 Fläche|%2 Flächen}, die Datei endet bei %3. Nichts wurde geladen. Laden Sie {4|den %4 Punkt|die %4 Punkte} und {3|die %3 vollständige Fläche|die %3 vollständigen Flächen}, oder wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises %2 bytes, file ends at %3. Nothing was loaded. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht %2 Bytes, die Datei endet bei %3. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises %2 bytes, file ends at %3. Nothing was loaded. Load the {4|%4 complete point|%4 complete points}, or choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht %2 Bytes, die Datei endet bei %3. Nichts wurde geladen. Laden Sie {4|den %4 vollständigen Punkt|die %4 vollständigen Punkte}, oder wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>{1|%1 face has|%1 faces have} dents and more than 4096 corners; {1|it was|they were} cut into triangles without regard to these. Split them where they were made.</source>
+        <translation>{1|%1 Fläche hat|%1 Flächen haben} einspringende Ecken und mehr als 4096 Ecken; {1|sie wurde|sie wurden} ohne Rücksicht darauf in Dreiecke zerlegt. Teilen Sie sie dort, wo sie entstanden sind.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces {1|was|were} left out: they name points that are not there or not finite, or have fewer than three corners.</source>
+        <translation>%1 von %2 Flächen {1|wurde|wurden} weggelassen: Sie nennen Punkte, die fehlen oder nicht endlich sind, oder haben weniger als drei Ecken.</translation>
+    </message>
+    <message>
+        <source>One point in %1 was taken: %2 of %3.</source>
+        <translation>Einer von %1 Punkten wurde genommen: %2 von %3.</translation>
+    </message>
+    <message>
+        <source>{1|%1 point|%1 points} beyond 1e38 {1|was|were} left out; they are no measurements.</source>
+        <translation>{1|%1 Punkt|%1 Punkte} jenseits von 1e38 {1|wurde|wurden} weggelassen; das sind keine Messwerte.</translation>
+    </message>
+    <message>
+        <source>The scan has one point only.</source>
+        <translation>Der Scan hat nur einen Punkt.</translation>
+    </message>
+    <message>
+        <source>All points are the same.</source>
+        <translation>Alle Punkte sind gleich.</translation>
+    </message>
+    <message>
+        <source>Its colours hold numbers beyond 65535, which mean nothing known; they were left out.</source>
+        <translation>Ihre Farben enthalten Zahlen über 65535, die nichts Bekanntes bedeuten; sie wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>Its colours hold nothing but 0 and 1; they were taken as none and all of red, green, blue.</source>
+        <translation>Ihre Farben enthalten nur 0 und 1; sie wurden als nichts und alles von Rot, Grün, Blau genommen.</translation>
+    </message>
+    <message>
+        <source>%1: its colours are not of the form of those before; no colours are taken.</source>
+        <translation>%1: Ihre Farben haben nicht die Form der vorigen; es werden keine Farben übernommen.</translation>
+    </message>
+    <message>
+        <source>And %1 more such {1|remark|remarks} on the files.</source>
+        <translation>Und {1|%1 weitere Bemerkung|%1 weitere Bemerkungen} dieser Art zu den Dateien.</translation>
+    </message>
+    <message>
+        <source>Commas were read as decimal points.</source>
+        <translation>Kommas wurden als Dezimalzeichen gelesen.</translation>
+    </message>
+    <message>
+        <source>Line %1 names no columns x, y, z; the first three columns were taken.</source>
+        <translation>Zeile %1 nennt keine Spalten x, y, z; die ersten drei Spalten wurden genommen.</translation>
+    </message>
+    <message>
+        <source>The first line promises %1 points; the file holds %2, and all were loaded.</source>
+        <translation>Die erste Zeile verspricht %1 Punkte; die Datei enthält %2, und alle wurden geladen.</translation>
+    </message>
+    <message>
+        <source>Header line %1 (&quot;%2&quot;) is not of PLY; it was passed over.</source>
+        <translation>Zeile %1 des Dateikopfs („%2“) gehört nicht zu PLY; sie wurde übergangen.</translation>
+    </message>
+    <message>
+        <source>Header line %1 (&quot;%2&quot;) is not of PCD; it was passed over.</source>
+        <translation>Zeile %1 des Dateikopfs („%2“) gehört nicht zu PCD; sie wurde übergangen.</translation>
+    </message>
+    <message>
+        <source>The file ends early, within &quot;%1&quot;; all points were loaded.</source>
+        <translation>Die Datei endet zu früh, mitten in „%1“; alle Punkte wurden geladen.</translation>
+    </message>
+    <message>
+        <source>Its &quot;%1&quot; records are of a kind that is not read; the points were loaded without faces.</source>
+        <translation>Ihre Einträge „%1“ sind von einer Art, die nicht gelesen wird; die Punkte wurden ohne Flächen geladen.</translation>
+    </message>
+    <message>
+        <source>Its faces have colours, its points none; colours of faces are not read. Save it with colours of vertices.</source>
+        <translation>Ihre Flächen haben Farben, ihre Punkte keine; Farben von Flächen werden nicht gelesen. Speichern Sie sie mit Farben der Punkte.</translation>
+    </message>
+    <message>
+        <source>Bytes after the last triangle were ignored.</source>
+        <translation>Bytes nach dem letzten Dreieck wurden nicht beachtet.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, which it names, %2; the mesh was loaded without it.</source>
+        <translation>„%1“, von der Datei genannt, %2; das Netz wurde ohne dies geladen.</translation>
+    </message>
+    <message>
+        <source>lies outside its folder and was not opened</source>
+        <translation>liegt außerhalb ihres Ordners und wurde nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>is not there</source>
+        <translation>ist nicht da</translation>
+    </message>
+    <message>
+        <source>is no file, or too large</source>
+        <translation>ist keine Datei oder zu groß</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>is one picture too many</source>
+        <translation>ist ein Bild zu viel</translation>
+    </message>
+    <message>
+        <source>carries more metadata than are taken</source>
+        <translation>trägt mehr Metadaten, als übernommen werden</translation>
+    </message>
+    <message>
+        <source>is no PNG, JPEG or TIFF picture</source>
+        <translation>ist kein Bild in PNG, JPEG oder TIFF</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 pixels, more than are taken</source>
+        <translation>hat %1 x %2 Pixel, mehr, als übernommen werden</translation>
+    </message>
+    <message>
+        <source>is no picture of 8 or 16 bits</source>
+        <translation>ist kein Bild mit 8 oder 16 Bit</translation>
+    </message>
+    <message>
+        <source>cannot be decoded (%1)</source>
+        <translation>kann nicht entschlüsselt werden (%1)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans {1|was|were} left out: %3.</source>
+        <translation>%1 von %2 Scans {1|wurde|wurden} weggelassen: %3.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans {1|was|were} left out: %3 and others.</source>
+        <translation>%1 von %2 Scans {1|wurde|wurden} weggelassen: %3 und andere.</translation>
+    </message>
+    <message>
+        <source>scan %1 (%2)</source>
+        <translation>Scan %1 (%2)</translation>
+    </message>
+    <message>
+        <source>scan %1 &quot;%2&quot; (%3)</source>
+        <translation>Scan %1 „%2“ (%3)</translation>
+    </message>
+    <message>
+        <source>%1 of its points {1|is|are} marked as withheld (not to be used) and {1|was|were} taken all the same.</source>
+        <translation>%1 ihrer Punkte {1|ist|sind} als zurückgehalten (nicht zu verwenden) gekennzeichnet und {1|wurde|wurden} trotzdem genommen.</translation>
+    </message>
+    <message>
+        <source>%1 of its points {1|is|are} marked as withheld (not to be used) and {1|was|were} left out. --keep-withheld takes them.</source>
+        <translation>%1 ihrer Punkte {1|ist|sind} als zurückgehalten (nicht zu verwenden) gekennzeichnet und {1|wurde|wurden} weggelassen. --keep-withheld nimmt sie.</translation>
+    </message>
+    <message>
+        <source>Bytes after the last of the points that the header promises were ignored.</source>
+        <translation>Bytes nach dem letzten der Punkte, die der Dateikopf verspricht, wurden nicht beachtet.</translation>
+    </message>
+    <message>
+        <source>Its heights are in %1, its x and y in %2; heights were converted to %2.</source>
+        <translation>Ihre Höhen sind in %1, ihre x und y in %2; die Höhen wurden in %2 umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Its x and y are degrees, not lengths, so shapes will be wrong. Reproject it to metres, for example with pdal translate and filters.reprojection.</source>
+        <translation>Ihre x und y sind Grad und keine Längen, sodass Formen falsch werden. Projizieren Sie sie in Meter um, zum Beispiel mit pdal translate und filters.reprojection.</translation>
+    </message>
+    <message>
+        <source>It states a unit %1, which is not known here; state it with --unit.</source>
+        <translation>Sie nennt eine Einheit %1, die hier nicht bekannt ist; geben Sie sie mit --unit an.</translation>
+    </message>
+    <message>
+        <source>It names its coordinate system, EPSG:%1, which is not known here, and no unit; state it with --unit.</source>
+        <translation>Sie nennt ihr Koordinatensystem, EPSG:%1, das hier nicht bekannt ist, und keine Einheit; geben Sie sie mit --unit an.</translation>
+    </message>
+    <message>
+        <source>It names its coordinate system, EPSG:%1, whose x and y are degrees, not lengths, so shapes will be wrong. Reproject it to metres.</source>
+        <translation>Sie nennt ihr Koordinatensystem, EPSG:%1, dessen x und y Grad und keine Längen sind, sodass Formen falsch werden. Projizieren Sie sie in Meter um.</translation>
+    </message>
+    <message>
+        <source>It names its coordinate system, EPSG:%1, whose unit of %2 m is not known here; state it with --unit.</source>
+        <translation>Sie nennt ihr Koordinatensystem, EPSG:%1, dessen Einheit von %2 m hier nicht bekannt ist; geben Sie sie mit --unit an.</translation>
+    </message>
+    <message>
+        <source>Points lie outside the box that the header states, so that the file may be damaged: LAZ holds no checksum.</source>
+        <translation>Punkte liegen außerhalb des Quaders, den der Dateikopf nennt, sodass die Datei beschädigt sein kann: LAZ enthält keine Prüfsumme.</translation>
+    </message>
+    <message>
+        <source>The points are not of the returns that the header counts, so that the file may be damaged: LAZ holds no checksum.</source>
+        <translation>Die Punkte gehören nicht zu den Echos, die der Dateikopf zählt, sodass die Datei beschädigt sein kann: LAZ enthält keine Prüfsumme.</translation>
+    </message>
+    <message>
+        <source>Blocks of points hold bytes behind their last point, so that the file may be damaged: LAZ holds no checksum.</source>
+        <translation>Blöcke von Punkten enthalten Bytes hinter ihrem letzten Punkt, sodass die Datei beschädigt sein kann: LAZ enthält keine Prüfsumme.</translation>
+    </message>
+    <message>
+        <source>The file ends before the list of its blocks of points, so that it was cut or not written to its end; the blocks were found without it.</source>
+        <translation>Die Datei endet vor der Liste ihrer Blöcke von Punkten; sie wurde also abgeschnitten oder nicht zu Ende geschrieben. Die Blöcke wurden ohne die Liste gefunden.</translation>
+    </message>
+    <message>
+        <source>The raster has no georeference; one pixel was taken as one unit.</source>
+        <translation>Das Raster hat keine Georeferenz; ein Pixel wurde als eine Einheit genommen.</translation>
+    </message>
+    <message>
+        <source>The raster has %1 bands; the first was read as heights.</source>
+        <translation>Das Raster hat %1 Kanäle; der erste wurde als Höhen gelesen.</translation>
+    </message>
+    <message>
+        <source>The raster&apos;s unit of %1 m is not known here; state it with --unit.</source>
+        <translation>Die Einheit des Rasters von %1 m ist hier nicht bekannt; geben Sie sie mit --unit an.</translation>
+    </message>
+    <message>
+        <source>The raster states no unit for its heights; they were taken to be in the unit of its coordinates.</source>
+        <translation>Das Raster nennt keine Einheit für seine Höhen; sie wurden in der Einheit seiner Koordinaten genommen.</translation>
+    </message>
+    <message>
+        <source>Heights in %1 were converted to %2, the unit of the coordinates.</source>
+        <translation>Höhen in %1 wurden in %2, die Einheit der Koordinaten, umgerechnet.</translation>
+    </message>
+    <message>
+        <source>The reference system of the heights was left out: it does not hold for another unit.</source>
+        <translation>Das Bezugssystem der Höhen wurde weggelassen: Es gilt nicht für eine andere Einheit.</translation>
+    </message>
+    <message>
+        <source>%1 was not written with the map and was left aside.</source>
+        <translation>%1 wurde nicht mit der Karte geschrieben und blieb unbeachtet.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another map and was left aside.</source>
+        <translation>%1 gehört zu einer anderen Karte und blieb unbeachtet.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read and was left aside.</source>
+        <translation>%1 kann nicht gelesen werden und blieb unbeachtet.</translation>
+    </message>
+    <message>
+        <source>%1 has another size than the map and was left aside.</source>
+        <translation>%1 hat eine andere Größe als die Karte und blieb unbeachtet.</translation>
+    </message>
+    <message>
+        <source>%1 does not fit the map and was left aside.</source>
+        <translation>%1 passt nicht zur Karte und blieb unbeachtet.</translation>
+    </message>
+    <message>
+        <source>In %1: %2</source>
+        <translation>In %1: %2</translation>
     </message>
 </context>
 <context>

@@ -825,6 +825,10 @@
         <source>Map by tiles</source>
         <translation>टाइलों से मानचित्र</translation>
     </message>
+    <message>
+        <source>Looks at the hand 250 times a second while it rests; before:</source>
+        <translation>हाथ के ठहरे रहते हुए उसे प्रति सेकंड 250 बार देखता है; पहले:</translation>
+    </message>
 </context>
 <context>
     <name>relievo::AddressDialog</name>
@@ -9304,6 +9308,270 @@
     <message>
         <source>Points and spread per cell are known for point clouds by the method CPU only; no quality map was written.</source>
         <translation>प्रति कोशिका बिंदु और फैलाव केवल CPU विधि से बिंदु-बादलों के लिए ज्ञात हैं; कोई गुणवत्ता मानचित्र नहीं लिखा गया।</translation>
+    </message>
+    <message>
+        <source>The file is incomplete: its header promises {1|%1 point|%1 points}, it ends at %2. What is there was loaded.</source>
+        <translation>फ़ाइल अधूरी है: उसका शीर्ष %1 बिंदु बताता है, वह %2 पर समाप्त होती है। जो है वह लोड हुआ।</translation>
+    </message>
+    <message>
+        <source>The file is incomplete: its header promises {1|%1 face|%1 faces}, it ends at %2. What is there was loaded.</source>
+        <translation>फ़ाइल अधूरी है: उसका शीर्ष %1 फलक बताता है, वह %2 पर समाप्त होती है। जो है वह लोड हुआ।</translation>
+    </message>
+    <message>
+        <source>The file is incomplete: its header promises %1 bytes, it ends at %2. What is there was loaded.</source>
+        <translation>फ़ाइल अधूरी है: उसका शीर्ष %1 बाइट बताता है, वह %2 पर समाप्त होती है। जो है वह लोड हुआ।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises {2|%2 face|%2 faces}, file ends at %3. Nothing was loaded. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 फलक बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises {2|%2 face|%2 faces}, file ends at %3. Nothing was loaded. Load the {4|%4 point|%4 points} and {3|%3 complete face|%3 complete faces}, or choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 फलक बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। %4 बिंदु और %3 पूरे फलक लोड करें, या दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises %2 bytes, file ends at %3. Nothing was loaded. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 बाइट बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises %2 bytes, file ends at %3. Nothing was loaded. Load the {4|%4 complete point|%4 complete points}, or choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 बाइट बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। %4 पूरे बिंदु लोड करें, या दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>{1|%1 face has|%1 faces have} dents and more than 4096 corners; {1|it was|they were} cut into triangles without regard to these. Split them where they were made.</source>
+        <translation>%1 फलकों में अंदर मुड़े कोने और 4096 से अधिक कोने हैं; वे इनका ध्यान रखे बिना त्रिभुजों में काटे गए। जहाँ वे बने, वहीं उन्हें बाँटें।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 faces {1|was|were} left out: they name points that are not there or not finite, or have fewer than three corners.</source>
+        <translation>%2 में से %1 फलक छोड़े गए: वे ऐसे बिंदु बताते हैं जो नहीं हैं या परिमित नहीं हैं, या उनके तीन से कम कोने हैं।</translation>
+    </message>
+    <message>
+        <source>One point in %1 was taken: %2 of %3.</source>
+        <translation>%1 में से एक बिंदु लिया गया: %3 में से %2।</translation>
+    </message>
+    <message>
+        <source>{1|%1 point|%1 points} beyond 1e38 {1|was|were} left out; they are no measurements.</source>
+        <translation>1e38 से परे के %1 बिंदु छोड़े गए; वे माप नहीं हैं।</translation>
+    </message>
+    <message>
+        <source>The scan has one point only.</source>
+        <translation>स्कैन में केवल एक बिंदु है।</translation>
+    </message>
+    <message>
+        <source>All points are the same.</source>
+        <translation>सभी बिंदु एक ही हैं।</translation>
+    </message>
+    <message>
+        <source>Its colours hold numbers beyond 65535, which mean nothing known; they were left out.</source>
+        <translation>उसके रंगों में 65535 से बड़ी संख्याएँ हैं, जिनका कोई ज्ञात अर्थ नहीं; वे छोड़ दिए गए।</translation>
+    </message>
+    <message>
+        <source>Its colours hold nothing but 0 and 1; they were taken as none and all of red, green, blue.</source>
+        <translation>उसके रंगों में केवल 0 और 1 हैं; वे लाल, हरे, नीले का शून्य और पूरा माने गए।</translation>
+    </message>
+    <message>
+        <source>%1: its colours are not of the form of those before; no colours are taken.</source>
+        <translation>%1: उसके रंग पहले वालों के रूप के नहीं हैं; कोई रंग नहीं लिए जाते।</translation>
+    </message>
+    <message>
+        <source>And %1 more such {1|remark|remarks} on the files.</source>
+        <translation>और फ़ाइलों पर ऐसी %1 और टिप्पणियाँ।</translation>
+    </message>
+    <message>
+        <source>Commas were read as decimal points.</source>
+        <translation>अल्पविराम दशमलव चिह्न के रूप में पढ़े गए।</translation>
+    </message>
+    <message>
+        <source>Line %1 names no columns x, y, z; the first three columns were taken.</source>
+        <translation>पंक्ति %1 स्तंभ x, y, z नहीं बताती; पहले तीन स्तंभ लिए गए।</translation>
+    </message>
+    <message>
+        <source>The first line promises %1 points; the file holds %2, and all were loaded.</source>
+        <translation>पहली पंक्ति %1 बिंदु बताती है; फ़ाइल में %2 हैं, और सब लोड हुए।</translation>
+    </message>
+    <message>
+        <source>Header line %1 (&quot;%2&quot;) is not of PLY; it was passed over.</source>
+        <translation>शीर्ष की पंक्ति %1 (“%2”) PLY की नहीं है; वह छोड़ दी गई।</translation>
+    </message>
+    <message>
+        <source>Header line %1 (&quot;%2&quot;) is not of PCD; it was passed over.</source>
+        <translation>शीर्ष की पंक्ति %1 (“%2”) PCD की नहीं है; वह छोड़ दी गई।</translation>
+    </message>
+    <message>
+        <source>The file ends early, within &quot;%1&quot;; all points were loaded.</source>
+        <translation>फ़ाइल समय से पहले, “%1” के बीच समाप्त होती है; सभी बिंदु लोड हुए।</translation>
+    </message>
+    <message>
+        <source>Its &quot;%1&quot; records are of a kind that is not read; the points were loaded without faces.</source>
+        <translation>उसके “%1” अभिलेख ऐसे प्रकार के हैं जो पढ़े नहीं जाते; बिंदु फलकों के बिना लोड हुए।</translation>
+    </message>
+    <message>
+        <source>Its faces have colours, its points none; colours of faces are not read. Save it with colours of vertices.</source>
+        <translation>उसके फलकों के रंग हैं, बिंदुओं के नहीं; फलकों के रंग पढ़े नहीं जाते। उसे बिंदुओं के रंगों के साथ सहेजें।</translation>
+    </message>
+    <message>
+        <source>Bytes after the last triangle were ignored.</source>
+        <translation>अंतिम त्रिभुज के बाद की बाइटों पर ध्यान नहीं दिया गया।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;, which it names, %2; the mesh was loaded without it.</source>
+        <translation>फ़ाइल में बताई गई “%1” %2; जाल उसके बिना लोड हुआ।</translation>
+    </message>
+    <message>
+        <source>lies outside its folder and was not opened</source>
+        <translation>उसके फ़ोल्डर से बाहर है और खोली नहीं गई</translation>
+    </message>
+    <message>
+        <source>is not there</source>
+        <translation>वहाँ नहीं है</translation>
+    </message>
+    <message>
+        <source>is no file, or too large</source>
+        <translation>कोई फ़ाइल नहीं है, या बहुत बड़ी है</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>पढ़ी नहीं जा सकती</translation>
+    </message>
+    <message>
+        <source>is one picture too many</source>
+        <translation>एक चित्र अधिक है</translation>
+    </message>
+    <message>
+        <source>carries more metadata than are taken</source>
+        <translation>में उससे अधिक मेटाडेटा है जितना लिया जाता है</translation>
+    </message>
+    <message>
+        <source>is no PNG, JPEG or TIFF picture</source>
+        <translation>PNG, JPEG या TIFF चित्र नहीं है</translation>
+    </message>
+    <message>
+        <source>has %1 x %2 pixels, more than are taken</source>
+        <translation>में %1 x %2 पिक्सेल हैं, जितने लिए जाते हैं उनसे अधिक</translation>
+    </message>
+    <message>
+        <source>is no picture of 8 or 16 bits</source>
+        <translation>8 या 16 बिट का चित्र नहीं है</translation>
+    </message>
+    <message>
+        <source>cannot be decoded (%1)</source>
+        <translation>डिकोड नहीं की जा सकती (%1)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans {1|was|were} left out: %3.</source>
+        <translation>%2 में से %1 स्कैन छोड़े गए: %3।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans {1|was|were} left out: %3 and others.</source>
+        <translation>%2 में से %1 स्कैन छोड़े गए: %3 और अन्य।</translation>
+    </message>
+    <message>
+        <source>scan %1 (%2)</source>
+        <translation>स्कैन %1 (%2)</translation>
+    </message>
+    <message>
+        <source>scan %1 &quot;%2&quot; (%3)</source>
+        <translation>स्कैन %1 “%2” (%3)</translation>
+    </message>
+    <message>
+        <source>%1 of its points {1|is|are} marked as withheld (not to be used) and {1|was|were} taken all the same.</source>
+        <translation>उसके %1 बिंदु रोके गए (उपयोग के लिए नहीं) चिह्नित हैं और फिर भी लिए गए।</translation>
+    </message>
+    <message>
+        <source>%1 of its points {1|is|are} marked as withheld (not to be used) and {1|was|were} left out. --keep-withheld takes them.</source>
+        <translation>उसके %1 बिंदु रोके गए (उपयोग के लिए नहीं) चिह्नित हैं और छोड़े गए। --keep-withheld उन्हें लेता है।</translation>
+    </message>
+    <message>
+        <source>Bytes after the last of the points that the header promises were ignored.</source>
+        <translation>शीर्ष के बताए अंतिम बिंदु के बाद की बाइटों पर ध्यान नहीं दिया गया।</translation>
+    </message>
+    <message>
+        <source>Its heights are in %1, its x and y in %2; heights were converted to %2.</source>
+        <translation>उसकी ऊँचाइयाँ %1 में हैं, उसके x और y %2 में; ऊँचाइयाँ %2 में बदली गईं।</translation>
+    </message>
+    <message>
+        <source>Its x and y are degrees, not lengths, so shapes will be wrong. Reproject it to metres, for example with pdal translate and filters.reprojection.</source>
+        <translation>उसके x और y डिग्री हैं, लंबाई नहीं, इसलिए आकृतियाँ ग़लत होंगी। उसे मीटर में पुनः प्रक्षेपित करें, जैसे pdal translate और filters.reprojection से।</translation>
+    </message>
+    <message>
+        <source>It states a unit %1, which is not known here; state it with --unit.</source>
+        <translation>वह इकाई %1 बताती है, जो यहाँ ज्ञात नहीं; उसे --unit से बताएँ।</translation>
+    </message>
+    <message>
+        <source>It names its coordinate system, EPSG:%1, which is not known here, and no unit; state it with --unit.</source>
+        <translation>वह अपनी निर्देशांक प्रणाली, EPSG:%1, बताती है, जो यहाँ ज्ञात नहीं, और कोई इकाई नहीं; उसे --unit से बताएँ।</translation>
+    </message>
+    <message>
+        <source>It names its coordinate system, EPSG:%1, whose x and y are degrees, not lengths, so shapes will be wrong. Reproject it to metres.</source>
+        <translation>वह अपनी निर्देशांक प्रणाली, EPSG:%1, बताती है, जिसके x और y डिग्री हैं, लंबाई नहीं, इसलिए आकृतियाँ ग़लत होंगी। उसे मीटर में पुनः प्रक्षेपित करें।</translation>
+    </message>
+    <message>
+        <source>It names its coordinate system, EPSG:%1, whose unit of %2 m is not known here; state it with --unit.</source>
+        <translation>वह अपनी निर्देशांक प्रणाली, EPSG:%1, बताती है, जिसकी %2 m की इकाई यहाँ ज्ञात नहीं; उसे --unit से बताएँ।</translation>
+    </message>
+    <message>
+        <source>Points lie outside the box that the header states, so that the file may be damaged: LAZ holds no checksum.</source>
+        <translation>बिंदु शीर्ष के बताए घनाभ से बाहर हैं, इसलिए फ़ाइल बिगड़ी हो सकती है: LAZ में जाँच-योग नहीं होता।</translation>
+    </message>
+    <message>
+        <source>The points are not of the returns that the header counts, so that the file may be damaged: LAZ holds no checksum.</source>
+        <translation>बिंदु उन प्रतिध्वनियों के नहीं हैं जिन्हें शीर्ष गिनता है, इसलिए फ़ाइल बिगड़ी हो सकती है: LAZ में जाँच-योग नहीं होता।</translation>
+    </message>
+    <message>
+        <source>Blocks of points hold bytes behind their last point, so that the file may be damaged: LAZ holds no checksum.</source>
+        <translation>बिंदुओं के खंडों में उनके अंतिम बिंदु के पीछे बाइटें हैं, इसलिए फ़ाइल बिगड़ी हो सकती है: LAZ में जाँच-योग नहीं होता।</translation>
+    </message>
+    <message>
+        <source>The file ends before the list of its blocks of points, so that it was cut or not written to its end; the blocks were found without it.</source>
+        <translation>फ़ाइल अपने बिंदु-खंडों की सूची से पहले समाप्त होती है, यानी काटी गई या अंत तक लिखी नहीं गई; खंड उसके बिना मिले।</translation>
+    </message>
+    <message>
+        <source>The raster has no georeference; one pixel was taken as one unit.</source>
+        <translation>रास्टर में भू-संदर्भ नहीं है; एक पिक्सेल एक इकाई माना गया।</translation>
+    </message>
+    <message>
+        <source>The raster has %1 bands; the first was read as heights.</source>
+        <translation>रास्टर में %1 बैंड हैं; पहला ऊँचाइयों के रूप में पढ़ा गया।</translation>
+    </message>
+    <message>
+        <source>The raster&apos;s unit of %1 m is not known here; state it with --unit.</source>
+        <translation>रास्टर की %1 m की इकाई यहाँ ज्ञात नहीं; उसे --unit से बताएँ।</translation>
+    </message>
+    <message>
+        <source>The raster states no unit for its heights; they were taken to be in the unit of its coordinates.</source>
+        <translation>रास्टर अपनी ऊँचाइयों की इकाई नहीं बताता; वे उसके निर्देशांकों की इकाई में मानी गईं।</translation>
+    </message>
+    <message>
+        <source>Heights in %1 were converted to %2, the unit of the coordinates.</source>
+        <translation>%1 की ऊँचाइयाँ निर्देशांकों की इकाई %2 में बदली गईं।</translation>
+    </message>
+    <message>
+        <source>The reference system of the heights was left out: it does not hold for another unit.</source>
+        <translation>ऊँचाइयों की संदर्भ प्रणाली छोड़ दी गई: वह दूसरी इकाई पर लागू नहीं होती।</translation>
+    </message>
+    <message>
+        <source>%1 was not written with the map and was left aside.</source>
+        <translation>%1 मानचित्र के साथ नहीं लिखी गई और अलग छोड़ी गई।</translation>
+    </message>
+    <message>
+        <source>%1 belongs to another map and was left aside.</source>
+        <translation>%1 दूसरे मानचित्र की है और अलग छोड़ी गई।</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read and was left aside.</source>
+        <translation>%1 पढ़ी नहीं जा सकती और अलग छोड़ी गई।</translation>
+    </message>
+    <message>
+        <source>%1 has another size than the map and was left aside.</source>
+        <translation>%1 का आकार मानचित्र से भिन्न है और वह अलग छोड़ी गई।</translation>
+    </message>
+    <message>
+        <source>%1 does not fit the map and was left aside.</source>
+        <translation>%1 मानचित्र से मेल नहीं खाती और अलग छोड़ी गई।</translation>
+    </message>
+    <message>
+        <source>In %1: %2</source>
+        <translation>%1 में: %2</translation>
     </message>
 </context>
 <context>

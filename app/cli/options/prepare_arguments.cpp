@@ -326,7 +326,7 @@ PreparedFiles preparedFiles(const PrepareArguments& a, const PrepareOptions& opt
     import.scan.keep_withheld = source.keep_withheld;
     scans.push_back(importScan(files[i], import, task));
     result.points.push_back(scans.back().info.points);
-    for (const std::string& warning : scans.back().info.warnings) tell(warning);
+    for (const std::string& text : englishTexts(scans.back().info.warnings)) tell(text);
   }
   recipe.scans = sources;
   std::vector<const Scan*> all;

@@ -325,7 +325,7 @@ UnitFacts unitFacts(const FileFacts& found, const std::optional<LengthUnit>& giv
 }
 
 void tellDoubts(const FileFacts& found, const UnitFacts& unit) {
-  for (const std::string& warning : found.info.warnings) tell(warning);
+  for (const std::string& text : englishTexts(found.info.warnings)) tell(text);
   for (const std::string& text : strayTexts(found.strays)) tell(text);
   if (found.suspect_height) tell(suspectText(*found.suspect_height));
   const auto words = unitWords(unit.without_strays, {unit.unit, unit.source});

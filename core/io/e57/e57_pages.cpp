@@ -50,7 +50,7 @@ void E57Pages::readHeader() {
   if (promised > bytes.size()) {
     const ImportOptions strict;
     ScanInfo none;
-    handleTruncation({"bytes", promised, bytes.size(), 0},
+    handleTruncation({RecordKind::bytes, promised, bytes.size(), 0},
                      {job_.file, job_.bytes, strict, job_.task}, none);
   }
   if (promised < page_bytes_ || promised % page_bytes_ != 0) {

@@ -15,6 +15,7 @@
 #include "core/io/formats/reader_steps.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -108,22 +109,27 @@ class LeftOut {
     constexpr std::size_t kNamed = 3;
     if (++count_ == 1) first_fault_ = fault;
     if (count_ > kNamed) return;
-    if (count_ > 1) list_ += ", ";
-    list_ += "scan " + std::to_string(number);
-    if (!name.empty()) list_ += " \"" + printable(name.substr(0, 60)) + "\"";
-    list_ += " (" + printable(fault) + ")";
+    const CountArgument shown(number);
+    if (name.empty()) {
+      list_.push_back(said<MessageId::e57_scan>(shown, printable(fault)));
+    } else {
+      list_.push_back(
+          said<MessageId::e57_named_scan>(shown, printable(name.substr(0, 60)), printable(fault)));
+    }
   }
   std::size_t count() const noexcept { return count_; }
   const std::string& firstFault() const noexcept { return first_fault_; }
-  std::string sentence(std::size_t all) const {
-    return std::to_string(count_) + " of " + std::to_string(all) + " scans " +
-           (count_ == 1 ? "was" : "were") + " left out: " + list_ +
-           (count_ > 3 ? " and others." : ".");
+  Message sentence(std::size_t all) const {
+    if (count_ > list_.size()) {
+      return said<MessageId::e57_scans_and_others_left_out>(count_, all, list_);
+    }
+    return said<MessageId::e57_scans_left_out>(count_, all, list_);
   }
 
  private:
   std::size_t count_ = 0;
-  std::string list_, first_fault_;
+  std::vector<Message> list_;
+  std::string first_fault_;
 };
 
 class E57Reader {
@@ -144,7 +150,7 @@ class E57Reader {
     for (const SoundScan& sound : scans) readScan(sound);
     const std::uint64_t found = builder_.pointCount();
     if (found < promised_) {
-      handleTruncation({"points", promised_, found, found}, job_, builder_.info());
+      handleTruncation({RecordKind::points, promised_, found, found}, job_, builder_.info());
     }
     return builder_.finish();
   }

@@ -10,6 +10,7 @@
 #include "core/io/formats/lines.h"
 #include "core/io/formats/text_file.h"
 #include "core/io/scan_builder.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -60,10 +61,10 @@ bool staysBelow(const std::filesystem::path& file, const std::filesystem::path& 
 
 }  // namespace
 
-void ObjMaterials::warn(std::string_view name, std::string_view reason) {
+void ObjMaterials::warn(std::string_view name, Message reason) {
   if (++warnings_ > kMostWarnings) return;
-  builder_.info().warnings.push_back("\"" + printable(name.substr(0, 80)) + "\", which it names, " +
-                                     std::string(reason) + "; the mesh was loaded without it.");
+  builder_.info().warnings.push_back(
+      said<MessageId::loaded_without_picture>(printable(name.substr(0, 80)), std::move(reason)));
 }
 
 std::optional<std::filesystem::path> ObjMaterials::allowed(std::string_view name,
@@ -74,23 +75,23 @@ std::optional<std::filesystem::path> ObjMaterials::allowed(std::string_view name
   const bool leaves = stated.is_absolute() || text.find('\0') != std::string::npos ||
                       std::find(stated.begin(), stated.end(), "..") != stated.end();
   if (leaves || text.empty()) {
-    warn(name, "lies outside its folder and was not opened");
+    warn(name, said<MessageId::picture_outside_folder>());
     return std::nullopt;
   }
   std::error_code error;
   const auto folder = std::filesystem::canonical(job_.file, error).parent_path();
   const auto file = std::filesystem::canonical(folder / stated, error);
   if (error) {
-    warn(name, "is not there");
+    warn(name, said<MessageId::picture_not_there>());
     return std::nullopt;
   }
   if (!staysBelow(file, folder)) {
-    warn(name, "lies outside its folder and was not opened");
+    warn(name, said<MessageId::picture_outside_folder>());
     return std::nullopt;
   }
   if (!std::filesystem::is_regular_file(file, error) ||
       std::filesystem::file_size(file, error) > most_bytes || error) {
-    warn(name, "is no file, or too large");
+    warn(name, said<MessageId::picture_no_file>());
     return std::nullopt;
   }
   return file;
@@ -114,7 +115,7 @@ void ObjMaterials::readLibrary(const std::filesystem::path& name) {
   try {
     text = readTextFile(*file, kMostLibraryBytes);
   } catch (const FileError&) {
-    return warn(name.string(), "cannot be read");
+    return warn(name.string(), said<MessageId::materials_unreadable>());
   }
   Lines lines(text);
   Material* material = nullptr;
@@ -149,15 +150,15 @@ std::uint16_t ObjMaterials::load(const std::string& picture) {
   const auto file = allowed(picture, kMostPictureBytes);
   if (!file) return kNoTexture;
   if (loaded_.size() >= kMostTextures) {
-    warn(picture, "is one picture too many");
+    warn(picture, said<MessageId::picture_too_many>());
     return kNoTexture;
   }
   job_.task.check();
   job_.task.report("reading pictures", 0);
-  std::string reason;
+  std::optional<Message> reason;
   auto texture = job_.load_texture(*file, kMostTexels - texels_, reason);
   if (!texture) {
-    warn(picture, reason);
+    warn(picture, *std::move(reason));
     return kNoTexture;
   }
   texels_ += texture->texels.size();

@@ -39,7 +39,7 @@ class ObjMaterials {
   std::uint16_t load(const std::string& picture);
   /// The file of that name. Nothing, and a warning, if it is not there or not to be opened.
   std::optional<std::filesystem::path> allowed(std::string_view name, std::uint64_t most_bytes);
-  void warn(std::string_view name, std::string_view reason);
+  void warn(std::string_view name, Message reason);
 
   const ReadJob& job_;
   ScanBuilder& builder_;

@@ -12,6 +12,7 @@
 #include "core/io/point_columns.h"
 #include "core/io/read_scan.h"
 #include "core/io/worker/reader_guard.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -86,9 +87,8 @@ class PcdHeaderParser {
     } else if (word != "VERSION") {
       constexpr std::size_t kMostWarnings = 3;
       if (header_.warnings.size() >= kMostWarnings) return;
-      header_.warnings.push_back("Header line " + std::to_string(lines_.number()) + " (\"" +
-                                 printable(trimmed(lines_.line()).substr(0, 60)) +
-                                 "\") is not of PCD; it was passed over.");
+      header_.warnings.push_back(said<MessageId::header_line_not_of_pcd>(
+          lines_.number(), printable(trimmed(lines_.line()).substr(0, 60))));
     }
   }
 

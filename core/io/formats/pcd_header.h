@@ -12,6 +12,7 @@
 #include "core/base/vec3.h"
 #include "core/io/formats/scalar.h"
 #include "core/io/point_columns.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
@@ -36,7 +37,7 @@ struct PcdHeader {
   std::optional<std::array<std::size_t, 3>> colour;  ///< Fields red, green and blue.
   std::optional<std::size_t> packed_colour;          ///< The field rgb or rgba, 32 bits.
   std::optional<std::size_t> intensity;
-  std::vector<std::string> warnings;   ///< Of lines that were passed over.
+  std::vector<Message> warnings;       ///< Of lines that were passed over.
   std::optional<FilePoint> viewpoint;  ///< If it is not 0 0 0, what programs write without knowing.
 };
 

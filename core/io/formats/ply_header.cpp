@@ -9,6 +9,7 @@
 #include "core/io/formats/lines.h"
 #include "core/io/read_scan.h"
 #include "core/io/worker/reader_guard.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -85,9 +86,8 @@ class HeaderParser {
     // Programs write lines of their own; rply and others stop at them, VTK and MeshLab do not.
     constexpr std::size_t kMostWarnings = 3;
     if (header_.warnings.size() >= kMostWarnings) return;
-    header_.warnings.push_back("Header line " + std::to_string(lines_.number()) + " (\"" +
-                               printable(trimmed(lines_.line()).substr(0, 60)) +
-                               "\") is not of PLY; it was passed over.");
+    header_.warnings.push_back(said<MessageId::header_line_not_of_ply>(
+        lines_.number(), printable(trimmed(lines_.line()).substr(0, 60))));
   }
 
   /// PLY has no field for the unit; "comment unit mm" is how our samples, and others, state it.

@@ -12,6 +12,7 @@
 #include "core/base/unit.h"
 #include "core/io/formats/scalar.h"
 #include "core/io/point_columns.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
@@ -48,7 +49,7 @@ struct PlyHeader {
   std::optional<std::size_t> face_element;
   std::size_t face_corners = 0;  ///< The list property of the face element.
 
-  std::vector<std::string> warnings;  ///< Of lines that were passed over.
+  std::vector<Message> warnings;  ///< Of lines that were passed over.
 
   const PlyElement& vertices() const noexcept { return elements[vertex_element]; }
   ByteOrder byteOrder() const noexcept {

@@ -52,9 +52,9 @@ class ThreeDsReader {
       cut_->complete_points = builder_.pointCount();
       handleTruncation(*cut_, job_, builder_.info());
     } else if (beyond_ > 0) {
-      handleTruncation(
-          {"bytes", job_.bytes.size() + beyond_, job_.bytes.size(), builder_.pointCount()}, job_,
-          builder_.info());
+      handleTruncation({RecordKind::bytes, job_.bytes.size() + beyond_, job_.bytes.size(),
+                        builder_.pointCount()},
+                       job_, builder_.info());
     }
     return builder_.finish();
   }
@@ -100,7 +100,7 @@ class ThreeDsReader {
   }
 
   void readVertices(std::string_view list) {
-    const std::size_t found = completeRecords(list, kVertexBytes, "points");
+    const std::size_t found = completeRecords(list, kVertexBytes, RecordKind::points);
     for (std::size_t i = 0; i < found; ++i) {
       const char* const at = list.data() + 2 + i * kVertexBytes;
       builder_.addPoint(loadDouble(at, ScalarType::f32, ByteOrder::little),
@@ -111,7 +111,7 @@ class ThreeDsReader {
   }
 
   void readFaces(std::string_view list, std::uint64_t base) {
-    const std::size_t found = completeRecords(list, kFaceBytes, "faces");
+    const std::size_t found = completeRecords(list, kFaceBytes, RecordKind::faces);
     for (std::size_t i = 0; i < found; ++i) {
       std::array<std::int64_t, 3> corners{};
       for (std::size_t c = 0; c < 3; ++c) {
@@ -126,8 +126,7 @@ class ThreeDsReader {
   }
 
   /// Records of a list that starts with their number.
-  std::size_t completeRecords(std::string_view list, std::size_t record_bytes,
-                              std::string_view records) {
+  std::size_t completeRecords(std::string_view list, std::size_t record_bytes, RecordKind records) {
     missing_ = 0;
     const std::size_t promised = list.size() < 2 ? 0 : u16At(list, 0);
     const std::size_t found =
@@ -148,7 +147,7 @@ class ThreeDsReader {
   ScanBuilder builder_;
   std::uint64_t beyond_ = 0;  ///< Bytes that chunks promise beyond their parent's end, at most.
   std::uint64_t missing_ = 0;
-  std::string_view missing_records_;
+  RecordKind missing_records_ = RecordKind::points;
   std::optional<Truncation> cut_;
 };
 

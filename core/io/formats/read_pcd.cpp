@@ -72,7 +72,7 @@ class PcdReader {
   }
 
   void shortOf(std::uint64_t found) {
-    handleTruncation({"points", header_.points, found, found}, job_, builder_.info());
+    handleTruncation({RecordKind::points, header_.points, found, found}, job_, builder_.info());
   }
 
   void readRecords() {

@@ -13,6 +13,7 @@
 #include "core/io/reader_choice.h"
 #include "core/io/scan_builder.h"
 #include "core/io/worker/planted_fault.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -87,16 +88,16 @@ class PlyReader {
   bool acceptCut(const PlyElement& element, std::uint64_t found) {
     const bool needed_later = builder_.pointCount() < header_.vertices().count;
     if (!isVertex() && !isFace() && !needed_later) {
-      builder_.info().warnings.push_back("The file ends early, within \"" +
-                                         printable(element.name) + "\"; all points were loaded.");
+      builder_.info().warnings.push_back(
+          said<MessageId::ends_behind_points>(printable(element.name)));
       return false;
     }
     Truncation shortfall;
     if (isFace()) {
-      shortfall = {"faces", element.count, found, builder_.pointCount()};
+      shortfall = {RecordKind::faces, element.count, found, builder_.pointCount()};
     } else {
       const std::uint64_t points = builder_.pointCount();
-      shortfall = {"points", header_.vertices().count, points, points};
+      shortfall = {RecordKind::points, header_.vertices().count, points, points};
     }
     handleTruncation(shortfall, job_, builder_.info());
     return false;
@@ -106,17 +107,14 @@ class PlyReader {
     for (const PlyElement& element : header_.elements) {
       const bool faces = element.name == "face" && !header_.face_element;
       if (element.count > 0 && (faces || element.name == "tristrips")) {
-        builder_.info().warnings.push_back("Its \"" + printable(element.name) +
-                                           "\" records are of a kind that is not read; the points "
-                                           "were loaded without faces.");
+        builder_.info().warnings.push_back(
+            said<MessageId::faces_not_read>(printable(element.name)));
       }
       const bool coloured =
           std::any_of(element.properties.begin(), element.properties.end(),
                       [](const PlyProperty& p) { return colourChannel(p.name).has_value(); });
       if (element.name == "face" && coloured && !header_.colour) {
-        builder_.info().warnings.emplace_back(
-            "Its faces have colours, its points none; colours of faces are not read. Save it with "
-            "colours of vertices.");
+        builder_.info().warnings.push_back(said<MessageId::colours_of_faces>());
       }
     }
   }

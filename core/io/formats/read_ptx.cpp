@@ -29,7 +29,8 @@ class PtxReader {
     while (!cut_ && nextLine()) readScan();
     if (!cut_) checkParts(job_, scans_);
     const std::uint64_t found = builder_.pointCount();
-    if (cut_) handleTruncation({"points", promised_, found, found}, job_, builder_.info());
+    if (cut_)
+      handleTruncation({RecordKind::points, promised_, found, found}, job_, builder_.info());
     return builder_.finish();
   }
 

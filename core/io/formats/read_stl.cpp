@@ -12,6 +12,7 @@
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 #include "core/io/worker/planted_fault.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -37,9 +38,9 @@ void readBinary(const ReadJob& job, ScanBuilder& builder) {
   plantedFault(found == 3 && promised == 300);
   if (promised == 0) throw failure<MessageId::no_triangles>(shownName(job.file));
   if (found < promised) {
-    handleTruncation({"points", 3 * promised, 3 * found, 3 * found}, job, builder.info());
+    handleTruncation({RecordKind::points, 3 * promised, 3 * found, 3 * found}, job, builder.info());
   } else if (job.bytes.size() > kHeader + found * kTriangle) {
-    builder.info().warnings.emplace_back("Bytes after the last triangle were ignored.");
+    builder.info().warnings.push_back(said<MessageId::bytes_after_triangles>());
   }
   builder.requireRoom(3 * found, true);
   builder.expectPoints(3 * found);

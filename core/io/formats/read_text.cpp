@@ -15,6 +15,7 @@
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 #include "core/io/worker/planted_fault.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -43,7 +44,7 @@ class TextReader {
     checkCount();
     if (!guess_holds_) builder_.dropColours();
     if (style_.decimal_comma) {
-      builder_.info().warnings.emplace_back("Commas were read as decimal points.");
+      builder_.info().warnings.push_back(said<MessageId::commas_are_points>());
     }
     return builder_.finish();
   }
@@ -125,9 +126,7 @@ class TextReader {
     if (found[0] && found[1] && found[2]) {
       place_ = {*found[0], *found[1], *found[2]};
     } else {
-      builder_.info().warnings.push_back(
-          "Line " + std::to_string(line) +
-          " names no columns x, y, z; the first three columns were taken.");
+      builder_.info().warnings.push_back(said<MessageId::columns_without_xyz>(line));
     }
     values_ = namedValues(names);
     columns_are_named_ = true;
@@ -235,11 +234,10 @@ class TextReader {
     if (!promised_) return;
     plantedFault(style_.decimal_comma);
     if (found < *promised_) {
-      handleTruncation({"points", *promised_, found, found}, job_, builder_.info());
+      handleTruncation({RecordKind::points, *promised_, found, found}, job_, builder_.info());
     } else if (found > *promised_) {
-      builder_.info().warnings.push_back("The first line promises " + grouped(*promised_) +
-                                         " points; the file holds " + grouped(found) +
-                                         ", and all were loaded.");
+      builder_.info().warnings.push_back(said<MessageId::more_points_than_promised>(
+          CountArgument::grouped(*promised_), CountArgument::grouped(found)));
     }
   }
 

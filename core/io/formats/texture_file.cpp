@@ -11,6 +11,7 @@
 #include "core/io/raster/gdal_session.h"
 #include "core/io/raster/tiff_head.h"
 #include "core/io/worker/reader_guard.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -66,12 +67,12 @@ bool readTexels(GDALDataset& dataset, Texture& texture) {
 }  // namespace
 
 std::optional<Texture> readTexture(const std::filesystem::path& file, std::uint64_t most_texels,
-                                   std::string& reason) {
+                                   std::optional<Message>& reason) {
   requireReadersAllowed("readTexture");
   registerPictureDrivers();
   const GdalErrors errors;
   if (largestTiffMetadata(file) > kMostTiffMetadata) {
-    reason = "carries more metadata than are taken";
+    reason = said<MessageId::picture_metadata>();
     return std::nullopt;
   }
   constexpr std::array<const char*, 4> kDrivers{"PNG", "JPEG", "GTiff", nullptr};
@@ -80,26 +81,25 @@ std::optional<Texture> readTexture(const std::filesystem::path& file, std::uint6
       static_cast<GDALDataset*>(GDALOpenEx(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY,
                                            kDrivers.data(), nullptr, kNoSiblings.data())));
   if (!dataset || dataset->GetRasterCount() < 1) {
-    reason = "is no PNG, JPEG or TIFF picture";
+    reason = said<MessageId::picture_other_format>();
     return std::nullopt;
   }
   const int cols = dataset->GetRasterXSize(), rows = dataset->GetRasterYSize();
   if (cols < 1 || rows < 1 || cols > kMostSide || rows > kMostSide ||
       static_cast<std::uint64_t>(cols) * static_cast<std::uint64_t>(rows) > most_texels) {
-    reason = "has " + std::to_string(cols) + " x " + std::to_string(rows) +
-             " pixels, more than are taken";
+    reason = said<MessageId::texture_too_large>(cols, rows);
     return std::nullopt;
   }
   const GDALDataType type = dataset->GetRasterBand(1)->GetRasterDataType();
   if (type != GDT_Byte && type != GDT_UInt16) {
-    reason = "is no picture of 8 or 16 bits";
+    reason = said<MessageId::picture_other_depth>();
     return std::nullopt;
   }
   Texture texture;
   texture.cols = static_cast<std::uint32_t>(cols);
   texture.rows = static_cast<std::uint32_t>(rows);
   if (!readTexels(*dataset, texture) || errors.any()) {
-    reason = "cannot be decoded (" + printable(errors.first()) + ")";
+    reason = said<MessageId::picture_not_decoded>(printable(errors.first()));
     return std::nullopt;
   }
   return texture;

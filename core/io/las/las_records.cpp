@@ -11,6 +11,7 @@
 
 #include "core/base/control_group.h"
 #include "core/io/formats/scalar.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -217,12 +218,9 @@ void LasRecords::add(const Seen& seen) {
   seen_.has_unused_bytes |= seen.has_unused_bytes;
 }
 
-std::vector<std::string> LasRecords::doubts() const {
-  std::vector<std::string> found;
+std::vector<Message> LasRecords::doubts() const {
+  std::vector<Message> found;
   if (!header_.packed) return found;
-  const auto say = [&found](const std::string& what) {
-    found.push_back(what + ", so that the file may be damaged: LAZ holds no checksum.");
-  };
   if (const auto& box = header_.stated_bounds; box && count_ > 0) {
     const std::array<double, 3> low{box->min.x, box->min.y, box->min.z};
     const std::array<double, 3> high{box->max.x, box->max.y, box->max.z};
@@ -234,16 +232,17 @@ std::vector<std::string> LasRecords::doubts() const {
         outside |= at < low[axis] - step || at > high[axis] + step;
       }
     }
-    if (outside) say("Points lie outside the box that the header states");
+    if (outside) found.push_back(said<MessageId::laz_points_outside_box>());
   }
   if (const auto stated = statedReturns(job_.bytes, header_); stated && count_ == header_.points) {
     if (!std::equal(stated->begin(), stated->end(), seen_.by_return.begin() + 1)) {
-      say("The points are not of the returns that the header counts");
+      found.push_back(said<MessageId::laz_other_returns>());
     }
   }
-  if (seen_.has_unused_bytes && laz_.has_list)
-    say("Blocks of points hold bytes behind their last point");
-  if (!laz_.has_list) found.emplace_back(kLazListMissing);
+  if (seen_.has_unused_bytes && laz_.has_list) {
+    found.push_back(said<MessageId::laz_bytes_behind_points>());
+  }
+  if (!laz_.has_list) found.push_back(said<MessageId::laz_list_missing>());
   return found;
 }
 

@@ -11,6 +11,7 @@
 #include "core/io/las/las_header.h"
 #include "core/io/las/laz_file.h"
 #include "core/io/read_scan.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
@@ -36,7 +37,7 @@ class LasRecords {
 
   /// What points to damage in a packed file that was unpacked without contradiction, in sentences:
   /// such files hold no checksum. To be asked after the records were given.
-  std::vector<std::string> doubts() const;
+  std::vector<Message> doubts() const;
 
  private:
   /// What is seen of records while they are unpacked.

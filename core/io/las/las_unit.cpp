@@ -13,6 +13,7 @@
 #include "core/io/formats/number_text.h"
 #include "core/io/formats/unit_text.h"
 #include "core/io/worker/planted_fault.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -174,9 +175,8 @@ StatedUnits readRecords(std::string_view bytes, const LasHeader& header) {
 
 double heightFactor(std::optional<LengthUnit> vertical, ScanInfo& info) {
   if (!info.unit || !vertical || *info.unit == *vertical) return 1;
-  const std::string unit(name(*info.unit));
-  info.warnings.push_back("Its heights are in " + std::string(name(*vertical)) +
-                          ", its x and y in " + unit + "; heights were converted to " + unit + ".");
+  info.warnings.push_back(
+      said<MessageId::heights_converted_to_unit_of_plane>(name(*vertical), name(*info.unit)));
   return mmPer(*vertical) / mmPer(*info.unit);
 }
 
@@ -187,15 +187,12 @@ double readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& in
   info.reference_system = printable(units.referenceSystem());
   plantedFault(units.degrees && units.vertical);
   if (units.degrees) {
-    info.warnings.emplace_back(
-        "Its x and y are degrees, not lengths, so shapes will be wrong. Reproject it to metres, "
-        "for example with pdal translate and filters.reprojection.");
+    info.warnings.push_back(said<MessageId::las_in_degrees>());
     return 1;
   }
   info.unit = units.horizontal;
   if (!units.unknown.empty()) {
-    info.warnings.push_back("It states a unit " + units.unknown +
-                            ", which is not known here; state it with --unit.");
+    info.warnings.push_back(said<MessageId::las_unit_unknown>(units.unknown));
   }
   return heightFactor(units.vertical, info);
 }

@@ -8,6 +8,7 @@
 #include "core/io/file_check.h"
 #include "core/io/formats/scalar.h"
 #include "core/io/scan_builder.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -121,9 +122,9 @@ void LasPointMaker::finish() {
   ScanInfo& info = builder_.info();
   info.withheld = withheld_;
   if (withheld_ == 0) return;
-  info.warnings.push_back(
-      grouped(withheld_) + " of its points are marked as withheld (not to be used) and were " +
-      (keep_withheld_ ? "taken all the same." : "left out. --keep-withheld takes them."));
+  const CountArgument count = CountArgument::grouped(withheld_);
+  info.warnings.push_back(keep_withheld_ ? said<MessageId::withheld_taken>(count)
+                                         : said<MessageId::withheld_left_out>(count));
 }
 
 }  // namespace relievo

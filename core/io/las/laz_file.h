@@ -40,12 +40,6 @@ struct LazBytesSource {
   std::function<std::string(std::uint64_t at, std::uint64_t bytes)> read;
 };
 
-/// What is said of a file without its list of chunks.
-inline constexpr std::string_view kLazListMissing =
-    "The file ends before the list of its blocks of points, so that it was cut or not written to "
-    "its "
-    "end; the blocks were found without it.";
-
 /// Reads all but the points; where the list of chunks is missing, which is the last thing in a
 /// file, those before the cut. [any thread]
 /// @throw FileError  no LAZ, a kind of packing that is not read here, or contradictions

@@ -10,6 +10,7 @@
 #include "core/io/las/las_values.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -51,20 +52,19 @@ Scan readLas(const ReadJob& job) {
                 " point format " + std::to_string(header.point_format);
   LasRecords records(job, header, kWanted);
   const std::uint64_t found = records.count();
-  if (found < header.points) handleTruncation({"points", header.points, found, found}, job, info);
+  if (found < header.points)
+    handleTruncation({RecordKind::points, header.points, found, found}, job, info);
   builder.requireRoom(found);
   // Later versions may keep waveforms and extended records behind the points.
   if (header.minor <= 2 && records.bytesBehind() > 0) {
-    info.warnings.emplace_back(
-        "Bytes after the last of the points that the header promises were "
-        "ignored.");
+    info.warnings.push_back(said<MessageId::bytes_after_points>());
   }
   const double factor = readLasUnit(job.bytes, header, info);
   LasHeader converted = header;
   converted.scale[2] *= factor;
   converted.offset[2] *= factor;
   readPoints(job, records, converted, builder);
-  for (std::string& doubt : records.doubts()) info.warnings.push_back(std::move(doubt));
+  for (Message& doubt : records.doubts()) info.warnings.push_back(std::move(doubt));
   return builder.finish();
 }
 

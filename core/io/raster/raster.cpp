@@ -22,6 +22,7 @@
 #include "core/io/raster/tiff_head.h"
 #include "core/io/worker/planted_fault.h"
 #include "core/io/worker/reader_guard.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -65,7 +66,7 @@ Placement placementOf(GDALDataset& dataset, RasterHead& raster) {
   if (dataset.GetGeoTransform(g.data()) != CE_None) {
     g = {0, 1, 0, static_cast<double>(raster.size.rows), 0, -1};
     raster.is_placed = false;
-    raster.info.warnings.emplace_back(kNoGeoreference);
+    raster.info.warnings.push_back(said<MessageId::raster_without_georeference>());
   }
   if (!std::all_of(g.begin(), g.end(), [](double v) { return std::isfinite(v); }) || g[1] == 0) {
     refuse(file, "its georeference holds no usable numbers. Write it again with gdal_translate.");
@@ -133,8 +134,7 @@ void sayHeightsIn(const OGRSpatialReference& system, LengthUnit unit, RasterHead
   char* text = nullptr;
   if (flat.exportToWkt(&text) == OGRERR_NONE) raster.projection = text;
   CPLFree(text);
-  raster.info.warnings.emplace_back(
-      "The reference system of the heights was left out: it does not hold for another unit.");
+  raster.info.warnings.push_back(said<MessageId::raster_height_system_left_out>());
 }
 
 /// Horizontal unit into info.unit. @return  factor from stored heights to that unit.
@@ -149,8 +149,8 @@ double readUnits(GDALDataset& dataset, RasterHead& raster) {
   const double metres = srs->GetLinearUnits(nullptr);
   info.unit = unitOfMetres(metres);
   if (!info.unit) {
-    info.warnings.push_back("The raster's unit of " + roundTripText(std::array{metres}) +
-                            " m is not known here; state it with --unit.");
+    info.warnings.push_back(
+        said<MessageId::raster_unit_unknown>(roundTripText(std::array{metres})));
     return 1;
   }
   std::optional<LengthUnit> vertical;
@@ -158,15 +158,13 @@ double readUnits(GDALDataset& dataset, RasterHead& raster) {
   if (!vertical) vertical = unitOfName(dataset.GetRasterBand(1)->GetUnitType());
   if (!vertical) {
     // Whoever gives a unit gives it for both.
-    info.warnings.emplace_back(
-        "The raster states no unit for its heights; they were taken to be in the unit of its "
-        "coordinates.");
+    info.warnings.push_back(said<MessageId::raster_heights_without_unit>());
     return 1;
   }
   if (*vertical == *info.unit) return 1;
   plantedFault(*vertical == LengthUnit::ft);
-  info.warnings.push_back("Heights in " + std::string(name(*vertical)) + " were converted to " +
-                          std::string(name(*info.unit)) + ", the unit of the coordinates.");
+  info.warnings.push_back(
+      said<MessageId::raster_heights_converted>(name(*vertical), name(*info.unit)));
   sayHeightsIn(*srs, *info.unit, raster);
   return mmPer(*vertical) / mmPer(*info.unit);
 }
@@ -250,12 +248,12 @@ class OriginRows {
     const char* const drivers[] = {"GTiff", nullptr};
     dataset_.reset(GDALDataset::Open(file_.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
     if (!dataset_) {
-      drop("cannot be read");
+      drop<MessageId::companion_unreadable>();
     } else if (dataset_->GetRasterXSize() != raster.size.cols ||
                dataset_->GetRasterYSize() != raster.size.rows || dataset_->GetRasterCount() < 1) {
-      drop("has another size than the map");
+      drop<MessageId::companion_of_another_size>();
     } else if (!belongsTo(map)) {
-      drop("belongs to another map");
+      drop<MessageId::companion_of_another_map>();
     }
     codes_.resize(static_cast<std::size_t>(raster.size.cols));
     origins_.resize(codes_.size());
@@ -270,13 +268,13 @@ class OriginRows {
     if (dataset_->GetRasterBand(1)->RasterIO(GF_Read, 0, size.rows - 1 - row, size.cols, 1,
                                              codes_.data(), size.cols, 1, GDT_Byte, 0, 0,
                                              nullptr) != CE_None) {
-      drop("cannot be read");
+      drop<MessageId::companion_unreadable>();
       return nullptr;
     }
     for (std::size_t col = 0; col < codes_.size(); ++col) {
       const bool outside = codes_[col] == static_cast<std::uint8_t>(CellStatus::outside);
       if (codes_[col] >= kOriginCount || outside != std::isnan(heights[col])) {
-        drop("does not fit the map");
+        drop<MessageId::companion_does_not_fit>();
         return nullptr;
       }
       origins_[col] = static_cast<CellStatus>(codes_[col]);
@@ -298,9 +296,10 @@ class OriginRows {
     });
   }
 
-  void drop(const std::string& reason) {
+  template <MessageId why>
+  void drop() {
     dataset_.reset();
-    raster_.info.warnings.push_back(shownName(file_) + " " + reason + " and was left aside.");
+    raster_.info.warnings.push_back(said<why>(shownName(file_)));
   }
 
   RasterHead& raster_;
@@ -453,8 +452,7 @@ RasterEnd readRasterRows(const std::filesystem::path& file, const RasterSink& si
   if (auto colours = readColourRows(*dataset, raster, sink, task)) return *colours;
   checkBand(band, file);
   if (dataset->GetRasterCount() > 1) {
-    raster.info.warnings.push_back("The raster has " + std::to_string(dataset->GetRasterCount()) +
-                                   " bands; the first was read as heights.");
+    raster.info.warnings.push_back(said<MessageId::raster_bands>(dataset->GetRasterCount()));
   }
   raster.projection = projectionOf(*dataset);
   raster.info.format = std::string(kind.name) + " " + GDALGetDataTypeName(band.GetRasterDataType());

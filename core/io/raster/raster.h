@@ -30,10 +30,6 @@ struct RasterHead {
   std::string set;         ///< MapFileOptions::set of an own map; empty: none is stated.
 };
 
-/// What is said of a raster that is not placed (RasterHead::is_placed).
-inline constexpr const char* kNoGeoreference =
-    "The raster has no georeference; one pixel was taken as one unit.";
-
 /// A height raster in memory.
 struct RasterMap : RasterHead {
   std::vector<float> values;  ///< Row-major, row 0 at the lowest y (files have it at the top).

@@ -75,7 +75,7 @@ void pack(const ScanInfo& info, Packer& packer) {
     packer.put(part.viewpoint.value_or(FilePoint{}));
   }
   packer.put(static_cast<std::uint64_t>(info.warnings.size()));
-  for (const std::string& warning : info.warnings) packer.put(warning);
+  for (const Message& warning : info.warnings) packer.put(messageBytes(warning));
 }
 
 namespace {
@@ -137,7 +137,9 @@ bool unpack(Unpacker& unpacker, ScanInfo& info) {
   const auto warnings = unpacker.get<std::uint64_t>();
   plantedFault(warnings == 5);
   for (std::uint64_t i = 0; i < warnings && unpacker.good(); ++i) {
-    info.warnings.push_back(unpacker.text());
+    auto warning = messageFromBytes(unpacker.text());
+    if (!warning) return false;
+    info.warnings.push_back(*std::move(warning));
   }
   return unpacker.good();
 }

@@ -18,7 +18,7 @@ std::filesystem::path spillFolder(const LargeMapOptions& large) {
 }
 
 bool takeValues(LargeMap& map, const StreamedValues& values, const MemoryPlan& plan) {
-  say(map.messages, quoted(values.warnings()));
+  say(map.messages, values.warnings());
   if (!values.any()) return false;
   map.info.colour = values.colourFact();
   map.info.intensity = values.intensityRange();

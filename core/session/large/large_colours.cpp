@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/message/catalogue.h"
 #include "core/tiles/threads.h"
 
 namespace relievo {
@@ -115,7 +116,7 @@ StreamedValues::StreamedValues(const std::vector<std::filesystem::path>& files,
   colour_ = seen.colour;
   intensity_ = seen.intensity;
   has_colours_ = colours && colour_.hasColours();
-  if (colours && colour_.isBeyond()) warnings_.emplace_back(kBeyondWords);
+  if (colours && colour_.isBeyond()) warnings_.push_back(said<MessageId::colours_beyond_words>());
   if (!intensities) return;
   has_intensities_ =
       stream_->hasWordIntensities() ? seen.most_intensity > 0 : intensity_.hasIntensities();

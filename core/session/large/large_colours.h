@@ -14,6 +14,7 @@
 #include "core/io/import.h"
 #include "core/io/point_files.h"
 #include "core/io/point_values.h"
+#include "core/message/message.h"
 #include "core/tiles/points/point_source.h"
 
 namespace relievo {
@@ -33,7 +34,7 @@ class StreamedValues {
   /// As ScanInfo has them; the number of points with a colour is not known.
   std::optional<ColourFact> colourFact() const;
   std::optional<IntensityRange> intensityRange() const;
-  const std::vector<std::string>& warnings() const noexcept { return warnings_; }
+  const std::vector<Message>& warnings() const noexcept { return warnings_; }
 
   /// All points and what they say, those left out as three NaN. [any thread]
   /// @param keeps  which of the points take part; null: all
@@ -54,7 +55,7 @@ class StreamedValues {
   ColourScale colour_;
   IntensityScale intensity_;
   bool has_colours_ = false, has_intensities_ = false;
-  std::vector<std::string> warnings_;
+  std::vector<Message> warnings_;
 };
 
 }  // namespace relievo

@@ -277,7 +277,7 @@ LargeMap fromPoints(const std::vector<std::filesystem::path>& inputs, const Surf
   }
   Surface made;
   made.info = stream.info();
-  made.messages = quoted(stream.info().warnings);
+  made.messages = stream.info().warnings;
   Scan sample = sampleOf(stream, evenRuns(stream, kSecondSample), task);
   const std::optional<double> missing = missingHeight(options.nodata, suspectHeight(sample));
   const ScanInUse sample_in_use(sample, options.strays, missing, task);
@@ -408,7 +408,7 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
   LargeMap map;
   Surface facts;
   facts.info = raster.info;
-  facts.messages = quoted(raster.info.warnings);
+  facts.messages = raster.info.warnings;
   facts.view_name = raster.is_own_map ? "as stored" : "top";
   if (raster.is_own_map) {
     facts.unit_source = UnitSource::file;

@@ -107,6 +107,14 @@ void DeviceSetupDialog::build() {
   connect(qApp, &QApplication::focusChanged, scroll, [scroll, rest](QWidget*, QWidget* now) {
     if (now != nullptr && rest->isAncestorOf(now)) scroll->ensureWidgetVisible(now);
   });
+  // A line above that becomes longer moves what is asked for out of sight. Queued, because the
+  // range changes before what lies in it has its new place.
+  connect(
+      scroll->verticalScrollBar(), &QScrollBar::rangeChanged, this,
+      [this] {
+        if (test_ || calibration_) showEndOfResults();
+      },
+      Qt::QueuedConnection);
   column->addWidget(scroll, 1);
   auto* buttons = new QDialogButtonBox;
   save_ = buttons->addButton(tr("&Save and use the Falcon"), QDialogButtonBox::AcceptRole);
@@ -230,6 +238,10 @@ void DeviceSetupDialog::showTest() {
   if (results_->toPlainText() == text) return;
   results_->setPlainText(text);
   results_->moveCursor(QTextCursor::End);  // What is asked for now stands last.
+  showEndOfResults();
+}
+
+void DeviceSetupDialog::showEndOfResults() {
   const QPoint end = results_->mapTo(parts_->widget(), QPoint(0, results_->height()));
   parts_->ensureVisible(end.x(), end.y(), 0, 0);
 }

@@ -57,6 +57,7 @@ class DeviceSetupDialog : public SetUpDialog {
   void browse();
   void save();
   void say(const QString& text);
+  void showEndOfResults();
 
   std::unique_ptr<falcon::FalconDevice> device_;
   falcon::FalconSettings settings_;

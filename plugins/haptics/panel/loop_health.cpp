@@ -66,6 +66,7 @@ QString healthText(const LoopReport& report) {
   if (stats.page_faults > 0) {
     said << tr("Waited for memory in %1 ticks.").arg(number(stats.faulty_ticks));
   }
+  if (stats.at_rest) said << tr("Looks at the hand 250 times a second while it rests; before:");
   if (stats.rate_hz < kGoodRateHz) said << tr("Slow.");
   if (said.isEmpty()) said << tr("Runs well.");
   said << tr("%1 per second, %2 of %3 ticks late, longest gap %4 ms.")

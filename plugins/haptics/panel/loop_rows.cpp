@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <utility>
 
 #include "plugins/haptics/panel/panel_widgets.h"
 
@@ -71,7 +72,9 @@ void LoopRows::showHealth() {
   // Read by speech, too: no oftener than once a second. Each new text is a picture of the window,
   // and without forces nobody waits for it.
   const int shows_per_line = report_.sample.engaged == EngagePhase::off ? 32 : 8;
-  if (health_shows_++ % shows_per_line != 0 && health_rate_hz_ > 0) return;
+  const bool rests = report_.stats.at_rest;
+  const bool same = std::exchange(health_at_rest_, rests) == rests;
+  if (health_shows_++ % shows_per_line != 0 && health_rate_hz_ > 0 && same) return;
   health_rate_hz_ = report_.stats.rate_hz;
   const QString health = healthText(report_);
   setTextIfNew(health_, health);

@@ -40,8 +40,9 @@ class LoopRows : public QObject {
   QPushButton* scope_;
   QPointer<LoopDetailsDialog> open_details_;
   QPointer<ScopeDialog> open_scope_;
-  LoopReport report_;          // The last one shown.
-  int health_shows_ = 0;       // Since the health line was written.
+  LoopReport report_;     // The last one shown.
+  int health_shows_ = 0;  // Since the health line was written.
+  bool health_at_rest_ = false;
   double health_rate_hz_ = 0;  // As the line says; 0: not known yet.
 };
 

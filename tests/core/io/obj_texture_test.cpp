@@ -124,7 +124,7 @@ TEST_F(ObjTexture, WhatLiesOutsideOrIsNoPictureBecomesAWarning) {
     EXPECT_EQ(scan.triangles.size(), 2U);
     EXPECT_THAT(scan.textures, IsEmpty());
     EXPECT_FALSE(scan.info.colour.has_value());
-    EXPECT_THAT(scan.info.warnings,
+    EXPECT_THAT(englishTexts(scan.info.warnings),
                 ElementsAre(::testing::AllOf(HasSubstr(reason), HasSubstr("loaded without it"))));
   }
   outside.write("secret.mtl", "newmtl stone\nmap_Kd secret.png\n");
@@ -135,7 +135,8 @@ TEST_F(ObjTexture, WhatLiesOutsideOrIsNoPictureBecomesAWarning) {
                                      std::string("there/secret.mtl"), absolute}) {
     const Scan scan = load("", "mtllib " + library + "\n" + kQuad + "usemtl stone\n" + kFace);
     EXPECT_THAT(scan.textures, IsEmpty()) << library;
-    EXPECT_THAT(scan.info.warnings, ElementsAre(HasSubstr("outside its folder"))) << library;
+    EXPECT_THAT(englishTexts(scan.info.warnings), ElementsAre(HasSubstr("outside its folder")))
+        << library;
   }
 }
 

@@ -47,7 +47,7 @@ TEST(OneInSeveral, TakesTheFirstOfEachInEveryFormat) {
     EXPECT_EQ(some.info.points, 10U) << "as many as the file stores";
     EXPECT_EQ(some.info.finite_points, 3U);
     EXPECT_EQ(some.info.bounds->max.x, 8) << "of those that are taken";
-    EXPECT_THAT(some.info.warnings,
+    EXPECT_THAT(englishTexts(some.info.warnings),
                 testing::Contains(HasSubstr("One point in 4 was taken: 3 of 10.")));
   }
 }

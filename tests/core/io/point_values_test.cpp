@@ -168,7 +168,7 @@ TEST_F(PointValues, ColoursOfZeroAndOneAreSpreadWithAWord) {
   const Scan scan = load("a.ply", plyPoints("binary_little_endian", rgbProperties("uchar"),
                                             {std::string("\1\0\1", 3), std::string(3, '\0')}));
   EXPECT_THAT(scan.colours, ElementsAre(Rgba{255, 0, 255, 255}, Rgba{0, 0, 0, 255}));
-  EXPECT_THAT(scan.info.warnings, ElementsAre(HasSubstr("nothing but 0 and 1")));
+  EXPECT_THAT(englishTexts(scan.info.warnings), ElementsAre(HasSubstr("nothing but 0 and 1")));
 }
 
 TEST_F(PointValues, ColoursOfFacesAloneAreSaid) {
@@ -178,7 +178,8 @@ TEST_F(PointValues, ColoursOfFacesAloneAreSaid) {
                                   rgbProperties("uchar")) +
                         "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n");
   EXPECT_THAT(scan.colours, IsEmpty());
-  EXPECT_THAT(scan.info.warnings, ElementsAre(HasSubstr("colours of faces are not read")));
+  EXPECT_THAT(englishTexts(scan.info.warnings),
+              ElementsAre(HasSubstr("colours of faces are not read")));
 }
 
 PcdWords colouredPcd(const std::string& data, const std::string& field, const std::string& type) {
@@ -352,13 +353,13 @@ TEST_F(PointValues, WithheldPointsOfLasAreLeftOutUnlessAskedFor) {
     ASSERT_EQ(scan.points.size(), 2U);
     EXPECT_EQ(scan.point(1), (FilePoint{2, 1, 0.5}));
     EXPECT_THAT(scan.intensities, ElementsAre(0, 2));
-    EXPECT_THAT(scan.info.warnings, ElementsAre(HasSubstr("left out")));
+    EXPECT_THAT(englishTexts(scan.info.warnings), ElementsAre(HasSubstr("left out")));
     ImportOptions keep;
     keep.scan.keep_withheld = true;
     const Scan all = load("a.las", lasFile(las), keep);
     EXPECT_EQ(all.points.size(), 3U);
     EXPECT_EQ(all.info.withheld, 1U);
-    EXPECT_THAT(all.info.warnings, ElementsAre(HasSubstr("all the same")));
+    EXPECT_THAT(englishTexts(all.info.warnings), ElementsAre(HasSubstr("all the same")));
     // The same in blocks.
     const auto finite = [&](const ImportOptions& options) {
       std::array<FilePoint, 3> block;
@@ -576,10 +577,10 @@ TEST(PointValueRanges, OneStrayIntensityDoesNotFlattenTheOthers) {
 
 TEST(PointValueRanges, NumbersBeyondSixteenBitsAreNoColours) {
   ColourFact fact;
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   EXPECT_THAT(settledColours(std::vector<std::array<float, 3>>{{1, 2, 70000}}, fact, warnings),
               IsEmpty());
-  EXPECT_THAT(warnings, ElementsAre(HasSubstr("left out")));
+  EXPECT_THAT(englishTexts(warnings), ElementsAre(HasSubstr("left out")));
 }
 
 TEST(PointValueRanges, AFileWithoutColoursHasNoListsAtAll) {

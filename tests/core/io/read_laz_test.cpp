@@ -10,6 +10,7 @@
 #include "core/io/las/las_records.h"
 #include "core/io/mapped_file.h"
 #include "core/io/point_stream.h"
+#include "core/message/catalogue.h"
 #include "tests/core/io/laz_sample.h"
 #include "tests/core/io/refusal.h"
 #include "tests/core/io/temporary_folder.h"
@@ -42,7 +43,7 @@ Unpacked unpacked(std::string_view bytes, const LazWanted& wanted = {}, int thre
   records.forEachBlock([&](const char* at, std::size_t count) {
     result.records.append(at, count * header.record_bytes);
   });
-  result.doubts = records.doubts();
+  result.doubts = englishTexts(records.doubts());
   return result;
 }
 
@@ -187,7 +188,8 @@ std::size_t pointsBeforeCut(const std::string& bytes, std::size_t size, const La
   const Unpacked found = unpacked(std::string_view(bytes).substr(0, size));
   EXPECT_TRUE(all.starts_with(found.records)) << size;
   if (found.records.size() < all.size()) {
-    EXPECT_THAT(found.doubts, ElementsAre(std::string(kLazListMissing))) << size;
+    EXPECT_THAT(found.doubts, ElementsAre(englishText(said<MessageId::laz_list_missing>())))
+        << size;
   }
   return found.records.size() / laz.records[0].size();
 }
@@ -279,7 +281,7 @@ TEST_F(LazFiles, TheImportReadsThePointsOfTheLasOfTheSameRecords) {
     EXPECT_EQ(packed.info.bounds, plain.info.bounds);
     EXPECT_EQ(packed.info.format, "LAZ" + plain.info.format.substr(3));
     // Withheld points alone; what a LAS file is asked twice for, packed records tell at once.
-    EXPECT_EQ(packed.info.warnings, plain.info.warnings);
+    EXPECT_EQ(englishTexts(packed.info.warnings), englishTexts(plain.info.warnings));
     EXPECT_EQ(packed.info.withheld, plain.info.withheld);
     EXPECT_EQ(packed.colours, plain.colours);
     EXPECT_EQ(packed.intensities, plain.intensities);
@@ -348,8 +350,9 @@ TEST_F(LazFiles, ACutFileIsRefusedOrReadInPartAsACutLasIs) {
   incomplete.scan.keep_withheld = true;
   const Scan scan = importScan(file, incomplete);
   EXPECT_EQ(scan.points.size(), 1000U);
-  EXPECT_THAT(scan.info.warnings, ElementsAre(HasSubstr("promises 1 200 points, it ends at 1 000"),
-                                              HasSubstr("withheld"), std::string(kLazListMissing)));
+  EXPECT_THAT(englishTexts(scan.info.warnings),
+              ElementsAre(HasSubstr("promises 1 200 points, it ends at 1 000"),
+                          HasSubstr("withheld"), englishText(said<MessageId::laz_list_missing>())));
   const PointStream stream(file, incomplete);
   EXPECT_EQ(stream.info().points, 1000U);
   const PointStream plain(folder_.write("plain.las", lasOf(laz)), incomplete);
@@ -407,8 +410,8 @@ TEST_F(LazFiles, ListsOfChunksThatCannotBeAreRefused) {
   // As if it were cut off.
   for (const std::uint64_t beyond :
        {std::uint64_t{good.bytes.size()} - 7, std::uint64_t{1} << 63U}) {
-    EXPECT_THAT(load(place(beyond)).info.warnings,
-                ::testing::Contains(std::string(kLazListMissing)));
+    EXPECT_THAT(englishTexts(load(place(beyond)).info.warnings),
+                ::testing::Contains(englishText(said<MessageId::laz_list_missing>())));
   }
   EXPECT_THAT(refusal(place(0)), HasSubstr("within its header"));
   EXPECT_THAT(refusal(with(good.table_at, "\1")), HasSubstr("is none"));
@@ -448,14 +451,16 @@ TEST_F(LazFiles, WhatOnlyLooksRightIsDoubted) {
   // The largest x.
   const auto middle = numberOf<double>(&good[179]) / 2 + numberOf<double>(&good[187]) / 2;
   bytes.replace(179, 8, bytesOf(middle));
-  EXPECT_THAT(load(bytes).info.warnings, ElementsAre(HasSubstr("outside the box")));
+  EXPECT_THAT(englishTexts(load(bytes).info.warnings), ElementsAre(HasSubstr("outside the box")));
   bytes = good;
   bytes.replace(111, 8, good.substr(115, 4) + good.substr(111, 4));
-  EXPECT_THAT(load(bytes).info.warnings, ElementsAre(HasSubstr("not of the returns")));
+  EXPECT_THAT(englishTexts(load(bytes).info.warnings),
+              ElementsAre(HasSubstr("not of the returns")));
   laz.padding = kLazSlack;
   EXPECT_THAT(load(lazFile(laz).bytes).info.warnings, IsEmpty());
   laz.padding = kLazSlack + 1;
-  EXPECT_THAT(load(lazFile(laz).bytes).info.warnings, ElementsAre(HasSubstr("hold bytes behind")));
+  EXPECT_THAT(englishTexts(load(lazFile(laz).bytes).info.warnings),
+              ElementsAre(HasSubstr("hold bytes behind")));
 }
 
 /// Levels 0, 1 and 2 of 40, 4 x 100 and 4 x 300 points.

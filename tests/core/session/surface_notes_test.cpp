@@ -266,9 +266,5 @@ TEST(SurfaceNotes, OfMapsByTiles) {
             "--memory, or make the map from its scan.");
 }
 
-TEST(SurfaceNotes, OfReadersAreTheirOwnWords) {
-  EXPECT_EQ(englishText(quoted({"One.", "Two %1."})), "One. Two %1.");
-}
-
 }  // namespace
 }  // namespace relievo

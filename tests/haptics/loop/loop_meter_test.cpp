@@ -61,5 +61,26 @@ TEST(LoopMeter, RateAndLongestPeriodAreThoseOfTheTicks) {
   EXPECT_NEAR(meter.stats().rate_hz, 256 / (0.002 * 255 + 0.009), 1e-9);
 }
 
+TEST(LoopMeter, RestIsNoMeasureOfTheRateNorOfTheLongestPeriod) {
+  LoopMeter meter;
+  meter.begin(kDeadlineNs);
+  std::int64_t now_ns = kDeadlineNs;
+  const auto ticks = [&](int count, std::int64_t period_ns, bool at_rest) {
+    for (int i = 0; i < count; ++i) {
+      now_ns += period_ns;
+      EXPECT_FALSE(meter.wake(now_ns, now_ns, period_ns, at_rest));
+      EXPECT_EQ(meter.stats().at_rest, at_rest);
+    }
+  };
+  ticks(300, kPeriodNs, false);
+  ticks(300, 4 * kPeriodNs, true);
+  EXPECT_DOUBLE_EQ(meter.stats().rate_hz, 1000) << "that of before";
+  EXPECT_DOUBLE_EQ(meter.stats().worst_period_ms, 1);
+  ticks(256, 2 * kPeriodNs, false);
+  EXPECT_DOUBLE_EQ(meter.stats().rate_hz, 500) << "nothing of the rest is in it";
+  EXPECT_DOUBLE_EQ(meter.stats().worst_period_ms, 2);
+  EXPECT_EQ(meter.stats().ticks, 856U);
+}
+
 }  // namespace
 }  // namespace relievo

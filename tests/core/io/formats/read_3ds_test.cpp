@@ -104,7 +104,7 @@ TEST_F(Read3ds, OddFilesLoadOrAreRefused) {
       loads("good_by_content.bin", good, 4),
       refused("cut_head.3ds", good.substr(0, 9), "bytes, file ends at 9"),
       refused("cut_vertices.3ds", good.substr(0, good.size() - 60), "promises 4 points"),
-      refused("cut_faces.3ds", good.substr(0, good.size() - 3), "promises 1 faces"),
+      refused("cut_faces.3ds", good.substr(0, good.size() - 3), "promises 1 face,"),
       refused("cut_in_name.3ds", good.substr(0, 30), "bytes, file ends at 30"),
       refused("zero_length.3ds", zero_length, "chunks of a 3DS file"),
       refused("huge_length.3ds", huge_length, "promises 4 294 967 295 bytes"),

@@ -109,8 +109,10 @@ TEST_F(ReadLas, ASystemWithoutAUnitHasTheUnitOfTheRegistry) {
   EXPECT_TRUE(info_of(32767).warnings.empty()) << "defined by the user";
   const ScanInfo degrees = info_of(4326);
   EXPECT_FALSE(degrees.unit.has_value());
-  EXPECT_THAT(degrees.warnings, ::testing::ElementsAre(HasSubstr("degrees, not lengths")));
-  EXPECT_THAT(info_of(1).warnings, ::testing::ElementsAre(HasSubstr("EPSG:1, which is not known")));
+  EXPECT_THAT(englishTexts(degrees.warnings),
+              ::testing::ElementsAre(HasSubstr("degrees, not lengths")));
+  EXPECT_THAT(englishTexts(info_of(1).warnings),
+              ::testing::ElementsAre(HasSubstr("EPSG:1, which is not known")));
   // The ten points run over 9 feet, a foot being 304.8 mm by definition.
   const Las feet = withRecord(geoKeys({{3072, 0, 1, 2222}}));
   const Scan scan = load(feet);
@@ -124,7 +126,7 @@ TEST_F(ReadLas, ASystemWithoutAUnitHasTheUnitOfTheRegistry) {
 
 TEST_F(ReadLas, AUnitThatIsNotKnownHereIsSaid) {
   const auto warnings_of = [this](const std::string& record) {
-    return load(withRecord(record)).info.warnings;
+    return englishTexts(load(withRecord(record)).info.warnings);
   };
   EXPECT_THAT(warnings_of(geoKeys({{3076, 0, 1, 9084}})),
               ::testing::ElementsAre(HasSubstr("a unit of code 9084, which is not known here")));
@@ -136,7 +138,7 @@ TEST_F(ReadLas, AUnitThatIsNotKnownHereIsSaid) {
 TEST_F(ReadLas, DegreesAndHeightsInAnotherUnitAreSaid) {
   const auto warning_of = [this](const std::string& record) {
     const Scan scan = load(withRecord(record));
-    return scan.info.warnings.empty() ? std::string() : scan.info.warnings.front();
+    return scan.info.warnings.empty() ? std::string() : englishText(scan.info.warnings.front());
   };
   EXPECT_THAT(warning_of(geoKeys({{1024, 0, 1, 2}})), HasSubstr("degrees"));
   EXPECT_THAT(warning_of(variableRecord(2112, "GEOGCS[\"b\",UNIT[\"degree\",0.01745]]")),
@@ -165,7 +167,7 @@ TEST_F(ReadLas, HeightsInAnotherUnitBecomeThoseOfXAndY) {
   const auto check = [this](const std::string& record, double factor) {
     const Scan scan = load(withRecord(record));
     EXPECT_EQ(scan.info.unit, LengthUnit::m);
-    EXPECT_THAT(scan.info.warnings,
+    EXPECT_THAT(englishTexts(scan.info.warnings),
                 ::testing::ElementsAre(HasSubstr("heights were converted to m")));
     for (int i = 0; i < 10; ++i) {
       const FilePoint p = scan.point(static_cast<std::size_t>(i));

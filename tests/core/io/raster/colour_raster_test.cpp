@@ -56,7 +56,7 @@ TEST_F(ColourFiles, ComeBackWithTheirMapToTheByte) {
   const RasterMap read = importRaster(file());
   EXPECT_EQ(read.colours.colours, colours_.colours);
   EXPECT_EQ(read.colours.intensities, colours_.intensities);
-  EXPECT_TRUE(read.info.warnings.empty()) << read.info.warnings.front();
+  EXPECT_TRUE(read.info.warnings.empty()) << englishText(read.info.warnings);
 }
 
 TEST_F(ColourFiles, AreWhatOtherProgramsTakeForAPictureAtTheMapsPlace) {
@@ -101,8 +101,10 @@ TEST_F(ColourFiles, OfAnotherMapAreLeftAsideWithAWord) {
   const RasterMap read = importRaster(file());
   EXPECT_TRUE(read.colours.empty());
   ASSERT_EQ(read.info.warnings.size(), 2U);
-  EXPECT_THAT(read.info.warnings[0], HasSubstr("site.colour.tif belongs to another map"));
-  EXPECT_THAT(read.info.warnings[1], HasSubstr("site.intensity.tif belongs to another map"));
+  EXPECT_THAT(englishText(read.info.warnings[0]),
+              HasSubstr("site.colour.tif belongs to another map"));
+  EXPECT_THAT(englishText(read.info.warnings[1]),
+              HasSubstr("site.intensity.tif belongs to another map"));
 }
 
 /// What a program leaves that is killed between two files: each is whole, and they are of two sets.
@@ -117,7 +119,8 @@ TEST_F(ColourFiles, OfTheSameHeightsInOtherColoursAreLeftAsideWithAWord) {
   EXPECT_TRUE(read.colours.colours.empty());
   EXPECT_EQ(read.colours.intensities, colours_.intensities);
   ASSERT_EQ(read.info.warnings.size(), 1U);
-  EXPECT_THAT(read.info.warnings[0], HasSubstr("site.colour.tif belongs to another map"));
+  EXPECT_THAT(englishText(read.info.warnings[0]),
+              HasSubstr("site.colour.tif belongs to another map"));
 }
 
 TEST_F(ColourFiles, AreTheSameBytesWhenWrittenAgain) {
@@ -142,7 +145,7 @@ TEST_F(ColourFiles, ThatCannotBeReadAreLeftAsideWithAWord) {
   EXPECT_TRUE(read.colours.colours.empty());
   EXPECT_EQ(read.colours.intensities, colours_.intensities);
   ASSERT_EQ(read.info.warnings.size(), 1U);
-  EXPECT_THAT(read.info.warnings[0], HasSubstr("site.colour.tif cannot be read"));
+  EXPECT_THAT(englishText(read.info.warnings[0]), HasSubstr("site.colour.tif cannot be read"));
 }
 
 TEST_F(ColourFiles, OfAnOlderMapGoAndFilesOfOthersStay) {

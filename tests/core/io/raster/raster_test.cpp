@@ -218,7 +218,7 @@ TEST(Raster, OriginsThatDoNotFitTheMapAreLeftAsideWithAWarning) {
   const RasterMap raster = readRaster(folder.path() / "a.tif");
   EXPECT_TRUE(raster.origins.empty());
   ASSERT_EQ(raster.info.warnings.size(), 1U);
-  EXPECT_THAT(raster.info.warnings[0], HasSubstr("another size"));
+  EXPECT_THAT(englishText(raster.info.warnings[0]), HasSubstr("another size"));
 }
 
 /// Beside a map of 5 x 5 cells lies another file of origins, whose codes fit its heights.
@@ -240,7 +240,8 @@ class OriginsOfAnotherMap : public testing::Test {
     const RasterMap raster = readRaster(map());
     EXPECT_TRUE(raster.origins.empty());
     ASSERT_EQ(raster.info.warnings.size(), 1U);
-    EXPECT_THAT(raster.info.warnings[0], HasSubstr("a.origin.tif belongs to another map"));
+    EXPECT_THAT(englishText(raster.info.warnings[0]),
+                HasSubstr("a.origin.tif belongs to another map"));
   }
   /// Takes an entry out of a file, as a build wrote it that did not know it.
   static void forget(const std::filesystem::path& file, const char* fact) {
@@ -349,8 +350,9 @@ TEST(Raster, UnitComesFromTheProjection) {
   const RasterMap metres = readRaster(foreign.write(folder));
   EXPECT_EQ(metres.info.unit, LengthUnit::m);
   ASSERT_FALSE(metres.info.warnings.empty());
-  EXPECT_THAT(metres.info.warnings[0], HasSubstr("no unit for its heights"));
-  EXPECT_THAT(metres.info.warnings[0], HasSubstr("to be in the unit of its coordinates."))
+  EXPECT_THAT(englishText(metres.info.warnings[0]), HasSubstr("no unit for its heights"));
+  EXPECT_THAT(englishText(metres.info.warnings[0]),
+              HasSubstr("to be in the unit of its coordinates."))
       << "which --unit may change";
   foreign.epsg = 2263;  // New York Long Island, US survey feet.
   EXPECT_EQ(readRaster(foreign.write(folder)).info.unit, LengthUnit::us_ft);
@@ -446,7 +448,7 @@ TEST(Raster, RowsThatStayInAFileAreThoseInMemory) {
     if (!with_origins) folder.write("map.origin.tif", "II*");
     const RasterMap whole = importRaster(file);
     const RasterRows rows = importRasterRows(file, folder.path());
-    EXPECT_EQ(rows.head().info.warnings, whole.info.warnings);
+    EXPECT_EQ(englishTexts(rows.head().info.warnings), englishTexts(whole.info.warnings));
     EXPECT_EQ(rows.head().info.bounds, whole.info.bounds);
     EXPECT_EQ(rows.head().info.file, file);
     EXPECT_EQ(rows.head().view_from_file, whole.view_from_file);
@@ -516,7 +518,7 @@ TEST(Raster, PicturesOfHeightsHaveOneUnitAPixelAndRowZeroLowest) {
     EXPECT_EQ(raster.values[5], 20);
     EXPECT_EQ(raster.info.bounds->max.z, type == GDT_Byte ? 250 : 60000);
     ASSERT_EQ(raster.info.warnings.size(), 1U);
-    EXPECT_THAT(raster.info.warnings[0], HasSubstr("no georeference"));
+    EXPECT_THAT(englishText(raster.info.warnings[0]), HasSubstr("no georeference"));
   }
   EXPECT_THAT(refusal(writePicture(folder, "photo.png", "PNG", GDT_Byte, 3)),
               HasSubstr("colour picture"));
