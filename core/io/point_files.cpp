@@ -23,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 using OpenStream = std::shared_ptr<const PointStream>;
 
-constexpr int kMostOpen = 9;              // Processes at once; a few cost less than opening anew.
-constexpr std::size_t kMostWarnings = 8;  // Of several files; more would not be read.
+constexpr int kMostOpen = 9;  // Processes at once; a few cost less than opening anew.
+constexpr std::size_t kMostWarningsOfAll = 8;  // Of several files; more would not be read.
 
 /// Opens streams on a thread of its own: an import process ends with the thread that started it,
 /// and those that read come and go.
@@ -201,9 +201,9 @@ void PointFiles::Impl::join(const Task& work) {
     }
     info.parts.push_back({.name = name, .points = stream.info().points, .viewpoint = {}});
   }
-  if (warnings.size() > kMostWarnings) {
-    const std::size_t more = warnings.size() - kMostWarnings;
-    warnings.resize(kMostWarnings);
+  if (warnings.size() > kMostWarningsOfAll) {
+    const std::size_t more = warnings.size() - kMostWarningsOfAll;
+    warnings.resize(kMostWarningsOfAll);
     warnings.push_back(said<MessageId::more_remarks_on_files>(more));
   }
   info.warnings = std::move(warnings);
