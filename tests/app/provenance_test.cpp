@@ -42,6 +42,16 @@ class Repeatable : public test::CommandTest {
     if (!state) throw std::runtime_error("no state in " + file);
     return provenanceFromJson(*state, file);
   }
+  /// A file names the libraries that the program itself says it uses.
+  void expectOwnLibraries(const std::string& file) const {
+    const std::string said = runRelievo({"--libraries"}).out;
+    const json libraries = json::parse(embeddedState(path(file)).value())["made"]["libraries"];
+    for (const char* name : {"FLANN", "GDAL", "HDF5", "PCL", "libpng"}) {
+      const std::string line =
+          "\n" + std::string(name) + ' ' + libraries.value(name, std::string("none")) + '\n';
+      EXPECT_THAT(said, HasSubstr(line)) << file;
+    }
+  }
   static bool samePixels(const std::string& a, const std::string& b) {
     const cv::Mat first = cv::imread(a);
     const cv::Mat second = cv::imread(b);
@@ -288,6 +298,7 @@ TEST_F(Repeatable, EveryWrittenFileNamesItsInput) {
     EXPECT_EQ(state.input.sha256, sum) << file;
     EXPECT_EQ(state.input.file, "scans/a.xyz") << file;
     EXPECT_FALSE(state.commit.empty()) << file;
+    expectOwnLibraries(file);
   }
   const json touch = json::parse(stateOf(path("log.csv")).touch);
   EXPECT_EQ(touch["stiffness_n_per_mm"], 0.7);
