@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "core/base/failure.h"
+#include "core/io/formats/lines.h"
 
 namespace relievo {
 namespace {
@@ -106,6 +107,10 @@ std::string printable(std::string_view text) {
     text.remove_prefix(character.size());
   }
   return shown;
+}
+
+std::string shownStart(std::string_view line) {
+  return printable(trimmed(line).substr(0, 60));
 }
 
 std::string shownName(const std::filesystem::path& file) {

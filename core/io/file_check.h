@@ -20,6 +20,9 @@ std::string readHead(const std::filesystem::path& file, std::size_t limit);
 /// would steer a terminal, are question marks.
 std::string printable(std::string_view text);
 
+/// The first 60 bytes of a line without the space around it, as a message may show them.
+std::string shownStart(std::string_view line);
+
 /// File name without folders, for messages; printable.
 std::string shownName(const std::filesystem::path& file);
 

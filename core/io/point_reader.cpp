@@ -10,6 +10,7 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/failure.h"
@@ -72,15 +73,16 @@ PointReader::PointReader(const std::filesystem::path& file, const ImportOptions&
   head_.info.reader = "relievo";
   const FileFormat format = formatOf(file);
   fd_ = std::make_shared<OwnedFd>(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (fd_->get() < 0) throwReadError(file, std::string(std::strerror(errno)) + ".");
+  if (fd_->get() < 0) {
+    throw failure<MessageId::file_not_read>(shownName(file), std::strerror(errno));
+  }
   file_bytes_ = checkedFileSize(file);
   if (format == FileFormat::las || format == FileFormat::laz) {
     openLas(options, task, parts);
   } else if (format == FileFormat::ply) {
     openPly(options);
   } else {
-    throwReadError(
-        file, "only LAS, LAZ and binary PLY files are read in blocks. Convert it to LAS first.");
+    throwReadError(file, said<MessageId::refused_kind_in_blocks>());
   }
   if (colour_) {
     // Of different types, which is as good as never, the one that says least.
@@ -154,10 +156,7 @@ void PointReader::openPly(const ImportOptions& options) {
       parsePlyHeader(readHead(head_.info.file, kMaxHeaderBytes), head_.info.file);
   const auto before = bytesBeforePoints(header);
   if (!before) {
-    throwReadError(
-        head_.info.file,
-        "its points have no fixed places in the file (text, or lists). Save it as binary "
-        "PLY, or as LAS.");
+    throwReadError(head_.info.file, said<MessageId::refused_ply_in_blocks>());
   }
   const bool big = header.encoding == PlyEncoding::binary_big_endian;
   head_.info.format = big ? "PLY binary_big_endian" : "PLY binary_little_endian";

@@ -27,6 +27,7 @@
 #include "core/io/worker/import_answer.h"
 #include "core/io/worker/stream_protocol.h"
 #include "core/io/worker/stream_worker.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -227,9 +228,7 @@ void PointStream::Impl::fetch(int channel, std::size_t at, void* out, std::size_
 void PointStream::Impl::put(int channel, const void* from, std::size_t bytes) {
   const auto at = static_cast<off_t>(static_cast<std::uint64_t>(channel) * kSliceBytes);
   if (::pwrite(slices.get(), from, bytes, at) != static_cast<ssize_t>(bytes)) {
-    throwReadError(file,
-                   "its points cannot be kept while they are used. Free some memory, and try "
-                   "again.");
+    throwReadError(file, said<MessageId::refused_points_not_kept>());
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/failure.h"
@@ -14,8 +15,13 @@
 
 namespace relievo {
 
-void throwReadError(const std::filesystem::path& file, std::string_view reason) {
-  throw FileError("Cannot read " + shownName(file) + ": " + printable(reason));
+void throwReadError(const std::filesystem::path& file, Message reason, Message advice) {
+  throw failure<MessageId::cannot_read>(
+      shownName(file), WordsArgument::sentences({std::move(reason), std::move(advice)}));
+}
+
+void throwReadError(const std::filesystem::path& file, Message reason) {
+  throw failure<MessageId::cannot_read>(shownName(file), WordsArgument(std::move(reason)));
 }
 
 void checkParts(const ReadJob& job, std::size_t count) {

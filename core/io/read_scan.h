@@ -12,6 +12,7 @@
 #include "core/io/formats/pcl_records.h"
 #include "core/io/import.h"
 #include "core/io/point_sink.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
@@ -54,8 +55,10 @@ Scan readPtx(const ReadJob& job);
 Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,
                   const ReadLibraries& libraries = {}, PointSink* sink = nullptr);
 
-/// "Cannot read NAME: <reason>". The reason may quote the file as it is.
-[[noreturn]] void throwReadError(const std::filesystem::path& file, std::string_view reason);
+/// "Cannot read NAME: <reason> <advice>" (cannot_read), of rows of catalogue_read.inc.
+[[noreturn]] void throwReadError(const std::filesystem::path& file, Message reason, Message advice);
+/// The same for a reason that says itself what to do.
+[[noreturn]] void throwReadError(const std::filesystem::path& file, Message reason);
 
 /// Code of the refusal of a choice that the file does not offer; importScan throws an
 /// ArgumentError.

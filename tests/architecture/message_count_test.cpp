@@ -12,7 +12,7 @@ namespace relievo::architecture {
 namespace {
 
 /// Errors that are made of a sentence where they are thrown.
-constexpr int kSentencesLeft = 22;
+constexpr int kSentencesLeft = 17;
 
 int countOf(const std::string& text, const std::regex& pattern) {
   return static_cast<int>(

@@ -9573,6 +9573,606 @@
         <source>In %1: %2</source>
         <translation>In %1: %2</translation>
     </message>
+    <message>
+        <source>Cannot read %1: %2</source>
+        <translation>%1 kann nicht gelesen werden: %2</translation>
+    </message>
+    <message>
+        <source>Export it again.</source>
+        <translation>Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>Copy or export it again.</source>
+        <translation>Kopieren oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>The file is damaged; export it again.</source>
+        <translation>Die Datei ist beschädigt; exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The file is damaged; copy or export it again.</source>
+        <translation>Die Datei ist beschädigt; kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Convert it to LAS.</source>
+        <translation>Wandeln Sie die Datei in LAS um.</translation>
+    </message>
+    <message>
+        <source>Write the map again.</source>
+        <translation>Schreiben Sie die Karte noch einmal.</translation>
+    </message>
+    <message>
+        <source>line %1 is longer than 64 kB. It is no file of points.</source>
+        <translation>Zeile %1 ist länger als 64 kB. Es ist keine Datei mit Punkten.</translation>
+    </message>
+    <message>
+        <source>line %1 (&quot;%2&quot;) does not start with three numbers. Correct the line, or choose another file.</source>
+        <translation>Zeile %1 („%2“) beginnt nicht mit drei Zahlen. Berichtigen Sie die Zeile, oder wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>line %1 (&quot;%2&quot;) groups the digits of its numbers by thousands. Write them without such separators.</source>
+        <translation>Zeile %1 („%2“) gliedert die Ziffern ihrer Zahlen nach Tausendern. Schreiben Sie die Zahlen ohne solche Trennzeichen.</translation>
+    </message>
+    <message>
+        <source>line %1 (&quot;%2&quot;) %3.</source>
+        <translation>Zeile %1 („%2“) %3.</translation>
+    </message>
+    <message>
+        <source>header line %1 (&quot;%2&quot;) %3.</source>
+        <translation>Zeile %1 des Dateikopfs („%2“) %3.</translation>
+    </message>
+    <message>
+        <source>line %1 is longer than 1 MB.</source>
+        <translation>Zeile %1 ist länger als 1 MB.</translation>
+    </message>
+    <message>
+        <source>does not hold three coordinates</source>
+        <translation>enthält keine drei Koordinaten</translation>
+    </message>
+    <message>
+        <source>has too few numbers</source>
+        <translation>hat zu wenige Zahlen</translation>
+    </message>
+    <message>
+        <source>has fewer numbers than the header says</source>
+        <translation>hat weniger Zahlen, als der Dateikopf angibt</translation>
+    </message>
+    <message>
+        <source>has a list without a usable length</source>
+        <translation>hat eine Liste ohne brauchbare Länge</translation>
+    </message>
+    <message>
+        <source>has a list shorter than it says</source>
+        <translation>hat eine Liste, die kürzer ist, als sie angibt</translation>
+    </message>
+    <message>
+        <source>names a corner that is no number</source>
+        <translation>nennt eine Ecke, die keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>is no part of an STL file</source>
+        <translation>gehört nicht zu einer STL-Datei</translation>
+    </message>
+    <message>
+        <source>it does not start with the word &quot;ply&quot;. It is no PLY file, or damaged.</source>
+        <translation>Die Datei beginnt nicht mit dem Wort „ply“. Sie ist keine PLY-Datei, oder sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>its header mixes kinds of line ends.</source>
+        <translation>Im Dateikopf sind verschiedene Arten von Zeilenenden gemischt.</translation>
+    </message>
+    <message>
+        <source>a list in it has the length %1.</source>
+        <translation>Eine Liste darin hat die Länge %1.</translation>
+    </message>
+    <message>
+        <source>its points have no fixed places in the file (text, or lists). Save it as binary PLY, or as LAS.</source>
+        <translation>Die Punkte haben keine festen Plätze in der Datei (Text oder Listen). Speichern Sie sie als binäres PLY oder als LAS.</translation>
+    </message>
+    <message>
+        <source>is too long for a PLY header</source>
+        <translation>ist zu lang für den Kopf einer PLY-Datei</translation>
+    </message>
+    <message>
+        <source>names no known format</source>
+        <translation>nennt kein bekanntes Format</translation>
+    </message>
+    <message>
+        <source>holds no usable count</source>
+        <translation>enthält keine brauchbare Anzahl</translation>
+    </message>
+    <message>
+        <source>names an element a second time</source>
+        <translation>nennt ein Element zum zweiten Mal</translation>
+    </message>
+    <message>
+        <source>belongs to no element</source>
+        <translation>gehört zu keinem Element</translation>
+    </message>
+    <message>
+        <source>gives a list no whole-number length</source>
+        <translation>gibt einer Liste keine ganzzahlige Länge</translation>
+    </message>
+    <message>
+        <source>names an unknown type</source>
+        <translation>nennt einen unbekannten Typ</translation>
+    </message>
+    <message>
+        <source>has no name</source>
+        <translation>hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>is one property too many</source>
+        <translation>ist eine Eigenschaft zu viel</translation>
+    </message>
+    <message>
+        <source>names a property a second time</source>
+        <translation>nennt eine Eigenschaft zum zweiten Mal</translation>
+    </message>
+    <message>
+        <source>its header %1 (line %2). It is no PCD file, or damaged; export it again.</source>
+        <translation>Der Dateikopf %1 (Zeile %2). Die Datei ist keine PCD-Datei, oder sie ist beschädigt; exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>has a line too long for a PCD file</source>
+        <translation>hat eine Zeile, die für eine PCD-Datei zu lang ist</translation>
+    </message>
+    <message>
+        <source>has no end (&quot;DATA&quot;)</source>
+        <translation>hat kein Ende („DATA“)</translation>
+    </message>
+    <message>
+        <source>has too many fields</source>
+        <translation>hat zu viele Felder</translation>
+    </message>
+    <message>
+        <source>holds no usable %1</source>
+        <translation>enthält kein brauchbares %1</translation>
+    </message>
+    <message>
+        <source>names no known kind of data</source>
+        <translation>nennt keine bekannte Art von Daten</translation>
+    </message>
+    <message>
+        <source>ends its lines with CR alone</source>
+        <translation>beendet seine Zeilen nur mit CR</translation>
+    </message>
+    <message>
+        <source>names no fields</source>
+        <translation>nennt keine Felder</translation>
+    </message>
+    <message>
+        <source>does not give every field its SIZE, TYPE and COUNT</source>
+        <translation>gibt nicht jedem Feld SIZE, TYPE und COUNT</translation>
+    </message>
+    <message>
+        <source>gives field %1 an impossible SIZE or TYPE</source>
+        <translation>gibt dem Feld %1 ein unmögliches SIZE oder TYPE</translation>
+    </message>
+    <message>
+        <source>gives field %1 an impossible COUNT</source>
+        <translation>gibt dem Feld %1 ein unmögliches COUNT</translation>
+    </message>
+    <message>
+        <source>has no single field %1</source>
+        <translation>hat nicht genau ein Feld %1</translation>
+    </message>
+    <message>
+        <source>says nowhere how many points there are</source>
+        <translation>sagt nirgends, wie viele Punkte es gibt</translation>
+    </message>
+    <message>
+        <source>promises an impossible number of points</source>
+        <translation>verspricht eine unmögliche Zahl von Punkten</translation>
+    </message>
+    <message>
+        <source>promises %1 points, but %2 x %3</source>
+        <translation>verspricht {1|%1 Punkt|%1 Punkte}, aber %2 x %3</translation>
+    </message>
+    <message>
+        <source>it promises %1 points, more than the limit of %2. Thin it out first.</source>
+        <translation>Die Datei verspricht %1 Punkte, mehr als die Grenze von %2. Dünnen Sie sie vorher aus.</translation>
+    </message>
+    <message>
+        <source>its compressed data hold %1 bytes, not those of %2 points.</source>
+        <translation>Die komprimierten Daten enthalten %1 Bytes, nicht die von {2|%2 Punkt|%2 Punkten}.</translation>
+    </message>
+    <message>
+        <source>header promises %1 points, but the compressed data are cut, and no part of them can be read.</source>
+        <translation>Der Dateikopf verspricht {1|%1 Punkt|%1 Punkte}, aber die komprimierten Daten sind abgeschnitten, und kein Teil davon lässt sich lesen.</translation>
+    </message>
+    <message>
+        <source>it ends before &quot;endsolid&quot;. It is incomplete; copy or export it again.</source>
+        <translation>Die Datei endet vor „endsolid“. Sie ist unvollständig; kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>it does not hold the chunks of a 3DS file.</source>
+        <translation>Die Datei enthält nicht die Abschnitte einer 3DS-Datei.</translation>
+    </message>
+    <message>
+        <source>it has no vertices (&quot;v x y z&quot;). Choose another file.</source>
+        <translation>Die Datei hat keine Eckpunkte („v x y z“). Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>it promises more points than there can be.</source>
+        <translation>Die Datei verspricht mehr Punkte, als es geben kann.</translation>
+    </message>
+    <message>
+        <source>the matrix before line %1 does not place a scan.</source>
+        <translation>Die Matrix vor Zeile %1 legt keine Lage eines Scans fest.</translation>
+    </message>
+    <message>
+        <source>line %1 (&quot;%2&quot;) should hold %3.</source>
+        <translation>Zeile %1 („%2“) sollte %3 enthalten.</translation>
+    </message>
+    <message>
+        <source>the number of columns of a scan</source>
+        <translation>die Zahl der Spalten eines Scans</translation>
+    </message>
+    <message>
+        <source>the number of rows of a scan</source>
+        <translation>die Zahl der Zeilen eines Scans</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>drei Zahlen</translation>
+    </message>
+    <message>
+        <source>four numbers of a matrix</source>
+        <translation>vier Zahlen einer Matrix</translation>
+    </message>
+    <message>
+        <source>a point&apos;s x, y and z</source>
+        <translation>x, y und z eines Punktes</translation>
+    </message>
+    <message>
+        <source>it says to be E57 version %1; this version reads E57 1. Export it again as E57 1.0.</source>
+        <translation>Die Datei gibt an, E57-Version %1 zu sein; diese Version von relievo liest E57 1. Exportieren Sie sie noch einmal als E57 1.0.</translation>
+    </message>
+    <message>
+        <source>its header gives an impossible page size.</source>
+        <translation>Der Dateikopf nennt eine unmögliche Seitengröße.</translation>
+    </message>
+    <message>
+        <source>its length is no multiple of its pages.</source>
+        <translation>Die Länge der Datei ist kein Vielfaches der Länge ihrer Seiten.</translation>
+    </message>
+    <message>
+        <source>the checksum of its page %1 of %2 is wrong.</source>
+        <translation>Seite %1 von %2 der Datei hat eine falsche Prüfsumme.</translation>
+    </message>
+    <message>
+        <source>it names a place outside itself.</source>
+        <translation>Die Datei nennt eine Stelle außerhalb ihrer selbst.</translation>
+    </message>
+    <message>
+        <source>a part of it reaches beyond its end.</source>
+        <translation>Ein Teil der Datei reicht über ihr Ende hinaus.</translation>
+    </message>
+    <message>
+        <source>its list of scans has an impossible length.</source>
+        <translation>Die Liste der Scans hat eine unmögliche Länge.</translation>
+    </message>
+    <message>
+        <source>its list of scans is no proper XML (%1).</source>
+        <translation>Die Liste der Scans ist kein richtiges XML (%1).</translation>
+    </message>
+    <message>
+        <source>it lists no scans.</source>
+        <translation>Die Datei führt keine Scans auf.</translation>
+    </message>
+    <message>
+        <source>a packet of its points makes no sense.</source>
+        <translation>Ein Paket von Punkten ergibt keinen Sinn.</translation>
+    </message>
+    <message>
+        <source>a section of its points makes no sense.</source>
+        <translation>Ein Abschnitt von Punkten ergibt keinen Sinn.</translation>
+    </message>
+    <message>
+        <source>it has no %1.</source>
+        <translation>Das Feld %1 fehlt.</translation>
+    </message>
+    <message>
+        <source>its entry in the list of scans %1.</source>
+        <translation>Der Eintrag in der Liste der Scans %1.</translation>
+    </message>
+    <message>
+        <source>holds &quot;%1&quot; in place of a number</source>
+        <translation>enthält „%1“ statt einer Zahl</translation>
+    </message>
+    <message>
+        <source>names an unknown codec</source>
+        <translation>nennt einen unbekannten Codec</translation>
+    </message>
+    <message>
+        <source>gives %1 a maximum below its minimum</source>
+        <translation>gibt %1 ein Maximum unter dem Minimum</translation>
+    </message>
+    <message>
+        <source>holds a rotation that is no unit quaternion</source>
+        <translation>enthält eine Drehung, die keine Einheitsquaternion ist</translation>
+    </message>
+    <message>
+        <source>has points of an unknown kind</source>
+        <translation>hat Punkte unbekannter Art</translation>
+    </message>
+    <message>
+        <source>does not say what a point consists of</source>
+        <translation>sagt nicht, woraus ein Punkt besteht</translation>
+    </message>
+    <message>
+        <source>it says to be LAS version %1.%2; versions 1.0 to 1.4 exist. Export it again as LAS 1.4.</source>
+        <translation>Die Datei gibt an, LAS-Version %1.%2 zu sein; es gibt die Versionen 1.0 bis 1.4. Exportieren Sie sie noch einmal als LAS 1.4.</translation>
+    </message>
+    <message>
+        <source>it says to hold points of format %1; formats 0 to 10 exist.</source>
+        <translation>Die Datei gibt an, Punkte im Format %1 zu enthalten; es gibt die Formate 0 bis 10.</translation>
+    </message>
+    <message>
+        <source>its header gives points of format %1 %2 bytes each; they need %3.</source>
+        <translation>Der Dateikopf gibt Punkten im Format %1 je %2 Bytes; sie brauchen %3.</translation>
+    </message>
+    <message>
+        <source>its header places the points within itself.</source>
+        <translation>Laut Dateikopf liegen die Punkte im Dateikopf selbst.</translation>
+    </message>
+    <message>
+        <source>its header holds no usable scale and offset of coordinates.</source>
+        <translation>Der Dateikopf enthält keine brauchbare Skalierung und Verschiebung der Koordinaten.</translation>
+    </message>
+    <message>
+        <source>it says its header has %1 bytes; %2 are needed.</source>
+        <translation>Die Datei gibt an, dass ihr Dateikopf %1 Bytes hat; nötig sind %2.</translation>
+    </message>
+    <message>
+        <source>it packs %1 points in one block, which cannot be unpacked in parts. Read it as a whole, or pack it again in blocks of 50 000.</source>
+        <translation>Die Datei packt %1 Punkte in einen Block, der sich nicht in Teilen auspacken lässt. Lesen Sie sie als Ganzes, oder packen Sie sie neu in Blöcken von 50 000.</translation>
+    </message>
+    <message>
+        <source>its record of packing names fields of kind %1 with %2 bytes, which do not exist there.</source>
+        <translation>Der Eintrag zur Packung nennt Felder der Art %1 mit %2 Bytes, die es dort nicht gibt.</translation>
+    </message>
+    <message>
+        <source>its points are packed by version %1 of the method, which is not known here.</source>
+        <translation>Die Punkte sind mit Version %1 des Verfahrens gepackt, die hier nicht bekannt ist.</translation>
+    </message>
+    <message>
+        <source>its points are packed in a way (%1) that is not known here.</source>
+        <translation>Die Punkte sind auf eine Art (%1) gepackt, die hier nicht bekannt ist.</translation>
+    </message>
+    <message>
+        <source>its record of packing is cut.</source>
+        <translation>Der Eintrag zur Packung ist abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>its record of packing does not begin with the coordinates.</source>
+        <translation>Der Eintrag zur Packung beginnt nicht mit den Koordinaten.</translation>
+    </message>
+    <message>
+        <source>its record of packing is not for points of format %1.</source>
+        <translation>Der Eintrag zur Packung ist nicht für Punkte im Format %1.</translation>
+    </message>
+    <message>
+        <source>its header gives each point %1 bytes, its record of packing %2.</source>
+        <translation>Der Dateikopf gibt jedem Punkt %1 Bytes, der Eintrag zur Packung %2.</translation>
+    </message>
+    <message>
+        <source>the list of its blocks of points %1.</source>
+        <translation>Die Liste der Blöcke von Punkten %1.</translation>
+    </message>
+    <message>
+        <source>lies within its header</source>
+        <translation>liegt im Dateikopf</translation>
+    </message>
+    <message>
+        <source>is none</source>
+        <translation>ist keine Liste</translation>
+    </message>
+    <message>
+        <source>its header promises %1 points, the list of its blocks others (%2 blocks).</source>
+        <translation>Der Dateikopf verspricht {1|%1 Punkt|%1 Punkte}, die Liste der Blöcke eine andere Zahl ({2|%2 Block|%2 Blöcke}).</translation>
+    </message>
+    <message>
+        <source>it is a compressed LAS file, and no record in it says how its points are packed.</source>
+        <translation>Es ist eine komprimierte LAS-Datei, und kein Eintrag darin sagt, wie die Punkte gepackt sind.</translation>
+    </message>
+    <message>
+        <source>its header promises %1 points.</source>
+        <translation>Der Dateikopf verspricht %1 Punkte.</translation>
+    </message>
+    <message>
+        <source>it ends before its points.</source>
+        <translation>Die Datei endet vor ihren Punkten.</translation>
+    </message>
+    <message>
+        <source>its block of points number %1 %2.</source>
+        <translation>Der Block von Punkten mit der Nummer %1 %2.</translation>
+    </message>
+    <message>
+        <source>mixes fields of old and of new point formats</source>
+        <translation>vermischt Felder alter und neuer Punktformate</translation>
+    </message>
+    <message>
+        <source>is shorter than its layers</source>
+        <translation>ist kürzer als die Schichten darin</translation>
+    </message>
+    <message>
+        <source>ends within its list of layers</source>
+        <translation>endet mitten in der Liste der Schichten</translation>
+    </message>
+    <message>
+        <source>says another number of points than the list of chunks</source>
+        <translation>nennt eine andere Zahl von Punkten als die Liste der Blöcke</translation>
+    </message>
+    <message>
+        <source>holds no coordinates</source>
+        <translation>enthält keine Koordinaten</translation>
+    </message>
+    <message>
+        <source>ends before its last point</source>
+        <translation>endet vor dem letzten Punkt</translation>
+    </message>
+    <message>
+        <source>ends before its first point</source>
+        <translation>endet vor dem ersten Punkt</translation>
+    </message>
+    <message>
+        <source>names more bytes than there are</source>
+        <translation>nennt mehr Bytes, als es gibt</translation>
+    </message>
+    <message>
+        <source>holds bytes that no coder writes</source>
+        <translation>enthält Bytes, die kein Kodierer schreibt</translation>
+    </message>
+    <message>
+        <source>switches between sequences of times without end</source>
+        <translation>wechselt ohne Ende zwischen Folgen von Zeiten</translation>
+    </message>
+    <message>
+        <source>its COPC hierarchy %1.</source>
+        <translation>Die COPC-Hierarchie %1.</translation>
+    </message>
+    <message>
+        <source>leaves out points that the file holds</source>
+        <translation>lässt Punkte aus, die die Datei enthält</translation>
+    </message>
+    <message>
+        <source>has a page outside the file or of odd size</source>
+        <translation>hat eine Seite außerhalb der Datei oder von unpassender Größe</translation>
+    </message>
+    <message>
+        <source>leads in a circle</source>
+        <translation>führt im Kreis</translation>
+    </message>
+    <message>
+        <source>has a node outside its octree</source>
+        <translation>hat einen Knoten außerhalb ihres Octrees</translation>
+    </message>
+    <message>
+        <source>names points that are no block of the file</source>
+        <translation>nennt Punkte, die kein Block der Datei sind</translation>
+    </message>
+    <message>
+        <source>names a block of points twice</source>
+        <translation>nennt einen Block von Punkten zweimal</translation>
+    </message>
+    <message>
+        <source>has no root</source>
+        <translation>hat keine Wurzel</translation>
+    </message>
+    <message>
+        <source>header promises %1 cells, file ends at %2.</source>
+        <translation>Der Dateikopf verspricht %1 Zellen, die Datei endet bei %2.</translation>
+    </message>
+    <message>
+        <source>it has not the bands that colours of a map have.</source>
+        <translation>Die Datei hat nicht die Bänder, die Farben einer Karte haben.</translation>
+    </message>
+    <message>
+        <source>row %1 is damaged or missing.</source>
+        <translation>Zeile %1 ist beschädigt oder fehlt.</translation>
+    </message>
+    <message>
+        <source>it carries %1 bytes of metadata, more than the limit of %2. Export it again without them.</source>
+        <translation>Die Datei trägt %1 Bytes Metadaten, mehr als die Grenze von %2. Exportieren Sie sie noch einmal ohne Metadaten.</translation>
+    </message>
+    <message>
+        <source>it is not a readable %1. Export it again as GeoTIFF.</source>
+        <translation>Es ist kein lesbares %1. Exportieren Sie die Datei noch einmal als GeoTIFF.</translation>
+    </message>
+    <message>
+        <source>it is not a readable %1 (%2). Export it again as GeoTIFF.</source>
+        <translation>Es ist kein lesbares %1 (%2). Exportieren Sie die Datei noch einmal als GeoTIFF.</translation>
+    </message>
+    <message>
+        <source>its georeference holds no usable numbers. Write it again with gdal_translate.</source>
+        <translation>Die Georeferenz enthält keine brauchbaren Zahlen. Schreiben Sie die Datei neu mit gdal_translate.</translation>
+    </message>
+    <message>
+        <source>its rows do not run from west to east; it is rotated or mirrored. Make it north-up with gdalwarp.</source>
+        <translation>Die Zeilen laufen nicht von Westen nach Osten; das Raster ist gedreht oder gespiegelt. Richten Sie es mit gdalwarp nach Norden aus.</translation>
+    </message>
+    <message>
+        <source>its pixels are not square (%1). Resample it with gdalwarp -tr.</source>
+        <translation>Die Pixel sind nicht quadratisch (%1). Tasten Sie die Datei mit gdalwarp -tr neu ab.</translation>
+    </message>
+    <message>
+        <source>its cells are complex numbers, not heights. Choose a height raster.</source>
+        <translation>Die Zellen sind komplexe Zahlen, keine Höhen. Wählen Sie ein Höhenraster.</translation>
+    </message>
+    <message>
+        <source>each of its strips or tiles holds %1 MB; they are read whole, and 1 073 MB is the limit. Write one band of it again with gdal_translate -b 1 -co TILED=YES.</source>
+        <translation>Jeder Streifen oder jede Kachel der Datei umfasst %1 MB; sie werden als Ganzes gelesen, und 1 073 MB sind die Grenze. Schreiben Sie ein Band davon neu mit gdal_translate -b 1 -co TILED=YES.</translation>
+    </message>
+    <message>
+        <source>none of its %1 cells holds a height. Choose another raster.</source>
+        <translation>Keine der %1 Zellen enthält eine Höhe. Wählen Sie ein anderes Raster.</translation>
+    </message>
+    <message>
+        <source>row %1 is damaged or missing (%2).</source>
+        <translation>Zeile %1 ist beschädigt oder fehlt (%2).</translation>
+    </message>
+    <message>
+        <source>it holds the origins of a map&apos;s cells, not heights. Open the map beside it.</source>
+        <translation>Die Datei enthält die Herkunft der Zellen einer Karte, keine Höhen. Öffnen Sie die Karte daneben.</translation>
+    </message>
+    <message>
+        <source>its RELIEVO_ entries were changed and make no sense.</source>
+        <translation>Die RELIEVO_-Einträge wurden geändert und ergeben keinen Sinn.</translation>
+    </message>
+    <message>
+        <source>it has %1 x %2 cells; at least 2 x 2 are needed. Choose a larger raster.</source>
+        <translation>Die Datei hat %1 x %2 Zellen; mindestens 2 x 2 sind nötig. Wählen Sie ein größeres Raster.</translation>
+    </message>
+    <message>
+        <source>it has %1 cells, more than the limit of %2. Cut or thin it with gdal_translate.</source>
+        <translation>Die Datei hat %1 Zellen, mehr als die Grenze von %2. Schneiden Sie sie mit gdal_translate zu, oder dünnen Sie sie damit aus.</translation>
+    </message>
+    <message>
+        <source>its heights could not be kept while they were used, or its reader broke down on it. Try again, or export it again.</source>
+        <translation>Die Höhen konnten nicht aufbewahrt werden, während sie gebraucht wurden, oder das Leseprogramm ist an der Datei zusammengebrochen. Versuchen Sie es noch einmal, oder exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>its points cannot be kept while they are used. Free some memory, and try again.</source>
+        <translation>Die Punkte können nicht aufbewahrt werden, während sie gebraucht werden. Schaffen Sie freien Speicher, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>only LAS, LAZ and binary PLY files are read in blocks. Convert it to LAS first.</source>
+        <translation>Nur Dateien in LAS, LAZ und binärem PLY werden in Blöcken gelesen. Wandeln Sie die Datei vorher in LAS um.</translation>
+    </message>
+    <message>
+        <source>this import program reads no rasters. Install relievo again.</source>
+        <translation>Dieses Importprogramm liest keine Raster. Installieren Sie relievo neu.</translation>
+    </message>
+    <message>
+        <source>it takes more than %1 s of processor time. Thin it out or cut it into parts first.</source>
+        <translation>Das Lesen braucht mehr als %1 s Rechenzeit. Dünnen Sie die Datei vorher aus, oder teilen Sie sie.</translation>
+    </message>
+    <message>
+        <source>it needs more than %1 MB of memory. Thin it out or cut it into parts first.</source>
+        <translation>Die Datei braucht mehr als %1 MB Arbeitsspeicher. Dünnen Sie sie vorher aus, oder teilen Sie sie in Teile.</translation>
+    </message>
+    <message>
+        <source>what it holds is passed on as a file, and files may have no more than %1 kB here (ulimit -f). Allow larger ones and try again.</source>
+        <translation>Der Inhalt der Datei wird als Datei weitergegeben, und Dateien dürfen hier nicht mehr als %1 kB haben (ulimit -f). Lassen Sie größere zu, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>its reader gave up (%1).</source>
+        <translation>Das Leseprogramm hat aufgegeben (%1).</translation>
+    </message>
+    <message>
+        <source>PCL gave up on its points. Give --reader own.</source>
+        <translation>PCL hat bei den Punkten der Datei aufgegeben. Geben Sie --reader own an.</translation>
+    </message>
+    <message>
+        <source>its reader broke down on it. The program is unharmed; the file is probably damaged. Export it again.</source>
+        <translation>Das Leseprogramm ist an der Datei zusammengebrochen. Das Hauptprogramm ist unversehrt; die Datei ist wahrscheinlich beschädigt. Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>its reader broke down on it (&quot;%1&quot;). The program is unharmed; the file is probably damaged. Export it again.</source>
+        <translation>Das Leseprogramm ist an der Datei zusammengebrochen („%1“). Das Hauptprogramm ist unversehrt; die Datei ist wahrscheinlich beschädigt. Exportieren Sie sie noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

@@ -9573,6 +9573,606 @@
         <source>In %1: %2</source>
         <translation>%1 में: %2</translation>
     </message>
+    <message>
+        <source>Cannot read %1: %2</source>
+        <translation>%1 पढ़ी नहीं जा सकती: %2</translation>
+    </message>
+    <message>
+        <source>Export it again.</source>
+        <translation>इसे फिर से निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Copy or export it again.</source>
+        <translation>इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>The file is damaged; export it again.</source>
+        <translation>फ़ाइल क्षतिग्रस्त है; इसे फिर से निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>The file is damaged; copy or export it again.</source>
+        <translation>फ़ाइल क्षतिग्रस्त है; इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Convert it to LAS.</source>
+        <translation>इसे LAS में बदलें।</translation>
+    </message>
+    <message>
+        <source>Write the map again.</source>
+        <translation>मानचित्र फिर से लिखें।</translation>
+    </message>
+    <message>
+        <source>line %1 is longer than 64 kB. It is no file of points.</source>
+        <translation>पंक्ति %1 की लंबाई 64 kB से अधिक है। यह बिंदुओं की फ़ाइल नहीं है।</translation>
+    </message>
+    <message>
+        <source>line %1 (&quot;%2&quot;) does not start with three numbers. Correct the line, or choose another file.</source>
+        <translation>पंक्ति %1 (“%2”) तीन संख्याओं से शुरू नहीं होती। पंक्ति ठीक करें, या दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>line %1 (&quot;%2&quot;) groups the digits of its numbers by thousands. Write them without such separators.</source>
+        <translation>पंक्ति %1 (“%2”) में संख्याओं के अंक हज़ारों के समूहों में बँटे हैं। संख्याएँ ऐसे विभाजकों के बिना लिखें।</translation>
+    </message>
+    <message>
+        <source>line %1 (&quot;%2&quot;) %3.</source>
+        <translation>पंक्ति %1 (“%2”) %3।</translation>
+    </message>
+    <message>
+        <source>header line %1 (&quot;%2&quot;) %3.</source>
+        <translation>शीर्ष की पंक्ति %1 (“%2”) %3।</translation>
+    </message>
+    <message>
+        <source>line %1 is longer than 1 MB.</source>
+        <translation>पंक्ति %1 की लंबाई 1 MB से अधिक है।</translation>
+    </message>
+    <message>
+        <source>does not hold three coordinates</source>
+        <translation>में तीन निर्देशांक नहीं हैं</translation>
+    </message>
+    <message>
+        <source>has too few numbers</source>
+        <translation>में संख्याएँ बहुत कम हैं</translation>
+    </message>
+    <message>
+        <source>has fewer numbers than the header says</source>
+        <translation>में उससे कम संख्याएँ हैं जितनी शीर्ष बताता है</translation>
+    </message>
+    <message>
+        <source>has a list without a usable length</source>
+        <translation>में बिना मान्य लंबाई की सूची है</translation>
+    </message>
+    <message>
+        <source>has a list shorter than it says</source>
+        <translation>में एक सूची अपनी बताई लंबाई से छोटी है</translation>
+    </message>
+    <message>
+        <source>names a corner that is no number</source>
+        <translation>ऐसा कोना बताती है जो संख्या नहीं है</translation>
+    </message>
+    <message>
+        <source>is no part of an STL file</source>
+        <translation>STL फ़ाइल का भाग नहीं है</translation>
+    </message>
+    <message>
+        <source>it does not start with the word &quot;ply&quot;. It is no PLY file, or damaged.</source>
+        <translation>यह “ply” शब्द से शुरू नहीं होती। यह PLY फ़ाइल नहीं है, या क्षतिग्रस्त है।</translation>
+    </message>
+    <message>
+        <source>its header mixes kinds of line ends.</source>
+        <translation>शीर्ष में अलग-अलग प्रकार के पंक्ति-अंत मिले हुए हैं।</translation>
+    </message>
+    <message>
+        <source>a list in it has the length %1.</source>
+        <translation>इसमें एक सूची की लंबाई %1 है।</translation>
+    </message>
+    <message>
+        <source>its points have no fixed places in the file (text, or lists). Save it as binary PLY, or as LAS.</source>
+        <translation>फ़ाइल में इसके बिंदुओं की जगहें निश्चित नहीं हैं (पाठ, या सूचियाँ)। इसे बाइनरी PLY या LAS के रूप में सहेजें।</translation>
+    </message>
+    <message>
+        <source>is too long for a PLY header</source>
+        <translation>PLY फ़ाइल के शीर्ष के लिए बहुत लंबी है</translation>
+    </message>
+    <message>
+        <source>names no known format</source>
+        <translation>कोई ज्ञात प्रारूप नहीं बताती</translation>
+    </message>
+    <message>
+        <source>holds no usable count</source>
+        <translation>में कोई मान्य गिनती नहीं है</translation>
+    </message>
+    <message>
+        <source>names an element a second time</source>
+        <translation>किसी तत्व को दूसरी बार बताती है</translation>
+    </message>
+    <message>
+        <source>belongs to no element</source>
+        <translation>किसी तत्व की नहीं है</translation>
+    </message>
+    <message>
+        <source>gives a list no whole-number length</source>
+        <translation>सूची को पूर्णांक लंबाई नहीं देती</translation>
+    </message>
+    <message>
+        <source>names an unknown type</source>
+        <translation>कोई अज्ञात प्रकार बताती है</translation>
+    </message>
+    <message>
+        <source>has no name</source>
+        <translation>में नाम नहीं है</translation>
+    </message>
+    <message>
+        <source>is one property too many</source>
+        <translation>से गुणों की सीमा पार हो जाती है</translation>
+    </message>
+    <message>
+        <source>names a property a second time</source>
+        <translation>किसी गुण को दूसरी बार बताती है</translation>
+    </message>
+    <message>
+        <source>its header %1 (line %2). It is no PCD file, or damaged; export it again.</source>
+        <translation>शीर्ष %1 (पंक्ति %2)। यह PCD फ़ाइल नहीं है, या क्षतिग्रस्त है; इसे फिर से निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>has a line too long for a PCD file</source>
+        <translation>में एक पंक्ति PCD फ़ाइल के लिए बहुत लंबी है</translation>
+    </message>
+    <message>
+        <source>has no end (&quot;DATA&quot;)</source>
+        <translation>का अंत (“DATA”) नहीं है</translation>
+    </message>
+    <message>
+        <source>has too many fields</source>
+        <translation>में बहुत अधिक फ़ील्ड हैं</translation>
+    </message>
+    <message>
+        <source>holds no usable %1</source>
+        <translation>में मान्य %1 नहीं है</translation>
+    </message>
+    <message>
+        <source>names no known kind of data</source>
+        <translation>डेटा का कोई ज्ञात प्रकार नहीं बताता</translation>
+    </message>
+    <message>
+        <source>ends its lines with CR alone</source>
+        <translation>अपनी पंक्तियाँ केवल CR से समाप्त करता है</translation>
+    </message>
+    <message>
+        <source>names no fields</source>
+        <translation>कोई फ़ील्ड नहीं बताता</translation>
+    </message>
+    <message>
+        <source>does not give every field its SIZE, TYPE and COUNT</source>
+        <translation>हर फ़ील्ड को उसका SIZE, TYPE और COUNT नहीं देता</translation>
+    </message>
+    <message>
+        <source>gives field %1 an impossible SIZE or TYPE</source>
+        <translation>फ़ील्ड %1 को असंभव SIZE या TYPE देता है</translation>
+    </message>
+    <message>
+        <source>gives field %1 an impossible COUNT</source>
+        <translation>फ़ील्ड %1 को असंभव COUNT देता है</translation>
+    </message>
+    <message>
+        <source>has no single field %1</source>
+        <translation>में ठीक एक फ़ील्ड %1 नहीं है</translation>
+    </message>
+    <message>
+        <source>says nowhere how many points there are</source>
+        <translation>कहीं नहीं बताता कि कितने बिंदु हैं</translation>
+    </message>
+    <message>
+        <source>promises an impossible number of points</source>
+        <translation>बिंदुओं की असंभव संख्या बताता है</translation>
+    </message>
+    <message>
+        <source>promises %1 points, but %2 x %3</source>
+        <translation>%1 बिंदु बताता है, पर आकार %2 x %3</translation>
+    </message>
+    <message>
+        <source>it promises %1 points, more than the limit of %2. Thin it out first.</source>
+        <translation>यह %1 बिंदु बताती है, जो %2 की सीमा से अधिक हैं। पहले इसे विरल करें।</translation>
+    </message>
+    <message>
+        <source>its compressed data hold %1 bytes, not those of %2 points.</source>
+        <translation>इसके संपीड़ित डेटा में %1 बाइट हैं, उतनी नहीं जितनी %2 बिंदुओं की होती हैं।</translation>
+    </message>
+    <message>
+        <source>header promises %1 points, but the compressed data are cut, and no part of them can be read.</source>
+        <translation>शीर्ष %1 बिंदु बताता है, पर संपीड़ित डेटा कटा हुआ है और उसका कोई भाग नहीं पढ़ा जा सकता।</translation>
+    </message>
+    <message>
+        <source>it ends before &quot;endsolid&quot;. It is incomplete; copy or export it again.</source>
+        <translation>यह “endsolid” से पहले समाप्त होती है। यह अधूरी है; इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>it does not hold the chunks of a 3DS file.</source>
+        <translation>इसमें 3DS फ़ाइल के भाग नहीं हैं।</translation>
+    </message>
+    <message>
+        <source>it has no vertices (&quot;v x y z&quot;). Choose another file.</source>
+        <translation>इसमें बिंदु (“v x y z”) नहीं हैं। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>it promises more points than there can be.</source>
+        <translation>यह जितने हो सकते हैं उससे अधिक बिंदु बताती है।</translation>
+    </message>
+    <message>
+        <source>the matrix before line %1 does not place a scan.</source>
+        <translation>पंक्ति %1 से पहले का आव्यूह किसी स्कैन की स्थिति तय नहीं करता।</translation>
+    </message>
+    <message>
+        <source>line %1 (&quot;%2&quot;) should hold %3.</source>
+        <translation>पंक्ति %1 (“%2”) में %3 चाहिए।</translation>
+    </message>
+    <message>
+        <source>the number of columns of a scan</source>
+        <translation>स्कैन के स्तंभों की संख्या</translation>
+    </message>
+    <message>
+        <source>the number of rows of a scan</source>
+        <translation>स्कैन की पंक्तियों की संख्या</translation>
+    </message>
+    <message>
+        <source>three numbers</source>
+        <translation>तीन संख्याएँ</translation>
+    </message>
+    <message>
+        <source>four numbers of a matrix</source>
+        <translation>आव्यूह की चार संख्याएँ</translation>
+    </message>
+    <message>
+        <source>a point&apos;s x, y and z</source>
+        <translation>बिंदु के x, y और z</translation>
+    </message>
+    <message>
+        <source>it says to be E57 version %1; this version reads E57 1. Export it again as E57 1.0.</source>
+        <translation>यह स्वयं को E57 संस्करण %1 बताती है; relievo का यह संस्करण E57 1 पढ़ता है। इसे फिर से E57 1.0 के रूप में निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>its header gives an impossible page size.</source>
+        <translation>शीर्ष पृष्ठ का असंभव आकार बताता है।</translation>
+    </message>
+    <message>
+        <source>its length is no multiple of its pages.</source>
+        <translation>इसकी लंबाई इसके पृष्ठों की लंबाई का गुणज नहीं है।</translation>
+    </message>
+    <message>
+        <source>the checksum of its page %1 of %2 is wrong.</source>
+        <translation>फ़ाइल के %2 में से पृष्ठ %1 का जाँच-योग ग़लत है।</translation>
+    </message>
+    <message>
+        <source>it names a place outside itself.</source>
+        <translation>फ़ाइल अपने से बाहर की जगह बताती है।</translation>
+    </message>
+    <message>
+        <source>a part of it reaches beyond its end.</source>
+        <translation>फ़ाइल का एक भाग उसके अंत से आगे जाता है।</translation>
+    </message>
+    <message>
+        <source>its list of scans has an impossible length.</source>
+        <translation>स्कैनों की सूची की लंबाई असंभव है।</translation>
+    </message>
+    <message>
+        <source>its list of scans is no proper XML (%1).</source>
+        <translation>स्कैनों की सूची सही XML नहीं है (%1)।</translation>
+    </message>
+    <message>
+        <source>it lists no scans.</source>
+        <translation>फ़ाइल की सूची में कोई स्कैन नहीं है।</translation>
+    </message>
+    <message>
+        <source>a packet of its points makes no sense.</source>
+        <translation>बिंदुओं का एक पैकेट निरर्थक है।</translation>
+    </message>
+    <message>
+        <source>a section of its points makes no sense.</source>
+        <translation>बिंदुओं का एक अनुभाग निरर्थक है।</translation>
+    </message>
+    <message>
+        <source>it has no %1.</source>
+        <translation>फ़ील्ड %1 नहीं है।</translation>
+    </message>
+    <message>
+        <source>its entry in the list of scans %1.</source>
+        <translation>स्कैनों की सूची में इसकी प्रविष्टि %1।</translation>
+    </message>
+    <message>
+        <source>holds &quot;%1&quot; in place of a number</source>
+        <translation>में संख्या की जगह “%1” है</translation>
+    </message>
+    <message>
+        <source>names an unknown codec</source>
+        <translation>अज्ञात कोडेक बताती है</translation>
+    </message>
+    <message>
+        <source>gives %1 a maximum below its minimum</source>
+        <translation>%1 को न्यूनतम से छोटा अधिकतम देती है</translation>
+    </message>
+    <message>
+        <source>holds a rotation that is no unit quaternion</source>
+        <translation>में ऐसा घूर्णन है जो इकाई क्वाटर्नियन नहीं है</translation>
+    </message>
+    <message>
+        <source>has points of an unknown kind</source>
+        <translation>में अज्ञात प्रकार के बिंदु हैं</translation>
+    </message>
+    <message>
+        <source>does not say what a point consists of</source>
+        <translation>नहीं बताती कि बिंदु किससे बना है</translation>
+    </message>
+    <message>
+        <source>it says to be LAS version %1.%2; versions 1.0 to 1.4 exist. Export it again as LAS 1.4.</source>
+        <translation>यह स्वयं को LAS संस्करण %1.%2 बताती है; संस्करण 1.0 से 1.4 तक होते हैं। इसे फिर से LAS 1.4 के रूप में निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>it says to hold points of format %1; formats 0 to 10 exist.</source>
+        <translation>यह अपने बिंदुओं का प्रारूप %1 बताती है; प्रारूप 0 से 10 तक होते हैं।</translation>
+    </message>
+    <message>
+        <source>its header gives points of format %1 %2 bytes each; they need %3.</source>
+        <translation>शीर्ष प्रारूप %1 के हर बिंदु को %2 बाइट देता है; %3 चाहिए।</translation>
+    </message>
+    <message>
+        <source>its header places the points within itself.</source>
+        <translation>शीर्ष के अनुसार बिंदु स्वयं शीर्ष के भीतर हैं।</translation>
+    </message>
+    <message>
+        <source>its header holds no usable scale and offset of coordinates.</source>
+        <translation>शीर्ष में निर्देशांकों का मान्य पैमाना और विस्थापन नहीं है।</translation>
+    </message>
+    <message>
+        <source>it says its header has %1 bytes; %2 are needed.</source>
+        <translation>यह अपने शीर्ष को %1 बाइट का बताती है; %2 चाहिए।</translation>
+    </message>
+    <message>
+        <source>it packs %1 points in one block, which cannot be unpacked in parts. Read it as a whole, or pack it again in blocks of 50 000.</source>
+        <translation>इसमें %1 बिंदु एक ही खंड में पैक हैं, जो भागों में नहीं खोला जा सकता। इसे पूरा एक साथ पढ़ें, या फिर से 50 000 के खंडों में पैक करें।</translation>
+    </message>
+    <message>
+        <source>its record of packing names fields of kind %1 with %2 bytes, which do not exist there.</source>
+        <translation>पैकिंग का अभिलेख प्रकार %1 के %2 बाइट वाले फ़ील्ड बताता है, जो वहाँ होते ही नहीं।</translation>
+    </message>
+    <message>
+        <source>its points are packed by version %1 of the method, which is not known here.</source>
+        <translation>इसके बिंदु विधि के संस्करण %1 से पैक हैं, जो यहाँ ज्ञात नहीं।</translation>
+    </message>
+    <message>
+        <source>its points are packed in a way (%1) that is not known here.</source>
+        <translation>इसके बिंदु ऐसे तरीके (%1) से पैक हैं जो यहाँ ज्ञात नहीं।</translation>
+    </message>
+    <message>
+        <source>its record of packing is cut.</source>
+        <translation>पैकिंग का अभिलेख कटा हुआ है।</translation>
+    </message>
+    <message>
+        <source>its record of packing does not begin with the coordinates.</source>
+        <translation>पैकिंग का अभिलेख निर्देशांकों से शुरू नहीं होता।</translation>
+    </message>
+    <message>
+        <source>its record of packing is not for points of format %1.</source>
+        <translation>पैकिंग का अभिलेख प्रारूप %1 के बिंदुओं के लिए नहीं है।</translation>
+    </message>
+    <message>
+        <source>its header gives each point %1 bytes, its record of packing %2.</source>
+        <translation>शीर्ष हर बिंदु को %1 बाइट देता है, पैकिंग का अभिलेख %2।</translation>
+    </message>
+    <message>
+        <source>the list of its blocks of points %1.</source>
+        <translation>बिंदु-खंडों की सूची %1।</translation>
+    </message>
+    <message>
+        <source>lies within its header</source>
+        <translation>शीर्ष के भीतर है</translation>
+    </message>
+    <message>
+        <source>is none</source>
+        <translation>वास्तव में कोई सूची नहीं है</translation>
+    </message>
+    <message>
+        <source>its header promises %1 points, the list of its blocks others (%2 blocks).</source>
+        <translation>शीर्ष %1 बिंदु बताता है, बिंदु-खंडों की सूची दूसरी संख्या (%2 खंड)।</translation>
+    </message>
+    <message>
+        <source>it is a compressed LAS file, and no record in it says how its points are packed.</source>
+        <translation>यह संपीड़ित LAS फ़ाइल है, और इसका कोई अभिलेख नहीं बताता कि बिंदु कैसे पैक हैं।</translation>
+    </message>
+    <message>
+        <source>its header promises %1 points.</source>
+        <translation>शीर्ष %1 बिंदु बताता है।</translation>
+    </message>
+    <message>
+        <source>it ends before its points.</source>
+        <translation>यह अपने बिंदुओं से पहले समाप्त होती है।</translation>
+    </message>
+    <message>
+        <source>its block of points number %1 %2.</source>
+        <translation>बिंदु-खंड क्रमांक %1 %2।</translation>
+    </message>
+    <message>
+        <source>mixes fields of old and of new point formats</source>
+        <translation>में पुराने और नए बिंदु-प्रारूपों के फ़ील्ड मिले हुए हैं</translation>
+    </message>
+    <message>
+        <source>is shorter than its layers</source>
+        <translation>की लंबाई इसकी परतों की लंबाई से कम है</translation>
+    </message>
+    <message>
+        <source>ends within its list of layers</source>
+        <translation>का अंत परतों की सूची के बीच में है</translation>
+    </message>
+    <message>
+        <source>says another number of points than the list of chunks</source>
+        <translation>में बताई गई बिंदुओं की संख्या खंडों की सूची की संख्या से अलग है</translation>
+    </message>
+    <message>
+        <source>holds no coordinates</source>
+        <translation>में निर्देशांक नहीं हैं</translation>
+    </message>
+    <message>
+        <source>ends before its last point</source>
+        <translation>का अंत आख़िरी बिंदु से पहले है</translation>
+    </message>
+    <message>
+        <source>ends before its first point</source>
+        <translation>का अंत प्रथम बिंदु से पहले है</translation>
+    </message>
+    <message>
+        <source>names more bytes than there are</source>
+        <translation>में बताई गई बाइटें मौजूद बाइटों से अधिक हैं</translation>
+    </message>
+    <message>
+        <source>holds bytes that no coder writes</source>
+        <translation>में ऐसी बाइटें हैं जो कोई कोडर नहीं लिखता</translation>
+    </message>
+    <message>
+        <source>switches between sequences of times without end</source>
+        <translation>में समय के अनुक्रमों के बीच अंतहीन अदला-बदली है</translation>
+    </message>
+    <message>
+        <source>its COPC hierarchy %1.</source>
+        <translation>COPC पदानुक्रम %1।</translation>
+    </message>
+    <message>
+        <source>leaves out points that the file holds</source>
+        <translation>फ़ाइल के कुछ बिंदु छोड़ देता है</translation>
+    </message>
+    <message>
+        <source>has a page outside the file or of odd size</source>
+        <translation>में एक पृष्ठ फ़ाइल से बाहर या अनुपयुक्त आकार का है</translation>
+    </message>
+    <message>
+        <source>leads in a circle</source>
+        <translation>चक्र में जाता है</translation>
+    </message>
+    <message>
+        <source>has a node outside its octree</source>
+        <translation>का एक नोड अपने ऑक्ट्री से बाहर है</translation>
+    </message>
+    <message>
+        <source>names points that are no block of the file</source>
+        <translation>ऐसे बिंदु बताता है जो फ़ाइल का कोई खंड नहीं हैं</translation>
+    </message>
+    <message>
+        <source>names a block of points twice</source>
+        <translation>एक बिंदु-खंड को दो बार बताता है</translation>
+    </message>
+    <message>
+        <source>has no root</source>
+        <translation>में मूल नोड नहीं है</translation>
+    </message>
+    <message>
+        <source>header promises %1 cells, file ends at %2.</source>
+        <translation>शीर्ष %1 कोशिकाएँ बताता है, फ़ाइल %2 पर समाप्त होती है।</translation>
+    </message>
+    <message>
+        <source>it has not the bands that colours of a map have.</source>
+        <translation>इसमें वे बैंड नहीं हैं जो मानचित्र के रंगों में होते हैं।</translation>
+    </message>
+    <message>
+        <source>row %1 is damaged or missing.</source>
+        <translation>पंक्ति %1 क्षतिग्रस्त या अनुपस्थित है।</translation>
+    </message>
+    <message>
+        <source>it carries %1 bytes of metadata, more than the limit of %2. Export it again without them.</source>
+        <translation>इसमें %1 बाइट मेटाडेटा है, जो %2 की सीमा से अधिक है। इसे मेटाडेटा के बिना फिर से निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>it is not a readable %1. Export it again as GeoTIFF.</source>
+        <translation>यह पढ़ने योग्य %1 नहीं है। इसे फिर से GeoTIFF के रूप में निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>it is not a readable %1 (%2). Export it again as GeoTIFF.</source>
+        <translation>यह पढ़ने योग्य %1 नहीं है (%2)। इसे फिर से GeoTIFF के रूप में निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>its georeference holds no usable numbers. Write it again with gdal_translate.</source>
+        <translation>इसके भू-संदर्भ में मान्य संख्याएँ नहीं हैं। इसे gdal_translate से फिर से लिखें।</translation>
+    </message>
+    <message>
+        <source>its rows do not run from west to east; it is rotated or mirrored. Make it north-up with gdalwarp.</source>
+        <translation>इसकी पंक्तियाँ पश्चिम से पूर्व की ओर नहीं जातीं; रास्टर घूमा हुआ या दर्पण-उलटा है। इसे gdalwarp से ऐसा बनाएँ कि उत्तर ऊपर हो।</translation>
+    </message>
+    <message>
+        <source>its pixels are not square (%1). Resample it with gdalwarp -tr.</source>
+        <translation>इसके पिक्सेल वर्गाकार नहीं हैं (%1)। इसके नमूने gdalwarp -tr से फिर से लें।</translation>
+    </message>
+    <message>
+        <source>its cells are complex numbers, not heights. Choose a height raster.</source>
+        <translation>इसकी कोशिकाएँ सम्मिश्र संख्याएँ हैं, ऊँचाइयाँ नहीं। ऊँचाई रास्टर चुनें।</translation>
+    </message>
+    <message>
+        <source>each of its strips or tiles holds %1 MB; they are read whole, and 1 073 MB is the limit. Write one band of it again with gdal_translate -b 1 -co TILED=YES.</source>
+        <translation>इसकी हर पट्टी या टाइल %1 MB की है; वे पूरी पढ़ी जाती हैं, और सीमा 1 073 MB है। इसका एक बैंड gdal_translate -b 1 -co TILED=YES से फिर से लिखें।</translation>
+    </message>
+    <message>
+        <source>none of its %1 cells holds a height. Choose another raster.</source>
+        <translation>इसकी %1 कोशिकाओं में से किसी में ऊँचाई नहीं है। दूसरा रास्टर चुनें।</translation>
+    </message>
+    <message>
+        <source>row %1 is damaged or missing (%2).</source>
+        <translation>पंक्ति %1 क्षतिग्रस्त या अनुपस्थित है (%2)।</translation>
+    </message>
+    <message>
+        <source>it holds the origins of a map&apos;s cells, not heights. Open the map beside it.</source>
+        <translation>इसमें मानचित्र की कोशिकाओं के उद्गम हैं, ऊँचाइयाँ नहीं। इसके साथ वाला मानचित्र खोलें।</translation>
+    </message>
+    <message>
+        <source>its RELIEVO_ entries were changed and make no sense.</source>
+        <translation>इसकी RELIEVO_ प्रविष्टियाँ बदली गई हैं और निरर्थक हैं।</translation>
+    </message>
+    <message>
+        <source>it has %1 x %2 cells; at least 2 x 2 are needed. Choose a larger raster.</source>
+        <translation>इसमें %1 x %2 कोशिकाएँ हैं; कम से कम 2 x 2 चाहिए। बड़ा रास्टर चुनें।</translation>
+    </message>
+    <message>
+        <source>it has %1 cells, more than the limit of %2. Cut or thin it with gdal_translate.</source>
+        <translation>इसमें %1 कोशिकाएँ हैं, जो %2 की सीमा से अधिक हैं। इसे gdal_translate से काटें या विरल करें।</translation>
+    </message>
+    <message>
+        <source>its heights could not be kept while they were used, or its reader broke down on it. Try again, or export it again.</source>
+        <translation>इसकी ऊँचाइयाँ काम में लेते समय रखी नहीं जा सकीं, या पढ़ने वाला प्रोग्राम इस पर टूट गया। फिर कोशिश करें, या इसे फिर से निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>its points cannot be kept while they are used. Free some memory, and try again.</source>
+        <translation>इसके बिंदु काम में लेते समय रखे नहीं जा सकते। कुछ स्मृति खाली करें और फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>only LAS, LAZ and binary PLY files are read in blocks. Convert it to LAS first.</source>
+        <translation>खंडों में केवल LAS, LAZ और बाइनरी PLY फ़ाइलें पढ़ी जाती हैं। पहले इसे LAS में बदलें।</translation>
+    </message>
+    <message>
+        <source>this import program reads no rasters. Install relievo again.</source>
+        <translation>यह आयात प्रोग्राम रास्टर नहीं पढ़ता। relievo फिर से इंस्टॉल करें।</translation>
+    </message>
+    <message>
+        <source>it takes more than %1 s of processor time. Thin it out or cut it into parts first.</source>
+        <translation>इसे %1 s से अधिक प्रोसेसर समय चाहिए। पहले इसे विरल करें या भागों में बाँटें।</translation>
+    </message>
+    <message>
+        <source>it needs more than %1 MB of memory. Thin it out or cut it into parts first.</source>
+        <translation>इसे %1 MB से अधिक मेमोरी चाहिए। पहले इसे विरल करें या भागों में काटें।</translation>
+    </message>
+    <message>
+        <source>what it holds is passed on as a file, and files may have no more than %1 kB here (ulimit -f). Allow larger ones and try again.</source>
+        <translation>इसकी सामग्री फ़ाइल के रूप में आगे दी जाती है, और यहाँ फ़ाइलें %1 kB से बड़ी नहीं हो सकतीं (ulimit -f)। बड़ी फ़ाइलों की अनुमति दें और फिर से प्रयास करें।</translation>
+    </message>
+    <message>
+        <source>its reader gave up (%1).</source>
+        <translation>इसके पाठक-प्रोग्राम ने हार मान ली (%1)।</translation>
+    </message>
+    <message>
+        <source>PCL gave up on its points. Give --reader own.</source>
+        <translation>PCL ने इसके बिंदुओं पर हार मान ली। --reader own दें।</translation>
+    </message>
+    <message>
+        <source>its reader broke down on it. The program is unharmed; the file is probably damaged. Export it again.</source>
+        <translation>पढ़ने वाला प्रोग्राम इस पर टूट गया। मुख्य प्रोग्राम सुरक्षित है; फ़ाइल संभवतः क्षतिग्रस्त है। इसे फिर से निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>its reader broke down on it (&quot;%1&quot;). The program is unharmed; the file is probably damaged. Export it again.</source>
+        <translation>पढ़ने वाला प्रोग्राम इस पर टूट गया (“%1”)। मुख्य प्रोग्राम सुरक्षित है; फ़ाइल संभवतः क्षतिग्रस्त है। इसे फिर से निर्यात करें।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

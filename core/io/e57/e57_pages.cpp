@@ -35,8 +35,7 @@ void E57Pages::readHeader() {
   };
   const auto major = loadAs<std::uint32_t>(bytes.data() + 8, ByteOrder::little);
   if (major != 1) {
-    throwReadError(job_.file, "it says to be E57 version " + std::to_string(major) +
-                                  "; this version reads E57 1. Export it again as E57 1.0.");
+    throwReadError(job_.file, said<MessageId::refused_e57_version>(major));
   }
   const std::uint64_t promised = u64_at(16);
   xml_at_ = u64_at(24);
@@ -44,7 +43,8 @@ void E57Pages::readHeader() {
   page_bytes_ = u64_at(40);
   // The standard knows pages of 1024 bytes only; other powers of two are harmless.
   if (page_bytes_ < 64 || page_bytes_ > (1U << 20U) || (page_bytes_ & (page_bytes_ - 1)) != 0) {
-    throwReadError(job_.file, "its header gives an impossible page size. Copy or export it again.");
+    throwReadError(job_.file, said<MessageId::refused_e57_page_size>(),
+                   said<MessageId::advice_copy_or_export>());
   }
   // The list of scans is at the end, so nothing of a cut file can be placed.
   if (promised > bytes.size()) {
@@ -54,7 +54,8 @@ void E57Pages::readHeader() {
                      {job_.file, job_.bytes, strict, job_.task}, none);
   }
   if (promised < page_bytes_ || promised % page_bytes_ != 0) {
-    throwReadError(job_.file, "its length is no multiple of its pages. Copy or export it again.");
+    throwReadError(job_.file, said<MessageId::refused_e57_length>(),
+                   said<MessageId::advice_copy_or_export>());
   }
   payload_bytes_ = page_bytes_ - kChecksumBytes;
   logical_bytes_ = promised / page_bytes_ * payload_bytes_;
@@ -65,8 +66,7 @@ void E57Pages::checkPage(std::uint64_t page) {
   const std::string_view bytes = job_.bytes.substr(page * page_bytes_, page_bytes_);
   const auto stored = loadAs<std::uint32_t>(bytes.data() + payload_bytes_, ByteOrder::big);
   if (crc32c(bytes.substr(0, payload_bytes_)) != stored) {
-    throw E57Fault("the checksum of its page " + std::to_string(page + 1) + " of " +
-                   std::to_string(checked_.size()) + " is wrong");
+    throw E57Fault(said<MessageId::e57_wrong_checksum>(page + 1, checked_.size()));
   }
   checked_[page] = true;
 }
@@ -88,14 +88,14 @@ std::uint64_t E57Pages::logicalFromPhysical(std::uint64_t physical) const {
   const std::uint64_t within = physical % page_bytes_;
   const std::uint64_t logical = physical / page_bytes_ * payload_bytes_ + within;
   if (within >= payload_bytes_ || logical >= logical_bytes_) {
-    throw E57Fault("it names a place outside itself");
+    throw E57Fault(said<MessageId::e57_place_outside>());
   }
   return logical;
 }
 
 void E57Pages::read(std::uint64_t logical, std::uint64_t count, std::string& out) {
   if (logical > logical_bytes_ || count > logical_bytes_ - logical) {
-    throw E57Fault("a part of it reaches beyond its end");
+    throw E57Fault(said<MessageId::e57_part_outside>());
   }
   while (count > 0) {
     const std::uint64_t page = logical / payload_bytes_;
@@ -110,7 +110,7 @@ void E57Pages::read(std::uint64_t logical, std::uint64_t count, std::string& out
 
 std::string E57Pages::xml() {
   if (xml_bytes_ == 0 || xml_bytes_ > kMaxXmlBytes) {
-    throw E57Fault("its list of scans has an impossible length");
+    throw E57Fault(said<MessageId::e57_list_length>());
   }
   std::string text;
   read(logicalFromPhysical(xml_at_), xml_bytes_, text);

@@ -5,16 +5,20 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/io/read_scan.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
-/// What is wrong with a part of an E57 file, without a full stop: "a packet makes no sense". One
-/// scan's fault leaves the others readable.
+/// What is wrong with a part of an E57 file: "a packet makes no sense." One scan's fault leaves the
+/// others readable.
 struct E57Fault : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit E57Fault(Message of_catalogue)
+      : std::runtime_error(englishText(of_catalogue)), why(std::move(of_catalogue)) {}
+  Message why;
 };
 
 /// An E57 file as its sections see it: without the checksum that ends every page. Places in the

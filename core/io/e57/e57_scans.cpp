@@ -6,10 +6,13 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/io/e57/e57_pages.h"
 #include "core/io/e57/xml_tree.h"
+#include "core/io/file_check.h"
 #include "core/io/formats/lines.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -21,15 +24,15 @@ std::string_view withoutSpace(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw E57Fault("its entry in the list of scans " + what);
+[[noreturn]] void refuse(Message what) {
+  throw E57Fault(said<MessageId::e57_entry>(std::move(what)));
 }
 
 XmlElement parse(const std::string& xml) {
   try {
     return parseXml(xml);
   } catch (const XmlError& error) {
-    throw E57Fault(std::string("its list of scans is no proper XML (") + error.what() + ")");
+    throw E57Fault(said<MessageId::e57_no_proper_xml>(printable(error.what())));
   }
 }
 
@@ -44,7 +47,7 @@ Number numberOf(std::string_view text, Number absent) {
   } else {
     if (const auto number = parseWhole<Number>(text)) return *number;
   }
-  refuse("holds \"" + std::string(text.substr(0, 40)) + "\" in place of a number");
+  refuse(said<MessageId::e57_entry_no_number>(printable(text.substr(0, 40))));
 }
 
 double childNumber(const XmlElement& element, std::string_view name, double absent) {
@@ -57,7 +60,7 @@ void checkCodecs(const XmlElement& points) {
   const XmlElement* const codecs = points.child("codecs");
   if (codecs == nullptr) return;
   for (const XmlElement& codec : codecs->children) {
-    if (codec.child("bitPackCodec") == nullptr) refuse("names an unknown codec");
+    if (codec.child("bitPackCodec") == nullptr) refuse(said<MessageId::e57_entry_codec>());
   }
 }
 
@@ -83,7 +86,7 @@ E57Field fieldOf(const XmlElement& element) {
     field.kind = E57Field::Kind::whole;
     field.minimum = numberOf<std::int64_t>(element.attribute("minimum"), Limits::min());
     const auto maximum = numberOf<std::int64_t>(element.attribute("maximum"), Limits::max());
-    if (maximum < field.minimum) refuse("gives " + field.name + " a maximum below its minimum");
+    if (maximum < field.minimum) refuse(said<MessageId::e57_entry_maximum>(printable(field.name)));
     field.bits = static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(maximum) -
                                                       static_cast<std::uint64_t>(field.minimum)));
     if (type == "ScaledInteger") {
@@ -114,7 +117,7 @@ void addFields(const XmlElement& prototype, std::vector<E57Field>& fields) {
 std::array<double, 9> rotationOf(const std::array<double, 4>& q) {
   const auto [w, x, y, z] = q;
   const double square = w * w + x * x + y * y + z * z;
-  if (std::abs(square - 1) > 0.01) refuse("holds a rotation that is no unit quaternion");
+  if (std::abs(square - 1) > 0.01) refuse(said<MessageId::e57_entry_rotation>());
   const double s = 2 / square;
   return {1 - s * (y * y + z * z), s * (x * y - w * z),     s * (x * z + w * y),
           s * (x * y + w * z),     1 - s * (x * x + z * z), s * (y * z - w * x),
@@ -152,13 +155,13 @@ void readColourLimits(const XmlElement& element, E57Scan& scan) {
 
 E57Scan scanOf(const XmlElement& element) {
   const XmlElement& points = *element.child("points");
-  if (points.attribute("type") != "CompressedVector") refuse("has points of an unknown kind");
+  if (points.attribute("type") != "CompressedVector") refuse(said<MessageId::e57_entry_points>());
   E57Scan scan;
   scan.records = numberOf<std::uint64_t>(points.attribute("recordCount"), 0);
   scan.section_at = numberOf<std::uint64_t>(points.attribute("fileOffset"), 0);
   checkCodecs(points);
   const XmlElement* const prototype = points.child("prototype");
-  if (prototype == nullptr) refuse("does not say what a point consists of");
+  if (prototype == nullptr) refuse(said<MessageId::e57_entry_prototype>());
   addFields(*prototype, scan.fields);
   if (const XmlElement* const pose = element.child("pose")) {
     scan.pose = poseOf(*pose);
@@ -174,7 +177,7 @@ E57Scan scanOrFault(const XmlElement& element) {
   try {
     scan = scanOf(element);
   } catch (const E57Fault& fault) {
-    scan.fault = fault.what();
+    scan.fault = fault.why;
   }
   if (const XmlElement* const name = element.child("name")) scan.name = withoutSpace(name->text);
   return scan;
@@ -198,7 +201,7 @@ std::vector<E57Scan> listE57Scans(const std::string& xml) {
       if (element.child("points") != nullptr) scans.push_back(scanOrFault(element));
     }
   }
-  if (scans.empty()) throw E57Fault("it lists no scans");
+  if (scans.empty()) throw E57Fault(said<MessageId::e57_without_scans>());
   return scans;
 }
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/message/message.h"
+
 namespace relievo {
 
 /// One number of every record, stored in a byte stream of its own.
@@ -37,8 +39,8 @@ struct E57Pose {
 };
 
 struct E57Scan {
-  std::string name;   ///< As the file has it; may be empty.
-  std::string fault;  ///< What makes it unreadable; then the rest is not filled.
+  std::string name;              ///< As the file has it; may be empty.
+  std::optional<Message> fault;  ///< What makes it unreadable; then the rest is not filled.
   std::uint64_t records = 0;
   std::uint64_t section_at = 0;  ///< Physical place of its binary section.
   std::vector<E57Field> fields;  ///< In the order of their byte streams.

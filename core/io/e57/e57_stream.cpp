@@ -8,6 +8,7 @@
 
 #include "core/io/formats/little_endian.h"
 #include "core/io/worker/planted_fault.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -19,7 +20,7 @@ constexpr char kVectorSection = 1;
 constexpr char kIndexPacket = 0, kDataPacket = 1, kEmptyPacket = 2;
 
 [[noreturn]] void refusePacket() {
-  throw E57Fault("a packet of its points makes no sense");
+  throw E57Fault(said<MessageId::e57_packet>());
 }
 
 /// A packet with points: what comes before the streams' shares, and where these begin.
@@ -69,7 +70,7 @@ E57Section openE57Section(const E57Scan& scan, E57Pages& pages) {
   section.streams = scan.fields.size();
   if (head[0] != kVectorSection || section.end < start || section.end > pages.logicalBytes() ||
       section.first_packet < start + kSectionHead || section.first_packet > section.end) {
-    throw E57Fault("a section of its points makes no sense");
+    throw E57Fault(said<MessageId::e57_section>());
   }
   pages.check(start, section.end);
   std::uint64_t at = section.first_packet;

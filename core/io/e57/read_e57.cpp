@@ -78,7 +78,7 @@ class E57Colour {
 
 /// @throw E57Fault, Cancelled
 SoundScan checkedScan(E57Scan scan, E57Pages& pages) {
-  if (!scan.fault.empty()) throw E57Fault(scan.fault);
+  if (scan.fault) throw E57Fault(*scan.fault);
   SoundScan sound;
   sound.is_cartesian = scan.find("cartesianX").has_value();
   constexpr std::array<std::string_view, 3> kCartesian{"cartesianX", "cartesianY", "cartesianZ"};
@@ -87,7 +87,7 @@ SoundScan checkedScan(E57Scan scan, E57Pages& pages) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string_view name = sound.is_cartesian ? kCartesian[axis] : kSpherical[axis];
     const auto found = scan.find(name);
-    if (!found) throw E57Fault("it has no " + std::string(name));
+    if (!found) throw E57Fault(said<MessageId::e57_without_field>(name));
     sound.axes[axis] = *found;
   }
   sound.invalid = scan.find(sound.is_cartesian ? "cartesianInvalidState" : "sphericalInvalidState");
@@ -105,20 +105,21 @@ SoundScan checkedScan(E57Scan scan, E57Pages& pages) {
 /// "1 of 3 scans was left out: scan 2 "Tower" (a packet of its points makes no sense)."
 class LeftOut {
  public:
-  void add(std::size_t number, const std::string& name, const std::string& fault) {
+  void add(std::size_t number, const std::string& name, const Message& fault) {
     constexpr std::size_t kNamed = 3;
     if (++count_ == 1) first_fault_ = fault;
     if (count_ > kNamed) return;
     const CountArgument shown(number);
     if (name.empty()) {
-      list_.push_back(said<MessageId::e57_scan>(shown, printable(fault)));
+      list_.push_back(said<MessageId::e57_scan>(shown, WordsArgument::clause(fault)));
     } else {
-      list_.push_back(
-          said<MessageId::e57_named_scan>(shown, printable(name.substr(0, 60)), printable(fault)));
+      list_.push_back(said<MessageId::e57_named_scan>(shown, printable(name.substr(0, 60)),
+                                                      WordsArgument::clause(fault)));
     }
   }
   std::size_t count() const noexcept { return count_; }
-  const std::string& firstFault() const noexcept { return first_fault_; }
+  /// Only where there is one.
+  const Message& firstFault() const noexcept { return first_fault_; }
   Message sentence(std::size_t all) const {
     if (count_ > list_.size()) {
       return said<MessageId::e57_scans_and_others_left_out>(count_, all, list_);
@@ -129,7 +130,7 @@ class LeftOut {
  private:
   std::size_t count_ = 0;
   std::vector<Message> list_;
-  std::string first_fault_;
+  Message first_fault_;
 };
 
 class E57Reader {
@@ -168,7 +169,7 @@ class E57Reader {
       try {
         sound.push_back(checkedScan(std::move(all[i]), pages_));
       } catch (const E57Fault& fault) {
-        left_out.add(i + 1, name, fault.what());
+        left_out.add(i + 1, name, fault.why);
       }
     }
     if (sound.empty()) throw E57Fault(left_out.firstFault());
@@ -282,7 +283,7 @@ Scan readE57(const ReadJob& job) {
   try {
     return E57Reader(job).read();
   } catch (const E57Fault& fault) {
-    throwReadError(job.file, std::string(fault.what()) + ". The file is damaged; export it again.");
+    throwReadError(job.file, fault.why, said<MessageId::advice_damaged_export>());
   }
 }
 

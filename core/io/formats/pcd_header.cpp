@@ -48,7 +48,7 @@ class PcdHeaderParser {
 
   PcdHeader parse() {
     while (lines_.next()) {
-      if (lines_.line().size() > 65536) refuse("has a line too long for a PCD file");
+      if (lines_.line().size() > 65536) refuse(said<MessageId::pcd_long_line>());
       std::string_view rest = lines_.line();
       const std::string_view word = takeWord(rest);
       if (word.empty() || word.starts_with('#')) continue;
@@ -58,13 +58,12 @@ class PcdHeaderParser {
       }
       parseLine(word, rest);
     }
-    refuse("has no end (\"DATA\")");
+    refuse(said<MessageId::pcd_without_end>());
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& finding) const {
-    throwReadError(file_, "its header " + finding + " (line " + std::to_string(lines_.number()) +
-                              "). It is no PCD file, or damaged; export it again.");
+  [[noreturn]] void refuse(Message finding) const {
+    throwReadError(file_, said<MessageId::refused_pcd_header>(std::move(finding), lines_.number()));
   }
 
   void parseLine(std::string_view word, std::string_view rest) {
@@ -87,15 +86,15 @@ class PcdHeaderParser {
     } else if (word != "VERSION") {
       constexpr std::size_t kMostWarnings = 3;
       if (header_.warnings.size() >= kMostWarnings) return;
-      header_.warnings.push_back(said<MessageId::header_line_not_of_pcd>(
-          lines_.number(), printable(trimmed(lines_.line()).substr(0, 60))));
+      header_.warnings.push_back(
+          said<MessageId::header_line_not_of_pcd>(lines_.number(), shownStart(lines_.line())));
     }
   }
 
   std::vector<std::string> words(std::string_view rest) const {
     std::vector<std::string> list;
     for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
-      if (list.size() >= kMaxFields) refuse("has too many fields");
+      if (list.size() >= kMaxFields) refuse(said<MessageId::pcd_many_fields>());
       list.emplace_back(word);
     }
     return list;
@@ -103,7 +102,7 @@ class PcdHeaderParser {
 
   std::uint64_t number(std::string_view word, std::string_view rest) const {
     const auto value = parseWhole<std::uint64_t>(takeWord(rest));
-    if (!value || *value > kMaxPoints) refuse("holds no usable " + std::string(word));
+    if (!value || *value > kMaxPoints) refuse(said<MessageId::pcd_without_number>(word));
     return *value;
   }
 
@@ -116,13 +115,13 @@ class PcdHeaderParser {
     } else if (sameLetters(kind, "binary_compressed")) {
       header_.encoding = PcdEncoding::binary_compressed;
     } else {
-      refuse("names no known kind of data");
+      refuse(said<MessageId::pcd_unknown_data>());
     }
     header_.body_start = head_.size() - lines_.rest().size();
     header_.body_first_line = lines_.number();
     // Nobody could tell whether a LF that follows belongs to the line or to the points.
     if (header_.encoding != PcdEncoding::ascii && hasLoneCr(head_.substr(0, header_.body_start))) {
-      refuse("ends its lines with CR alone");
+      refuse(said<MessageId::pcd_ends_with_cr>());
     }
     makeFields();
     findAxes();
@@ -143,20 +142,20 @@ class PcdHeaderParser {
 
   void makeFields() {
     const std::size_t n = names_.size();
-    if (n == 0) refuse("names no fields");
+    if (n == 0) refuse(said<MessageId::pcd_without_fields>());
     if (sizes_.size() != n || types_.size() != n || (!counts_.empty() && counts_.size() != n)) {
-      refuse("does not give every field its SIZE, TYPE and COUNT");
+      refuse(said<MessageId::pcd_field_without_form>());
     }
     std::uint64_t column = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const auto type = scalarType(types_[i], sizes_[i]);
       if (!type) {
-        refuse("gives field " + names_[i].substr(0, 40) + " an impossible SIZE or TYPE");
+        refuse(said<MessageId::pcd_field_of_no_type>(printable(names_[i].substr(0, 40))));
       }
       const auto count =
           counts_.empty() ? std::optional<std::uint64_t>(1) : parseWhole<std::uint64_t>(counts_[i]);
       if (!count || *count < 1 || *count > kMaxNumbersPerPoint) {
-        refuse("gives field " + names_[i].substr(0, 40) + " an impossible COUNT");
+        refuse(said<MessageId::pcd_field_of_no_count>(printable(names_[i].substr(0, 40))));
       }
       header_.fields.push_back({names_[i], *type, *count, column, header_.record_bytes});
       column += *count;
@@ -181,7 +180,7 @@ class PcdHeaderParser {
       const int like = exact != 0 ? exact : find([&](const std::string& name) {
         return sameLetters(name, kAxes[axis]);
       });
-      if (like != 1) refuse("has no single field " + std::string(kAxes[axis]));
+      if (like != 1) refuse(said<MessageId::pcd_without_axis>(kAxes[axis]));
     }
   }
 
@@ -207,14 +206,12 @@ class PcdHeaderParser {
 
   void countPoints() {
     const std::uint64_t height = height_.value_or(1);
-    if (!width_ && !points_) refuse("says nowhere how many points there are");
+    if (!width_ && !points_) refuse(said<MessageId::pcd_without_count>());
     const std::uint64_t width = width_.value_or(*points_);
-    if (height != 0 && width > kMaxPoints / height)
-      refuse("promises an impossible number of points");
+    if (height != 0 && width > kMaxPoints / height) refuse(said<MessageId::pcd_impossible_count>());
     header_.points = points_.value_or(width * height);
     if (width_ && width * height != header_.points) {
-      refuse("promises " + std::to_string(header_.points) + " points, but " +
-             std::to_string(width) + " x " + std::to_string(height));
+      refuse(said<MessageId::pcd_other_count>(header_.points, width, height));
     }
   }
 

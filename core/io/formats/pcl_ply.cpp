@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "core/base/bands.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/owned_fd.h"
 #include "core/io/worker/scan_transport.h"
 
@@ -182,7 +182,7 @@ class PlyBlocks {
     if (!written && errno == EFBIG) refuseLength();
     numbers_.expect(rows * form_.rowBytes());
     if (!written || !parseWith(path_, numbers_) || !numbers_.isFull()) {
-      throw FileError("PCL gave up on its points. Give --reader own.");
+      throw failure<MessageId::pcl_gave_up>();
     }
   }
   /// What was read last.

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 namespace {
@@ -83,7 +83,7 @@ void readPcdRecords(const PcdHeader& header, std::string_view records, std::uint
     shape(cloud, block, layout.bytes);
     if (reader.readBodyBinary(bytesOf(records.substr(done * layout.bytes)), cloud, 0, false, 0) <
         0) {
-      throw FileError("PCL gave up on its points. Give --reader own.");
+      throw failure<MessageId::pcl_gave_up>();
     }
     take(columnsOf(layout, charsOf(cloud)), block);
   }

@@ -50,11 +50,10 @@ class HeaderParser {
 
   PlyHeader parse() {
     if (!lines_.next() || trimmed(lines_.line()) != "ply") {
-      throwReadError(file_,
-                     "it does not start with the word \"ply\". It is no PLY file, or damaged.");
+      throwReadError(file_, said<MessageId::refused_no_ply>());
     }
     while (lines_.next()) {
-      if (lines_.line().size() > 4096) refuseLine("is too long for a PLY header");
+      if (lines_.line().size() > 4096) refuseLine(said<MessageId::line_too_long_for_ply>());
       if (!lines_.ended()) break;
       std::string_view rest = lines_.line();
       const std::string_view word = takeWord(rest);
@@ -71,10 +70,11 @@ class HeaderParser {
   }
 
  private:
-  [[noreturn]] void refuseLine(const std::string& finding) const {
-    throwReadError(file_, "header line " + std::to_string(lines_.number()) + " (\"" +
-                              std::string(trimmed(lines_.line()).substr(0, 60)) + "\") " + finding +
-                              ". Export it again.");
+  [[noreturn]] void refuseLine(Message finding) const {
+    throwReadError(file_,
+                   said<MessageId::refused_header_line>(lines_.number(), shownStart(lines_.line()),
+                                                        std::move(finding)),
+                   said<MessageId::advice_export_again>());
   }
 
   void parseLine(std::string_view word, std::string_view rest) {
@@ -86,8 +86,8 @@ class HeaderParser {
     // Programs write lines of their own; rply and others stop at them, VTK and MeshLab do not.
     constexpr std::size_t kMostWarnings = 3;
     if (header_.warnings.size() >= kMostWarnings) return;
-    header_.warnings.push_back(said<MessageId::header_line_not_of_ply>(
-        lines_.number(), printable(trimmed(lines_.line()).substr(0, 60))));
+    header_.warnings.push_back(
+        said<MessageId::header_line_not_of_ply>(lines_.number(), shownStart(lines_.line())));
   }
 
   /// PLY has no field for the unit; "comment unit mm" is how our samples, and others, state it.
@@ -108,7 +108,7 @@ class HeaderParser {
       format_seen_ = true;
       return;
     }
-    refuseLine("names no known format");
+    refuseLine(said<MessageId::line_with_unknown_format>());
   }
 
   void parseElement(std::string_view rest) {
@@ -116,35 +116,36 @@ class HeaderParser {
     element.name = takeWord(rest);
     const auto count = parseWhole<std::uint64_t>(takeWord(rest));
     if (element.name.empty() || !count || *count > kMaxCount) {
-      refuseLine("holds no usable count");
+      refuseLine(said<MessageId::line_without_count>());
     }
     element.count = *count;
     for (const PlyElement& other : header_.elements) {
-      if (other.name == element.name) refuseLine("names an element a second time");
+      if (other.name == element.name) refuseLine(said<MessageId::line_with_element_again>());
     }
     header_.elements.push_back(std::move(element));
   }
 
   void parseProperty(std::string_view rest) {
-    if (header_.elements.empty()) refuseLine("belongs to no element");
+    if (header_.elements.empty()) refuseLine(said<MessageId::line_of_no_element>());
     PlyElement& element = header_.elements.back();
     PlyProperty property;
     std::string_view type_name = takeWord(rest);
     if (type_name == "list") {
       property.list_length = scalarType(takeWord(rest));
       if (!property.list_length || !isWhole(*property.list_length)) {
-        refuseLine("gives a list no whole-number length");
+        refuseLine(said<MessageId::line_with_list_of_no_whole_length>());
       }
       type_name = takeWord(rest);
     }
     const auto type = scalarType(type_name);
-    if (!type) refuseLine("names an unknown type");
+    if (!type) refuseLine(said<MessageId::line_with_unknown_type>());
     property.type = *type;
     property.name = takeWord(rest);
-    if (property.name.empty()) refuseLine("has no name");
-    if (element.properties.size() >= kMaxProperties) refuseLine("is one property too many");
+    if (property.name.empty()) refuseLine(said<MessageId::line_without_name>());
+    if (element.properties.size() >= kMaxProperties)
+      refuseLine(said<MessageId::line_with_property_too_many>());
     for (const PlyProperty& other : element.properties) {
-      if (other.name == property.name) refuseLine("names a property a second time");
+      if (other.name == property.name) refuseLine(said<MessageId::line_with_property_again>());
     }
     element.properties.push_back(std::move(property));
   }
@@ -152,8 +153,8 @@ class HeaderParser {
   void checkLineEnds() {
     const std::string_view header = head_.substr(0, header_.body_start);
     if (hasLoneCr(header) && header.find('\n') != std::string_view::npos) {
-      throwReadError(file_,
-                     "its header mixes kinds of line ends. The file is damaged; export it again.");
+      throwReadError(file_, said<MessageId::refused_ply_line_ends>(),
+                     said<MessageId::advice_damaged_export>());
     }
   }
 

@@ -13,6 +13,7 @@
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 #include "core/io/worker/planted_fault.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -43,7 +44,7 @@ class ThreeDsReader {
     job_.task.report("reading mesh", 0);
     std::string_view rest = job_.bytes;
     const auto main = takeChunk(rest);
-    if (!main || main->kind != kMain) throwReadError(job_.file, kNoTree);
+    if (!main || main->kind != kMain) refuseTree();
     std::string_view parts = main->body;
     while (const auto part = takeChunk(parts)) {
       if (part->kind == kScene) readScene(part->body);
@@ -60,15 +61,17 @@ class ThreeDsReader {
   }
 
  private:
-  static constexpr std::string_view kNoTree =
-      "it does not hold the chunks of a 3DS file. Copy or export it again.";
+  [[noreturn]] void refuseTree() const {
+    throwReadError(job_.file, said<MessageId::refused_no_3ds>(),
+                   said<MessageId::advice_copy_or_export>());
+  }
 
   /// Takes the next chunk off `rest`. @return  nothing at the end
   std::optional<Chunk> takeChunk(std::string_view& rest) {
     job_.task.check();
     if (rest.size() < kChunkHead) return std::nullopt;
     const std::uint64_t length = loadAs<std::uint32_t>(rest.data() + 2, ByteOrder::little);
-    if (length < kChunkHead) throwReadError(job_.file, kNoTree);
+    if (length < kChunkHead) refuseTree();
     if (length > rest.size()) beyond_ = std::max(beyond_, length - rest.size());
     const auto kept = static_cast<std::size_t>(std::min<std::uint64_t>(length, rest.size()));
     const Chunk chunk{u16At(rest, 0), rest.substr(kChunkHead, kept - kChunkHead)};

@@ -4,14 +4,17 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/base/error.h"
+#include "core/io/file_check.h"
 #include "core/io/formats/lines.h"
 #include "core/io/formats/obj_materials.h"
 #include "core/io/formats/reader_steps.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 #include "core/io/worker/planted_fault.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -41,7 +44,7 @@ class ObjReader {
           ColourFact{.source = "texture", .bits = 8, .points = textured_corners_};
     }
     if (builder_.pointCount() == 0) {
-      throwReadError(job_.file, "it has no vertices (\"v x y z\"). Choose another file.");
+      throwReadError(job_.file, said<MessageId::refused_obj_without_vertices>());
     }
     return builder_.finish();
   }
@@ -54,10 +57,11 @@ class ObjReader {
                      static_cast<double>(read) / static_cast<double>(job_.bytes.size()));
   }
 
-  [[noreturn]] void refuseLine(const std::string& finding) const {
-    throwReadError(job_.file, "line " + std::to_string(lines_.number()) + " (\"" +
-                                  std::string(trimmed(statement_).substr(0, 60)) + "\") " +
-                                  finding + ". The file is damaged; export it again.");
+  [[noreturn]] void refuseLine(Message finding) const {
+    throwReadError(
+        job_.file,
+        said<MessageId::refused_line>(lines_.number(), shownStart(statement_), std::move(finding)),
+        said<MessageId::advice_damaged_export>());
   }
 
   /// The next line, with those that a backslash continues.
@@ -82,8 +86,8 @@ class ObjReader {
 
   bool checkLength() const {
     if (statement_.size() > kMaxLine) {
-      throwReadError(job_.file, "line " + std::to_string(lines_.number()) +
-                                    " is longer than 1 MB. The file is damaged; export it again.");
+      throwReadError(job_.file, said<MessageId::refused_line_of_obj>(lines_.number()),
+                     said<MessageId::advice_damaged_export>());
     }
     return true;
   }
@@ -92,7 +96,7 @@ class ObjReader {
     std::array<double, 3> p{};
     for (double& coordinate : p) {
       const auto value = parseNumber(takeWord(rest));
-      if (!value) refuseLine("does not hold three coordinates");
+      if (!value) refuseLine(said<MessageId::line_without_coordinates>());
       coordinate = *value;
     }
     if (builder_.addPoint(p[0], p[1], p[2])) readColour(rest);
@@ -165,7 +169,7 @@ class ObjReader {
     const char* const end = word.data() + word.size();
     const auto [stop, error] = std::from_chars(word.data(), end, index);
     if (error == std::errc::invalid_argument || stop != end) {
-      refuseLine("names a corner that is no number");
+      refuseLine(said<MessageId::line_with_corner_no_number>());
     }
     plantedFault(index < -1000);
     if (error == std::errc::result_out_of_range || index == 0) return -1;

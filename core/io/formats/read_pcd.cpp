@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/failure.h"
@@ -57,10 +58,8 @@ class PcdReader {
  private:
   void checkLimit() const {
     if (header_.points > job_.options.max_points) {
-      throwReadError(job_.file, "it promises " + std::to_string(header_.points) +
-                                    " points, more than the limit of " +
-                                    std::to_string(job_.options.max_points) +
-                                    ". Thin it out first.");
+      throwReadError(job_.file,
+                     said<MessageId::refused_pcd_limit>(header_.points, job_.options.max_points));
     }
   }
 
@@ -115,9 +114,8 @@ class PcdReader {
     const std::uint64_t unpacked = loadAs<std::uint32_t>(body_.data() + 4, ByteOrder::little);
     // Three bytes of LZF stand for at most 264, so that a small file cannot ask for much memory.
     if (unpacked != header_.points * header_.record_bytes || unpacked / 88 > packed) {
-      throwReadError(job_.file, "its compressed data hold " + std::to_string(unpacked) +
-                                    " bytes, not those of " + std::to_string(header_.points) +
-                                    " points. The file is damaged; export it again.");
+      throwReadError(job_.file, said<MessageId::refused_pcd_compressed>(unpacked, header_.points),
+                     said<MessageId::advice_damaged_export>());
     }
     if (packed > body_.size() - 8) refuseCut();
     if (header_.points == 0) return;
@@ -161,10 +159,8 @@ class PcdReader {
   }
 
   [[noreturn]] void refuseCut() const {
-    throwReadError(job_.file,
-                   "header promises " + std::to_string(header_.points) +
-                       " points, but the compressed data are cut, and no part of them can "
-                       "be read. Copy or export it again.");
+    throwReadError(job_.file, said<MessageId::refused_pcd_cut>(header_.points),
+                   said<MessageId::advice_copy_or_export>());
   }
 
   void readRows() {
@@ -194,14 +190,14 @@ class PcdReader {
       const std::string_view word = takeWord(rest);
       if (word.empty()) {
         if (may_be_cut) return false;
-        refuseRow(lines, "has fewer numbers than the header says");
+        refuseRow(lines, said<MessageId::line_with_fewer_numbers>());
       }
       words_.push_back(word);
     }
     std::array<double, 3> p{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto value = parseNumber(wordOf(header_.xyz[axis]));
-      if (!value) refuseRow(lines, "does not hold three coordinates");
+      if (!value) refuseRow(lines, said<MessageId::line_without_coordinates>());
       p[axis] = *value;
     }
     if (builder_.addPoint(p[0], p[1], p[2])) addValues();
@@ -246,10 +242,11 @@ class PcdReader {
     return std::bit_cast<std::uint32_t>(value);
   }
 
-  [[noreturn]] void refuseRow(const Lines& lines, const std::string& finding) const {
-    throwReadError(job_.file, "line " + std::to_string(lines.number()) + " (\"" +
-                                  std::string(trimmed(lines.line()).substr(0, 60)) + "\") " +
-                                  finding + ". The file is damaged; export it again.");
+  [[noreturn]] void refuseRow(const Lines& lines, Message finding) const {
+    throwReadError(
+        job_.file,
+        said<MessageId::refused_line>(lines.number(), shownStart(lines.line()), std::move(finding)),
+        said<MessageId::advice_damaged_export>());
   }
 
   const ReadJob& job_;

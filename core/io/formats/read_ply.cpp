@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
@@ -209,8 +210,8 @@ class PlyReader {
           loadDouble(body_.data() + at, *property.list_length, header_.byteOrder()));
       at += first;
       if (length < 0) {
-        throwReadError(job_.file, "a list in it has the length " + std::to_string(length) +
-                                      ". The file is damaged; export it again.");
+        throwReadError(job_.file, said<MessageId::refused_ply_list_length>(length),
+                       said<MessageId::advice_damaged_export>());
       }
       plantedFault(isFace() && length == 77);
       const std::size_t item = byteSize(property.type);
@@ -251,10 +252,11 @@ class PlyReader {
 
   // ---- text --------------------------------------------------------------------------------
 
-  [[noreturn]] void refuseLine(const std::string& finding) const {
-    throwReadError(job_.file, "line " + std::to_string(lines_.number()) + " (\"" +
-                                  std::string(trimmed(lines_.line()).substr(0, 60)) + "\") " +
-                                  finding + ". The file is damaged; export it again.");
+  [[noreturn]] void refuseLine(Message finding) const {
+    throwReadError(job_.file,
+                   said<MessageId::refused_line>(lines_.number(), shownStart(lines_.line()),
+                                                 std::move(finding)),
+                   said<MessageId::advice_damaged_export>());
   }
 
   std::uint64_t readLines(const PlyElement& element) {
@@ -284,7 +286,7 @@ class PlyReader {
       const std::string_view word = takeWord(rest);
       if (word.empty()) {
         if (may_be_cut) return false;
-        refuseLine("has too few numbers");
+        refuseLine(said<MessageId::line_with_few_numbers>());
       }
       if (property.list_length) {
         if (!readList(p, word, rest, may_be_cut, record)) return false;
@@ -299,21 +301,21 @@ class PlyReader {
   double number(std::size_t p, std::string_view word) const {
     if (const auto value = parseNumber(word)) return *value;
     const bool needed = std::find(header_.xyz.begin(), header_.xyz.end(), p) != header_.xyz.end();
-    if (needed) refuseLine("does not hold three coordinates");
+    if (needed) refuseLine(said<MessageId::line_without_coordinates>());
     return std::numeric_limits<double>::quiet_NaN();
   }
 
   bool readList(std::size_t p, std::string_view length_word, std::string_view& rest,
                 bool may_be_cut, Record& record) {
     const auto length = parseWhole<std::uint64_t>(length_word);
-    if (!length) refuseLine("has a list without a usable length");
+    if (!length) refuseLine(said<MessageId::line_with_list_without_length>());
     const bool corners = isFace() && p == header_.face_corners;
     if (corners) record.corners.clear();
     for (std::uint64_t i = 0; i < *length; ++i) {
       const std::string_view word = takeWord(rest);
       if (word.empty()) {
         if (may_be_cut) return false;
-        refuseLine("has a list shorter than it says");
+        refuseLine(said<MessageId::line_with_short_list>());
       }
       if (corners) record.corners.push_back(parseWhole<std::int64_t>(word).value_or(-1));
     }

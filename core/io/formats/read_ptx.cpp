@@ -6,11 +6,13 @@
 #include <cmath>
 #include <string>
 
+#include "core/io/file_check.h"
 #include "core/io/formats/lines.h"
 #include "core/io/formats/reader_steps.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 #include "core/io/worker/planted_fault.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -39,40 +41,41 @@ class PtxReader {
   bool nextLine() {
     while (lines_.next()) {
       if (lines_.line().size() > kMaxPointLine) {
-        throwReadError(job_.file, "line " + std::to_string(lines_.number()) +
-                                      " is longer than 64 kB. It is no file of points.");
+        throwReadError(job_.file, said<MessageId::refused_line_of_points>(lines_.number()));
       }
       if (!trimmed(lines_.line()).empty()) return true;
     }
     return false;
   }
 
-  [[noreturn]] void refuseLine(const std::string& wanted) const {
-    const std::string shown(trimmed(lines_.line()).substr(0, 60));
-    throwReadError(job_.file, "line " + std::to_string(lines_.number()) + " (\"" + shown +
-                                  "\") should hold " + wanted + ". Export it again.");
+  [[noreturn]] void refuseLine(MessageId wanted) const {
+    throwReadError(job_.file,
+                   said<MessageId::refused_ptx_line>(lines_.number(), shownStart(lines_.line()),
+                                                     Message{wanted, {}}),
+                   said<MessageId::advice_export_again>());
   }
 
   /// The current line starts the scan.
   void readScan() {
-    const std::uint64_t columns = countInLine("the number of columns of a scan");
+    const std::uint64_t columns = countInLine(MessageId::ptx_columns);
     if (!nextHeadLine()) return;
-    const std::uint64_t rows = countInLine("the number of rows of a scan");
+    const std::uint64_t rows = countInLine(MessageId::ptx_rows);
     if (columns != 0 && rows > (~std::uint64_t{0} - promised_) / columns) {
-      throwReadError(job_.file, "it promises more points than there can be. Export it again.");
+      throwReadError(job_.file, said<MessageId::refused_ptx_points>(),
+                     said<MessageId::advice_export_again>());
     }
     wanted_ = isWantedPart(job_, scans_++);
     if (wanted_) promised_ += columns * rows;
     std::array<double, 4> unused{};
     for (int line = 0; line < 4; ++line) {
       if (!nextHeadLine()) return;
-      numbersInLine(unused, 3, "three numbers");
+      numbersInLine(unused, 3, MessageId::ptx_three_numbers);
     }
     Matrix matrix{};
     for (std::size_t row = 0; row < 4; ++row) {
       if (!nextHeadLine()) return;
       std::array<double, 4> numbers{};
-      numbersInLine(numbers, 4, "four numbers of a matrix");
+      numbersInLine(numbers, 4, MessageId::ptx_matrix_row);
       std::copy(numbers.begin(), numbers.end(),
                 matrix.begin() + static_cast<std::ptrdiff_t>(4 * row));
     }
@@ -92,14 +95,13 @@ class PtxReader {
     return false;
   }
 
-  std::uint64_t countInLine(const std::string& wanted) const {
+  std::uint64_t countInLine(MessageId wanted) const {
     const auto count = parseWhole<std::uint64_t>(trimmed(lines_.line()));
     if (!count) refuseLine(wanted);
     return *count;
   }
 
-  void numbersInLine(std::array<double, 4>& numbers, std::size_t count,
-                     const std::string& wanted) const {
+  void numbersInLine(std::array<double, 4>& numbers, std::size_t count, MessageId wanted) const {
     std::string_view rest = lines_.line();
     for (std::size_t i = 0; i < count; ++i) {
       const auto number = parseNumber(takeWord(rest));
@@ -115,8 +117,8 @@ class PtxReader {
                           m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
     plantedFault(volume < -1);
     if (finite && is_affine && volume != 0) return;
-    throwReadError(job_.file, "the matrix before line " + std::to_string(lines_.number() + 1) +
-                                  " does not place a scan. Export it again.");
+    throwReadError(job_.file, said<MessageId::refused_ptx_matrix>(lines_.number() + 1),
+                   said<MessageId::advice_export_again>());
   }
 
   void readPoints(std::uint64_t count, const Matrix& matrix) {
@@ -136,7 +138,7 @@ class PtxReader {
     std::string_view rest = lines_.line();
     for (double& number : p) {
       const auto value = parseNumber(takeWord(rest));
-      if (!value) refuseLine("a point's x, y and z");
+      if (!value) refuseLine(MessageId::ptx_point);
       number = *value;
     }
     if (p[0] == 0 && p[1] == 0 && p[2] == 0) {  // Nothing was measured in this direction.

@@ -92,15 +92,14 @@ class StlTextReader {
 
  private:
   [[noreturn]] void refuseLine() const {
-    throwReadError(job_.file, "line " + std::to_string(lines_.number()) + " (\"" +
-                                  std::string(trimmed(lines_.line()).substr(0, 60)) +
-                                  "\") is no part of an STL file. The file is damaged; export it "
-                                  "again.");
+    throwReadError(job_.file,
+                   said<MessageId::refused_line>(lines_.number(), shownStart(lines_.line()),
+                                                 said<MessageId::line_not_of_stl>()),
+                   said<MessageId::advice_damaged_export>());
   }
 
   [[noreturn]] void refuseCut() const {
-    throwReadError(job_.file,
-                   "it ends before \"endsolid\". It is incomplete; copy or export it again.");
+    throwReadError(job_.file, said<MessageId::refused_stl_cut>());
   }
 
   /// Empty at the end of the file.

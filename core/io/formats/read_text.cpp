@@ -67,8 +67,7 @@ class TextReader {
   bool nextRow() {
     while (lines_.next()) {
       if (lines_.line().size() > kMaxPointLine) {
-        throwReadError(job_.file, "line " + std::to_string(lines_.number()) +
-                                      " is longer than 64 kB. It is no file of points.");
+        throwReadError(job_.file, said<MessageId::refused_line_of_points>(lines_.number()));
       }
       const std::string_view line = trimmed(lines_.line());
       const bool comment = line.starts_with('#') || line.starts_with("//");
@@ -81,11 +80,8 @@ class TextReader {
   }
 
   [[noreturn]] void refuseRow() const {
-    const std::string shown(trimmed(lines_.line()).substr(0, 60));
-    throwReadError(job_.file,
-                   "line " + std::to_string(lines_.number()) + " (\"" + shown +
-                       "\") does not start with three numbers. Correct the line, or choose "
-                       "another file.");
+    throwReadError(job_.file, said<MessageId::refused_line_without_numbers>(
+                                  lines_.number(), shownStart(lines_.line())));
   }
 
   /// PTS files start with the number of points.
@@ -100,10 +96,8 @@ class TextReader {
   void takeStyle() {
     style_ = styleOf(lines_.line());
     if (style_.separator != ',' || !hasThousandsSeparators(lines_.line())) return;
-    const std::string shown(trimmed(lines_.line()).substr(0, 60));
-    throwReadError(job_.file, "line " + std::to_string(lines_.number()) + " (\"" + shown +
-                                  "\") groups the digits of its numbers by thousands. Write them "
-                                  "without such separators.");
+    throwReadError(job_.file,
+                   said<MessageId::refused_thousands>(lines_.number(), shownStart(lines_.line())));
   }
 
   void readHeader() {

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/io/formats/scalar.h"
 #include "core/io/las/laz_file.h"
 #include "core/io/read_scan.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -16,9 +18,9 @@ constexpr std::size_t kEntryBytes = 32;
 constexpr std::uint64_t kMostPageBytes = 64U << 20U;
 constexpr int kMostLevels = 30;  ///< Places of nodes are signed numbers of 32 bits.
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
-  throwReadError(file,
-                 "its COPC hierarchy " + what + ". The file is damaged; copy or export it again.");
+[[noreturn]] void refuse(const std::filesystem::path& file, Message what) {
+  throwReadError(file, said<MessageId::refused_copc>(std::move(what)),
+                 said<MessageId::advice_damaged_copy>());
 }
 
 struct Entry {
@@ -54,7 +56,7 @@ class Hierarchy {
     }
     if (std::any_of(laz_.chunks.begin(), laz_.chunks.end(),
                     [](const LazChunk& chunk) { return chunk.level < 0; })) {
-      refuse(file_, "leaves out points that the file holds");
+      refuse(file_, said<MessageId::copc_leaves_out>());
     }
   }
 
@@ -66,12 +68,12 @@ class Hierarchy {
   void addPage(std::uint64_t at, std::uint64_t bytes) {
     if (bytes == 0 || bytes % kEntryBytes != 0 || bytes > kMostPageBytes || bytes > source_.size ||
         at > source_.size - bytes) {
-      refuse(file_, "has a page outside the file or of odd size");
+      refuse(file_, said<MessageId::copc_page_outside>());
     }
-    if (!seen_.insert(at).second) refuse(file_, "leads in a circle");
+    if (!seen_.insert(at).second) refuse(file_, said<MessageId::copc_circle>());
     // Pages do not overlap, so that together they are no longer than the file.
     page_bytes_ += bytes;
-    if (page_bytes_ > source_.size) refuse(file_, "leads in a circle");
+    if (page_bytes_ > source_.size) refuse(file_, said<MessageId::copc_circle>());
     pages_.push_back({at, bytes});
   }
 
@@ -79,7 +81,7 @@ class Hierarchy {
     const bool has_place = entry.level >= 0 && entry.level <= kMostLevels;
     const auto inside = [&entry](std::int32_t key) { return key >= 0 && key >> entry.level == 0; };
     if (!has_place || !inside(entry.x) || !inside(entry.y) || !inside(entry.z)) {
-      refuse(file_, "has a node outside its octree");
+      refuse(file_, said<MessageId::copc_node_outside>());
     }
     if (entry.points == -1) {
       addPage(entry.at, static_cast<std::uint64_t>(std::max(entry.bytes, 0)));
@@ -95,8 +97,8 @@ class Hierarchy {
     const bool is_one = chunk != laz_.chunks.end() && chunk->at == entry.at && entry.points > 0 &&
                         chunk->points == static_cast<std::uint64_t>(entry.points) &&
                         chunk->bytes == static_cast<std::uint64_t>(std::max(entry.bytes, 0));
-    if (!is_one) refuse(file_, "names points that are no block of the file");
-    if (chunk->level >= 0) refuse(file_, "names a block of points twice");
+    if (!is_one) refuse(file_, said<MessageId::copc_no_block>());
+    if (chunk->level >= 0) refuse(file_, said<MessageId::copc_block_twice>());
     chunk->level = entry.level;
   }
 
@@ -113,7 +115,7 @@ class Hierarchy {
 void readCopcLevels(const LazBytesSource& source, std::string_view root, LazFile& laz,
                     const std::filesystem::path& file) {
   constexpr std::size_t kRootAt = 40;  // Behind the cube and its spacing.
-  if (root.size() < kRootAt + 16) refuse(file, "has no root");
+  if (root.size() < kRootAt + 16) refuse(file, said<MessageId::copc_without_root>());
   laz.is_copc = true;
   Hierarchy(source, laz, file)
       .read(loadAs<std::uint64_t>(root.data() + kRootAt, ByteOrder::little),

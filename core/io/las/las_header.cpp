@@ -26,9 +26,7 @@ void checkVersion(std::string_view bytes, const std::filesystem::path& file) {
   const int major = fieldAt<std::uint8_t>(bytes, 24);
   const int minor = fieldAt<std::uint8_t>(bytes, 25);
   if (major == 1 && minor <= 4) return;
-  throwReadError(file, "it says to be LAS version " + std::to_string(major) + "." +
-                           std::to_string(minor) +
-                           "; versions 1.0 to 1.4 exist. Export it again as LAS 1.4.");
+  throwReadError(file, said<MessageId::refused_las_version>(major, minor));
 }
 
 std::uint64_t pointCount(std::string_view bytes, const LasHeader& header) {
@@ -41,16 +39,18 @@ std::uint64_t pointCount(std::string_view bytes, const LasHeader& header) {
 void checkRecords(const LasHeader& header, const std::filesystem::path& file) {
   const auto format = static_cast<std::size_t>(header.point_format);
   if (format >= kRecordBytes.size()) {
-    throwReadError(file, "it says to hold points of format " + std::to_string(format) +
-                             "; formats 0 to 10 exist. Export it again.");
+    throwReadError(file, said<MessageId::refused_las_format>(format),
+                   said<MessageId::advice_export_again>());
   }
   if (header.record_bytes < kRecordBytes[format]) {
-    throwReadError(file, "its header gives points of format " + std::to_string(format) + " " +
-                             std::to_string(header.record_bytes) + " bytes each; they need " +
-                             std::to_string(kRecordBytes[format]) + ". Export it again.");
+    throwReadError(file,
+                   said<MessageId::refused_las_record_bytes>(format, header.record_bytes,
+                                                             kRecordBytes[format]),
+                   said<MessageId::advice_export_again>());
   }
   if (header.points_at < header.header_bytes) {
-    throwReadError(file, "its header places the points within itself. Export it again.");
+    throwReadError(file, said<MessageId::refused_las_points_at>(),
+                   said<MessageId::advice_export_again>());
   }
 }
 
@@ -60,9 +60,8 @@ void readScales(std::string_view bytes, LasHeader& header, const std::filesystem
     header.offset[axis] = fieldAt<double>(bytes, 155 + 8 * axis);
     if (!std::isfinite(header.scale[axis]) || header.scale[axis] == 0 ||
         !std::isfinite(header.offset[axis])) {
-      throwReadError(file,
-                     "its header holds no usable scale and offset of coordinates. "
-                     "Export it again.");
+      throwReadError(file, said<MessageId::refused_las_scale>(),
+                     said<MessageId::advice_export_again>());
     }
   }
 }
@@ -94,8 +93,8 @@ LasHeader parseLasHeader(std::string_view bytes, const std::filesystem::path& fi
     throw failure<MessageId::shorter_than_las_header>(shownName(file));
   }
   if (header.header_bytes < needed) {
-    throwReadError(file, "it says its header has " + std::to_string(header.header_bytes) +
-                             " bytes; " + std::to_string(needed) + " are needed. Export it again.");
+    throwReadError(file, said<MessageId::refused_las_header_bytes>(header.header_bytes, needed),
+                   said<MessageId::advice_export_again>());
   }
   header.points_at = fieldAt<std::uint32_t>(bytes, 96);
   header.variable_records = fieldAt<std::uint32_t>(bytes, 100);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/las/laz_arithmetic.h"
 
+#include "core/message/catalogue.h"
+
 namespace relievo {
 namespace {
 
@@ -71,7 +73,7 @@ void BitModel::update() {
 ArithmeticDecoder::ArithmeticDecoder(std::string_view bytes)
     : at_(bytes.data()), end_(bytes.data() + bytes.size()) {
   for (int i = 0; i < 4; ++i) value_ = value_ << 8U | next();
-  if (value_ == length_) throw LazDamage("holds bytes that no coder writes");
+  if (value_ == length_) throw LazDamage(said<MessageId::laz_no_coders_bytes>());
 }
 
 IntegerModel::IntegerModel(unsigned bits, unsigned contexts)

@@ -9,14 +9,18 @@
 #include <memory>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "core/io/formats/scalar.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
-/// Packed points that cannot be unpacked; `what()` is the end of a sentence: "its chunk 3 is cut".
+/// Packed points that cannot be unpacked; `why` is what the catalogue says of their block or list.
 struct LazDamage : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit LazDamage(Message of_catalogue)
+      : std::runtime_error(englishText(of_catalogue)), why(std::move(of_catalogue)) {}
+  Message why;
 };
 
 /// How likely each of n symbols is, learnt from those that came before. Numbers are 15-bit shares.

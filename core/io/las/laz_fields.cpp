@@ -2,6 +2,7 @@
 #include "core/io/las/laz_fields.h"
 
 #include "core/io/las/laz_chunk.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -41,7 +42,7 @@ std::uint64_t LazTime::decode(ArithmeticDecoder& decoder) {
     const bool done = sequences_[last_].step == 0 ? decodeFirstStep(decoder) : decodeStep(decoder);
     if (done) return sequences_[last_].time;
   }
-  throw LazDamage("switches between sequences of times without end");
+  throw LazDamage(said<MessageId::laz_times_without_end>());
 }
 
 bool LazTime::decodeFirstStep(ArithmeticDecoder& decoder) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
@@ -30,8 +31,8 @@ T numberAt(std::string_view bytes, std::size_t at) {
   return loadAs<T>(bytes.data() + at, ByteOrder::little);
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
-  throwReadError(file, what + " The file is damaged; copy or export it again.");
+[[noreturn]] void refuse(const std::filesystem::path& file, Message what) {
+  throwReadError(file, std::move(what), said<MessageId::advice_damaged_copy>());
 }
 
 struct Packing {
@@ -69,34 +70,32 @@ bool isKnown(const LazItem& item, bool layered) {
 
 void checkItem(const LazItem& item, bool layered, const std::filesystem::path& file) {
   if (!isKnown(item, layered)) {
-    refuse(file, "its record of packing names fields of kind " +
-                     std::to_string(static_cast<int>(item.kind)) + " with " +
-                     std::to_string(item.bytes) + " bytes, which do not exist there.");
+    refuse(file, said<MessageId::refused_laz_fields>(static_cast<int>(item.kind), item.bytes));
   }
   // Waveforms of point formats 4 and 5 have one version.
   const unsigned newest = item.kind == LazItemKind::waves10 ? 1 : 2;
   const bool known = layered ? item.version >= 2 && item.version <= 4
                              : item.version >= 1 && item.version <= newest;
   if (!known) {
-    throwReadError(file, "its points are packed by version " + std::to_string(item.version) +
-                             " of the method, which is not known here. Convert it to LAS.");
+    throwReadError(file, said<MessageId::refused_laz_version>(item.version),
+                   said<MessageId::advice_convert_to_las>());
   }
 }
 
 Packing readPacking(std::string_view record, LazLayout& layout, const LasHeader& header,
                     const std::filesystem::path& file) {
   constexpr std::size_t kFixed = 34, kEach = 6;
-  if (record.size() < kFixed) refuse(file, "its record of packing is cut.");
+  if (record.size() < kFixed) refuse(file, said<MessageId::refused_laz_record_cut>());
   const Packing packing{numberAt<std::uint16_t>(record, 0), numberAt<std::uint32_t>(record, 12)};
   if (packing.compressor < kOneStream || packing.compressor > kLayers ||
       numberAt<std::uint16_t>(record, 2) != 0) {
-    throwReadError(file, "its points are packed in a way (" + std::to_string(packing.compressor) +
-                             ") that is not known here. Convert it to LAS.");
+    throwReadError(file, said<MessageId::refused_laz_way>(packing.compressor),
+                   said<MessageId::advice_convert_to_las>());
   }
   layout.layered = packing.compressor == kLayers;
   const std::size_t count = numberAt<std::uint16_t>(record, 32);
   if (count == 0 || record.size() < kFixed + kEach * count) {
-    refuse(file, "its record of packing is cut.");
+    refuse(file, said<MessageId::refused_laz_record_cut>());
   }
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = kFixed + kEach * i;
@@ -108,15 +107,14 @@ Packing readPacking(std::string_view record, LazLayout& layout, const LasHeader&
   }
   const LazItemKind first = layout.items.front().kind;
   if (first != (layout.layered ? LazItemKind::point14 : LazItemKind::point10)) {
-    refuse(file, "its record of packing does not begin with the coordinates.");
+    refuse(file, said<MessageId::refused_laz_record_start>());
   }
   if (layout.layered != (header.point_format >= 6)) {
-    refuse(file, "its record of packing is not for points of format " +
-                     std::to_string(header.point_format) + ".");
+    refuse(file, said<MessageId::refused_laz_record_format>(header.point_format));
   }
   if (layout.record_bytes != header.record_bytes) {
-    refuse(file, "its header gives each point " + std::to_string(header.record_bytes) +
-                     " bytes, its record of packing " + std::to_string(layout.record_bytes) + ".");
+    refuse(file,
+           said<MessageId::refused_laz_record_bytes>(header.record_bytes, layout.record_bytes));
   }
   return packing;
 }
@@ -136,7 +134,7 @@ bool readTable(std::string_view table, const Packing& packing, std::uint64_t mos
     all_bytes += bytes;
     if (all_bytes <= most_bytes) continue;
     if (decoder.missingBytes() > 0) return false;
-    throw LazDamage("names more bytes than there are");
+    throw LazDamage(said<MessageId::laz_more_bytes_than_there_are>());
   }
   // Coders count on a few zeros behind the end; where other bytes stood there, the sum is wrong.
   return decoder.missingBytes() == 0 || all_bytes == most_bytes;
@@ -156,7 +154,7 @@ std::optional<std::vector<LazChunk>> readList(const LazBytesSource& source, cons
   try {
     if (!readTable(table, packing, at - start, chunks)) return std::nullopt;
   } catch (const LazDamage& damage) {
-    refuse(file, std::string("the list of its blocks of points ") + damage.what() + ".");
+    refuse(file, said<MessageId::refused_laz_list>(damage.why));
   }
   std::uint64_t chunk_at = start;
   for (LazChunk& chunk : chunks) {
@@ -179,11 +177,12 @@ std::optional<std::vector<LazChunk>> readChunks(const LazBytesSource& source,
   }
   const std::uint64_t start = header.points_at + kPointer;
   if (source.size < kTableHead || place > source.size - kTableHead) return std::nullopt;
-  if (place < start) refuse(file, "the list of its blocks of points lies within its header.");
+  if (place < start)
+    refuse(file, said<MessageId::refused_laz_list>(said<MessageId::laz_list_in_header>()));
   const std::string head = source.read(place, kTableHead);
   const std::uint64_t count = numberAt<std::uint32_t>(head, 4);
   if (numberAt<std::uint32_t>(head, 0) != 0 || count > (place - start) / layout.record_bytes) {
-    refuse(file, "the list of its blocks of points is none.");
+    refuse(file, said<MessageId::refused_laz_list>(said<MessageId::laz_list_none>()));
   }
   return readList(source, packing, place + kTableHead, start, count, file);
 }
@@ -205,9 +204,8 @@ void countPoints(const Packing& packing, std::uint64_t promised, std::vector<Laz
   const bool empty = std::any_of(chunks.begin(), chunks.end(),
                                  [](const LazChunk& chunk) { return chunk.points == 0; });
   if (empty || first != promised) {
-    refuse(file, "its header promises " + grouped(promised) +
-                     " points, the list of its blocks others (" + grouped(chunks.size()) +
-                     " blocks).");
+    refuse(file, said<MessageId::refused_laz_counts>(CountArgument::grouped(promised),
+                                                     CountArgument::grouped(chunks.size())));
   }
 }
 
@@ -232,20 +230,21 @@ std::optional<std::string_view> lasRecord(std::string_view head, const LasHeader
 LazFile readLazFile(const LazBytesSource& source, const LasHeader& header,
                     const std::filesystem::path& file) {
   requireReadersAllowed("readLazFile");
-  constexpr std::string_view kNoRecord =
-      "it is a compressed LAS file, and no record in it says how its points are packed. Copy or "
-      "export it again.";
   const std::string head = source.read(0, std::min({header.points_at, source.size, kMostHead}));
   const auto record = lasRecord(head, header, "laszip encoded", 22204);
-  if (!record) throwReadError(file, kNoRecord);
+  if (!record) {
+    throwReadError(file, said<MessageId::refused_laz_without_record>(),
+                   said<MessageId::advice_copy_or_export>());
+  }
   LazFile laz;
   const Packing packing = readPacking(*record, laz.layout, header, file);
   if (header.points == 0) throw failure<MessageId::no_points>(shownName(file));
   if (header.points > kMostPoints) {
-    refuse(file, "its header promises " + grouped(header.points) + " points.");
+    refuse(file, said<MessageId::refused_laz_many_points>(CountArgument::grouped(header.points)));
   }
   if (packing.compressor == kOneStream) {
-    if (header.points_at >= source.size) refuse(file, "it ends before its points.");
+    if (header.points_at >= source.size)
+      refuse(file, said<MessageId::refused_laz_without_points>());
     laz.has_sizes = false;
     laz.points = header.points;
     laz.chunks = {{.at = header.points_at,
@@ -273,7 +272,7 @@ LazFile readLazFile(const LazBytesSource& source, const LasHeader& header,
 }
 
 void refuseLazChunk(const std::filesystem::path& file, std::size_t chunk, const LazDamage& damage) {
-  refuse(file, "its block of points number " + grouped(chunk + 1) + " " + damage.what() + ".");
+  refuse(file, said<MessageId::refused_laz_block>(CountArgument::grouped(chunk + 1), damage.why));
 }
 
 }  // namespace relievo

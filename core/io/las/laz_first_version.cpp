@@ -8,6 +8,7 @@
 #include "core/io/formats/scalar.h"
 #include "core/io/las/laz_fields.h"
 #include "core/io/las/laz_stream_item.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -182,7 +183,7 @@ std::unique_ptr<StreamItem> firstVersionItem(const LazItem& item, const char* fi
     case LazItemKind::bytes:
       return std::make_unique<Bytes10>(first, item.bytes, Bytes10::Named::all);
     default:
-      throw LazDamage("mixes fields of old and of new point formats");
+      throw LazDamage(said<MessageId::laz_mixed_fields>());
   }
 }
 

@@ -9,6 +9,7 @@
 #include "core/io/formats/scalar.h"
 #include "core/io/las/laz_chunk.h"
 #include "core/io/las/laz_fields.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -267,7 +268,7 @@ class LayerReader {
   std::optional<ArithmeticDecoder> next(bool wanted) {
     const auto size = loadAs<std::uint32_t>(sizes_.data(), ByteOrder::little);
     sizes_.remove_prefix(4);
-    if (size > bytes_.size()) throw LazDamage("is shorter than its layers");
+    if (size > bytes_.size()) throw LazDamage(said<MessageId::laz_shorter_than_layers>());
     const std::string_view layer = bytes_.substr(0, size);
     bytes_.remove_prefix(size);
     if (size == 0 || !wanted) return std::nullopt;
@@ -302,14 +303,14 @@ class LayersDecoder : public LazChunkDecoder {
       at += item.bytes;
     }
     bytes.remove_prefix(layout.record_bytes);
-    if (bytes.size() < 4 + 4 * layer_count) throw LazDamage("ends within its list of layers");
+    if (bytes.size() < 4 + 4 * layer_count) throw LazDamage(said<MessageId::laz_ends_in_layers>());
     if (loadAs<std::uint32_t>(bytes.data(), ByteOrder::little) != points) {
-      throw LazDamage("says another number of points than the list of chunks");
+      throw LazDamage(said<MessageId::laz_other_count>());
     }
     openLayers(layout,
                LayerReader(bytes.substr(4, 4 * layer_count), bytes.substr(4 + 4 * layer_count)),
                wanted);
-    if (!layers_[kPlace] && points > 1) throw LazDamage("holds no coordinates");
+    if (!layers_[kPlace] && points > 1) throw LazDamage(said<MessageId::laz_without_coordinates>());
     channels_[current_].emplace(Point14::of(first_.data()));
   }
 
@@ -352,7 +353,7 @@ class LayersDecoder : public LazChunkDecoder {
 
   static void requirePoint(const LazItem& item) {
     if (item.kind != LazItemKind::point14 || item.bytes != kPointBytes) {
-      throw LazDamage("mixes fields of old and of new point formats");
+      throw LazDamage(said<MessageId::laz_mixed_fields>());
     }
   }
 

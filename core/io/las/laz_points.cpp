@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "core/io/file_check.h"
 #include "core/io/read_scan.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -29,9 +31,7 @@ LazPoints::LazPoints(LazBytesSource source, LazFile laz, std::filesystem::path f
   for (const LazChunk& chunk : laz_.chunks) {
     if (chunk.points <= kMostPoints && chunk.bytes <= kMostBytes) continue;
     throwReadError(file_,
-                   "it packs " + grouped(chunk.points) +
-                       " points in one block, which cannot be unpacked in parts. Read it as a "
-                       "whole, or pack it again in blocks of 50 000.");
+                   said<MessageId::refused_laz_one_block>(CountArgument::grouped(chunk.points)));
   }
 }
 

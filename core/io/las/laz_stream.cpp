@@ -7,6 +7,7 @@
 #include "core/io/las/laz_chunk.h"
 #include "core/io/las/laz_fields.h"
 #include "core/io/las/laz_stream_item.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -158,7 +159,7 @@ std::unique_ptr<StreamItem> itemOf(const LazItem& item, const char* first) {
     case LazItemKind::bytes:
       return std::make_unique<Bytes10>(first, item.bytes);
     default:
-      throw LazDamage("mixes fields of old and of new point formats");
+      throw LazDamage(said<MessageId::laz_mixed_fields>());
   }
 }
 
@@ -204,7 +205,7 @@ class StreamDecoder : public LazChunkDecoder {
 }  // namespace
 
 void requireEnough(const ArithmeticDecoder& decoder) {
-  if (decoder.missingBytes() > kLazSlack) throw LazDamage("ends before its last point");
+  if (decoder.missingBytes() > kLazSlack) throw LazDamage(said<MessageId::laz_ends_before_last>());
 }
 
 std::unique_ptr<LazChunkDecoder> openLazStream(const LazLayout& layout, std::string_view bytes) {
@@ -213,7 +214,7 @@ std::unique_ptr<LazChunkDecoder> openLazStream(const LazLayout& layout, std::str
 
 std::unique_ptr<LazChunkDecoder> openLazChunk(const LazLayout& layout, std::string_view bytes,
                                               std::uint64_t points, const LazWanted& wanted) {
-  if (bytes.size() < layout.record_bytes) throw LazDamage("ends before its first point");
+  if (bytes.size() < layout.record_bytes) throw LazDamage(said<MessageId::laz_ends_before_first>());
   return layout.layered ? openLazLayers(layout, bytes, points, wanted)
                         : openLazStream(layout, bytes);
 }

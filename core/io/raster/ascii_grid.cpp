@@ -10,6 +10,7 @@
 #include "core/io/format.h"
 #include "core/io/formats/lines.h"
 #include "core/io/read_scan.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -51,8 +52,10 @@ void checkAsciiGridCells(const std::filesystem::path& file, std::uint64_t promis
   const std::uint64_t before = headerWords(readHead(file, kSniffedBytes));
   const std::uint64_t found = words > before ? words - before : 0;
   if (found >= promised) return;
-  throwReadError(file, "header promises " + grouped(promised) + " cells, file ends at " +
-                           grouped(found) + ". Copy or export it again.");
+  throwReadError(file,
+                 said<MessageId::refused_grid_cells>(CountArgument::grouped(promised),
+                                                     CountArgument::grouped(found)),
+                 said<MessageId::advice_copy_or_export>());
 }
 
 }  // namespace relievo

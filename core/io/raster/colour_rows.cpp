@@ -3,12 +3,15 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/io/file_check.h"
 #include "core/io/raster/colour_content.h"
 #include "core/io/raster/colour_raster.h"
+#include "core/io/read_scan.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
@@ -27,12 +30,11 @@ std::optional<RasterEnd> readColourRows(GDALDataset& dataset, RasterHead head,
   const std::string_view content = contentOf(dataset);
   if (content != kColours && content != kIntensities) return std::nullopt;
   const int bands = content == kColours ? 4 : 2;
-  const auto refuse = [&](const std::string& reason) {
-    throw FileError("Cannot read " + shownName(head.info.file) + ": " + reason +
-                    " Write the map again.");
+  const auto refuse = [&](Message reason) {
+    throwReadError(head.info.file, std::move(reason), said<MessageId::advice_write_map_again>());
   };
   if (dataset.GetRasterCount() != bands) {
-    refuse("it has not the bands that colours of a map have.");
+    refuse(said<MessageId::refused_colour_bands>());
   }
   const GridSize size = head.size;
   head.info.format =
@@ -53,7 +55,7 @@ std::optional<RasterEnd> readColourRows(GDALDataset& dataset, RasterHead head,
     if (dataset.RasterIO(GF_Read, 0, file_row, size.cols, 1, pixels.data(), size.cols, 1, GDT_Byte,
                          bands, nullptr, bands, static_cast<GSpacing>(bands) * size.cols, 1,
                          nullptr) != CE_None) {
-      refuse("row " + std::to_string(file_row) + " is damaged or missing.");
+      refuse(said<MessageId::refused_colour_row>(file_row));
     }
     for (std::size_t i = 0; i < cols; ++i) {
       const std::uint8_t* const p = &pixels[i * static_cast<std::size_t>(bands)];

@@ -20,6 +20,7 @@
 #include "core/io/raster/gdal_session.h"
 #include "core/io/raster/map_file.h"
 #include "core/io/raster/tiff_head.h"
+#include "core/io/read_scan.h"
 #include "core/io/worker/planted_fault.h"
 #include "core/io/worker/reader_guard.h"
 #include "core/message/catalogue.h"
@@ -30,25 +31,22 @@ namespace {
 constexpr std::uint64_t kMaxCells = 400'000'000;
 constexpr std::uint64_t kMaxBlockBytes = std::uint64_t{1} << 30U;
 constexpr double kSquareTolerance = 1e-6;  ///< Relative; the header's promise about pixels.
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
-  throw FileError("Cannot read " + shownName(file) + ": " + printable(reason));
-}
-
 Dataset openRaster(const std::filesystem::path& file, const RasterKind& kind,
                    const GdalErrors& errors) {
   requireReadersAllowed("openRaster");
   registerRasterDrivers();
   const std::uint64_t metadata = largestTiffMetadata(file);
   if (metadata > kMostTiffMetadata) {
-    refuse(file, "it carries " + grouped(metadata) + " bytes of metadata, more than the limit of " +
-                     grouped(kMostTiffMetadata) + ". Export it again without them.");
+    throwReadError(
+        file, said<MessageId::refused_raster_metadata>(CountArgument::grouped(metadata),
+                                                       CountArgument::grouped(kMostTiffMetadata)));
   }
   const char* const drivers[] = {kind.driver, nullptr};
   Dataset dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
   if (!dataset) {
-    refuse(file, "it is not a readable " + std::string(kind.name) +
-                     (errors.any() ? " (" + errors.first() + ")" : std::string()) +
-                     ". Export it again as GeoTIFF.");
+    if (!errors.any()) throwReadError(file, said<MessageId::refused_raster>(kind.name));
+    throwReadError(file,
+                   said<MessageId::refused_raster_because>(kind.name, printable(errors.first())));
   }
   return dataset;
 }
@@ -69,18 +67,16 @@ Placement placementOf(GDALDataset& dataset, RasterHead& raster) {
     raster.info.warnings.push_back(said<MessageId::raster_without_georeference>());
   }
   if (!std::all_of(g.begin(), g.end(), [](double v) { return std::isfinite(v); }) || g[1] == 0) {
-    refuse(file, "its georeference holds no usable numbers. Write it again with gdal_translate.");
+    throwReadError(file, said<MessageId::refused_georeference>());
   }
   const double pixel = std::abs(g[1]);
   if (std::abs(g[2]) > kSquareTolerance * pixel || std::abs(g[4]) > kSquareTolerance * pixel ||
       g[1] < 0) {
-    refuse(file,
-           "its rows do not run from west to east; it is rotated or mirrored. "
-           "Make it north-up with gdalwarp.");
+    throwReadError(file, said<MessageId::refused_rotated_raster>());
   }
   if (std::abs(std::abs(g[5]) - pixel) > kSquareTolerance * pixel) {
-    refuse(file, "its pixels are not square (" + roundTripText(std::array{pixel, std::abs(g[5])}) +
-                     "). Resample it with gdalwarp -tr.");
+    throwReadError(file, said<MessageId::refused_pixels_not_square>(
+                             roundTripText(std::array{pixel, std::abs(g[5])})));
   }
   Placement placement;
   placement.pixel = pixel;
@@ -177,7 +173,7 @@ std::string projectionOf(GDALDataset& dataset) {
 
 void checkBand(GDALRasterBand& band, const std::filesystem::path& file) {
   if (GDALDataTypeIsComplex(band.GetRasterDataType()) != 0) {
-    refuse(file, "its cells are complex numbers, not heights. Choose a height raster.");
+    throwReadError(file, said<MessageId::refused_complex_cells>());
   }
   const GDALColorInterp colour = band.GetColorInterpretation();
   if (colour == GCI_RedBand || colour == GCI_PaletteIndex) {
@@ -196,10 +192,8 @@ void checkBlocks(GDALDataset& dataset, GDALRasterBand& band, const std::filesyst
                        (alternate ? dataset.GetRasterCount() : 1) *
                        GDALGetDataTypeSizeBytes(band.GetRasterDataType());
   if (bytes <= static_cast<double>(kMaxBlockBytes)) return;
-  refuse(file,
-         "each of its strips or tiles holds " + grouped(static_cast<std::uint64_t>(bytes / 1e6)) +
-             " MB; they are read whole, and 1 073 MB is the limit. Write one band of it again "
-             "with gdal_translate -b 1 -co TILED=YES.");
+  throwReadError(file, said<MessageId::refused_raster_strips>(
+                           CountArgument::grouped(static_cast<std::uint64_t>(bytes / 1e6))));
 }
 
 /// Stored number to height: value * scale + offset in the unit of the coordinates.
@@ -364,8 +358,8 @@ class HeightSummary {
   void into(RasterHead& raster) const {
     raster.info.finite_points = valid_;
     if (valid_ == 0) {
-      refuse(raster.info.file, "none of its " + grouped(raster.info.points) +
-                                   " cells holds a height. Choose another raster.");
+      throwReadError(raster.info.file, said<MessageId::refused_raster_without_heights>(
+                                           CountArgument::grouped(raster.info.points)));
     }
     raster.info.bounds =
         FileBounds{{raster.first.x, raster.first.y, lowest_},
@@ -392,8 +386,9 @@ RasterEnd passRows(GDALDataset& dataset, HeightRows& rows, bool rows_from_top,
       task.report("reading heights", static_cast<double>(file_row) / count);
     }
     if (!rows.read(file_row)) {
-      refuse(raster.info.file, "row " + std::to_string(file_row) + " is damaged or missing (" +
-                                   errors.first() + "). Copy or export it again.");
+      throwReadError(raster.info.file,
+                     said<MessageId::refused_raster_row>(file_row, printable(errors.first())),
+                     said<MessageId::advice_copy_or_export>());
     }
     const int row = rows_from_top ? count - 1 - file_row : file_row;
     summary.add(rows.heights());
@@ -406,8 +401,7 @@ RasterEnd passRows(GDALDataset& dataset, HeightRows& rows, bool rows_from_top,
 void readOwnMap(GDALDataset& dataset, RasterHead& raster) {
   const char* content = dataset.GetMetadataItem("RELIEVO_CONTENT");
   if (content != nullptr && std::string_view(content) == kOriginContent) {
-    refuse(raster.info.file,
-           "it holds the origins of a map's cells, not heights. Open the map beside it.");
+    throwReadError(raster.info.file, said<MessageId::refused_origins>());
   }
   const char* unit = dataset.GetMetadataItem("RELIEVO_UNIT");
   const char* matrix = dataset.GetMetadataItem("RELIEVO_VIEW_FROM_FILE");
@@ -415,8 +409,8 @@ void readOwnMap(GDALDataset& dataset, RasterHead& raster) {
   if (std::string_view(unit) == kPointsUnit) return;  // Counts of a map's points, not heights.
   const auto numbers = parseNumbers<16>(matrix);
   if (!numbers || std::string_view(unit) != "mm") {
-    refuse(raster.info.file,
-           "its RELIEVO_ entries were changed and make no sense. Write the map again.");
+    throwReadError(raster.info.file, said<MessageId::refused_own_entries>(),
+                   said<MessageId::advice_write_map_again>());
   }
   raster.is_own_map = true;
   raster.set = factOf(dataset, kSetFact);
@@ -438,13 +432,12 @@ RasterEnd readRasterRows(const std::filesystem::path& file, const RasterSink& si
   raster.info.file = file;
   raster.size = {dataset->GetRasterXSize(), dataset->GetRasterYSize()};
   if (dataset->GetRasterCount() < 1 || raster.size.cols < 2 || raster.size.rows < 2) {
-    refuse(file, "it has " + std::to_string(raster.size.cols) + " x " +
-                     std::to_string(raster.size.rows) +
-                     " cells; at least 2 x 2 are needed. Choose a larger raster.");
+    throwReadError(file, said<MessageId::refused_small_raster>(raster.size.cols, raster.size.rows));
   }
   if (raster.size.count() > kMaxCells) {
-    refuse(file, "it has " + grouped(raster.size.count()) + " cells, more than the limit of " +
-                     grouped(kMaxCells) + ". Cut or thin it with gdal_translate.");
+    throwReadError(
+        file, said<MessageId::refused_large_raster>(CountArgument::grouped(raster.size.count()),
+                                                    CountArgument::grouped(kMaxCells)));
   }
   if (kind.driver == std::string_view("AAIGrid")) checkAsciiGridCells(file, raster.size.count());
   GDALRasterBand& band = *dataset->GetRasterBand(1);

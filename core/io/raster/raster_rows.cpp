@@ -11,15 +11,13 @@
 #include <utility>
 
 #include "core/io/read_scan.h"
+#include "core/message/catalogue.h"
 
 namespace relievo {
 namespace {
 
 [[noreturn]] void refuseRows(const RasterHead& head) {
-  throwReadError(
-      head.info.file,
-      "its heights could not be kept while they were used, or its reader broke down on it. "
-      "Try again, or export it again.");
+  throwReadError(head.info.file, said<MessageId::refused_heights_not_kept>());
 }
 
 }  // namespace

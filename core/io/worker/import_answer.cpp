@@ -15,11 +15,9 @@ namespace relievo {
 
 void refuseEnd(const std::filesystem::path& file, const ImportOptions& options,
                const WorkerEnd& end) {
-  const std::string words = end.last_words.empty() ? "" : " (\"" + end.last_words + "\")";
   if (!end.exited && end.number == SIGXCPU) {
-    throwReadError(file, "it takes more than " +
-                             grouped(static_cast<std::uint64_t>(options.max_cpu_s)) +
-                             " s of processor time. Thin it out or cut it into parts first.");
+    throwReadError(file, said<MessageId::refused_processor_time>(CountArgument::grouped(
+                             static_cast<std::uint64_t>(options.max_cpu_s))));
   }
   if (!end.exited && end.number == SIGBUS) {
     throw failure<MessageId::file_became_shorter>(shownName(file));
@@ -27,9 +25,8 @@ void refuseEnd(const std::filesystem::path& file, const ImportOptions& options,
   if (!end.exited && end.number == SIGKILL) {
     throw failure<MessageId::import_stopped_by_system>(shownName(file));
   }
-  throwReadError(file, "its reader broke down on it" + words +
-                           ". The program is unharmed; the file "
-                           "is probably damaged. Export it again.");
+  if (end.last_words.empty()) throwReadError(file, said<MessageId::refused_reader_broke>());
+  throwReadError(file, said<MessageId::refused_reader_broke_saying>(printable(end.last_words)));
 }
 
 void throwRefusal(const WorkerRefusal& refusal) {

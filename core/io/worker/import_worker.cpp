@@ -135,21 +135,28 @@ void setLimits(const WorkerArguments& arguments) {
   setChildLimits(limits);
 }
 
+/// What the parent is told of an error, as which it is thrown there once more.
+WorkerRefusal refusalOf(const Error& error) {
+  return {error.what(), error.code, error.message ? messageBytes(*error.message) : ""};
+}
+
+template <class... Reason>
+WorkerRefusal cannotRead(const WorkerArguments& arguments, Reason&&... reason) {
+  return refusalOf(failure<MessageId::cannot_read>(
+      shownName(arguments.file),
+      WordsArgument::sentences(std::vector<Message>{std::forward<Reason>(reason)...})));
+}
+
 WorkerRefusal tooLarge(const WorkerArguments& arguments) {
-  return {"Cannot read " + shownName(arguments.file) + ": it needs more than " +
-              grouped(arguments.options.max_memory_bytes >> 20) +
-              " MB of memory. Thin it out or cut it into parts first.",
-          ""};
+  return cannotRead(arguments, said<MessageId::refused_memory>(CountArgument::grouped(
+                                   arguments.options.max_memory_bytes >> 20)));
 }
 
 /// The limit on files is the worker's own, or comes from outside and is smaller.
 WorkerRefusal tooLong(const WorkerArguments& arguments, const AnswerTooLong& answer) {
   if (answer.mostBytes() >= arguments.options.max_memory_bytes) return tooLarge(arguments);
-  return {"Cannot read " + shownName(arguments.file) +
-              ": what it holds is passed on as a file, and files may have no more than " +
-              grouped(answer.mostBytes() >> 10) +
-              " kB here (ulimit -f). Allow larger ones and try again.",
-          ""};
+  return cannotRead(arguments, said<MessageId::refused_file_limit>(
+                                   CountArgument::grouped(answer.mostBytes() >> 10)));
 }
 
 /// What the parent is told of the exception in flight.
@@ -159,7 +166,7 @@ WorkerRefusal refusalInFlight(const WorkerArguments& arguments) {
   } catch (const ArgumentError& error) {
     return {error.what(), kMisuse};
   } catch (const Error& error) {
-    return {error.what(), error.code, error.message ? messageBytes(*error.message) : ""};
+    return refusalOf(error);
   } catch (const AnswerTooLong& answer) {
     return tooLong(arguments, answer);
   } catch (const std::bad_alloc&) {
@@ -167,9 +174,8 @@ WorkerRefusal refusalInFlight(const WorkerArguments& arguments) {
   } catch (const std::length_error&) {
     return tooLarge(arguments);
   } catch (const std::exception& error) {
-    return {"Cannot read " + shownName(arguments.file) + ": its reader gave up (" + error.what() +
-                "). The file is damaged; export it again.",
-            ""};
+    return cannotRead(arguments, said<MessageId::refused_reader_gave_up>(printable(error.what())),
+                      said<MessageId::advice_damaged_export>());
   }
 }
 
@@ -245,7 +251,7 @@ void answer(const WorkerArguments& arguments, const WorkerLibraries& libraries) 
       break;
   }
   if (arguments.kind == ImportKind::pixels || libraries.read_raster == nullptr) {
-    throwReadError(arguments.file, "this import program reads no rasters. Install relievo again.");
+    throwReadError(arguments.file, said<MessageId::refused_no_rasters_here>());
   }
   RasterAnswer rows(kAnswerFd);
   rows.finish(libraries.read_raster(arguments.file, rows.sink(), task));

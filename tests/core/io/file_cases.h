@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/io/import.h"
+#include "core/message/message.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo::test {
@@ -45,6 +46,8 @@ class FileCases : public ::testing::Test {
         }
       } catch (const FileError& error) {
         EXPECT_EQ(c.points, -1) << error.what();
+        ASSERT_TRUE(error.message) << "no sentence of the catalogue: " << error.what();
+        EXPECT_EQ(englishText(*error.message), error.what());
         EXPECT_THAT(error.what(), ::testing::HasSubstr(c.refusal));
         EXPECT_THAT(error.what(), ::testing::HasSubstr(c.file));
         EXPECT_THAT(error.what(), ::testing::Not(::testing::HasSubstr("broke down")));
