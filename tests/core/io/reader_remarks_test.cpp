@@ -62,14 +62,16 @@ TEST(ReaderRemarks, OfTextAndMeshes) {
 }
 
 TEST(ReaderRemarks, OfScansOfOneFile) {
-  std::vector<Message> left{said<MessageId::e57_scan>(1, "it makes no sense"),
-                            said<MessageId::e57_named_scan>(3, "Tower", "it ends early")};
+  const auto fault = [](Message sentence) { return WordsArgument::clause(std::move(sentence)); };
+  std::vector<Message> left{
+      said<MessageId::e57_scan>(1, fault(said<MessageId::e57_packet>())),
+      said<MessageId::e57_named_scan>(3, "Tower", fault(said<MessageId::e57_place_outside>()))};
   EXPECT_EQ(english<MessageId::e57_scans_left_out>(2, 4, left),
-            "2 of 4 scans were left out: scan 1 (it makes no sense), scan 3 \"Tower\" (it ends "
-            "early).");
+            "2 of 4 scans were left out: scan 1 (a packet of its points makes no sense), scan 3 "
+            "\"Tower\" (it names a place outside itself).");
   EXPECT_EQ(english<MessageId::e57_scans_and_others_left_out>(5, 9, left),
-            "5 of 9 scans were left out: scan 1 (it makes no sense), scan 3 \"Tower\" (it ends "
-            "early) and others.");
+            "5 of 9 scans were left out: scan 1 (a packet of its points makes no sense), scan 3 "
+            "\"Tower\" (it names a place outside itself) and others.");
 }
 
 TEST(ReaderRemarks, OfLasAndRasters) {
