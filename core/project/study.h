@@ -41,7 +41,7 @@ std::filesystem::path makeSittingFolder(const std::filesystem::path& folder,
 
 /// What a sitting was made with, beside the study itself.
 struct SittingFacts {
-  std::string program;      ///< "relievo 0.1.0".
+  std::string program;      ///< "relievo 0.2.0".
   std::string input;        ///< File name of what is touched ...
   std::string sha256;       ///< ... and its checksum.
   std::string started_utc;  ///< ISO 8601.
