@@ -360,7 +360,11 @@ class Reader {
 }  // namespace
 
 ExhibitCheck checkExhibit(const fs::path& file, std::span<const std::string> known_languages) {
-  const std::string text = readTextFile(file, kMostBytes);
+  return checkExhibitText(readTextFile(file, kMostBytes), file, known_languages);
+}
+
+ExhibitCheck checkExhibitText(const std::string& text, const fs::path& file,
+                              std::span<const std::string> known_languages) {
   const std::string name = shownName(file);
   if (isNestedDeeper(text, kDeepest)) throw failure<MessageId::exhibit_none>(name);
   Json json;

@@ -80,6 +80,17 @@ struct ExhibitCheck {
 /// @throw FileError  it cannot be read, is not JSON, or is no exhibit of this version
 ExhibitCheck checkExhibit(const std::filesystem::path& file,
                           std::span<const std::string> known_languages);
+/// The same for a text that stands in no file yet. @param file  where it would stand
+ExhibitCheck checkExhibitText(const std::string& text, const std::filesystem::path& file,
+                              std::span<const std::string> known_languages);
+
+/// What its file holds: all of it, what is wrong, too, so that a check finds it. Texts of other
+/// languages than its own are left out, and so is a PIN without a salt. A name that lies in the
+/// file's folder, or in the one above it, is written from there, so that both can be moved
+/// together. [any thread] @pre `exhibit.file` has a name
+std::string exhibitText(const Exhibit& exhibit);
+/// Puts that in its place, at once. @throw WriteError
+void writeExhibit(const Exhibit& exhibit);
 
 /// @throw FileError  as above, or with all of its faults
 Exhibit readExhibit(const std::filesystem::path& file,

@@ -2,6 +2,7 @@
 #include "core/exhibit/staff_pin.h"
 
 #include <algorithm>
+#include <random>
 
 #include "core/hash/sha256.h"
 
@@ -17,6 +18,15 @@ bool isDigit(char c) noexcept {
 bool isPin(std::string_view digits) noexcept {
   return digits.size() >= kFewestPinDigits && digits.size() <= kMostPinDigits &&
          std::all_of(digits.begin(), digits.end(), isDigit);
+}
+
+StaffPin newStaffPin(std::string_view digits) {
+  constexpr int kSaltLetters = 16;
+  constexpr std::string_view kLetters = "0123456789abcdef";
+  std::random_device random;
+  std::string salt;
+  for (int i = 0; i < kSaltLetters; ++i) salt += kLetters[random() % kLetters.size()];
+  return staffPinOf(digits, salt);
 }
 
 StaffPin staffPinOf(std::string_view digits, std::string_view salt) {

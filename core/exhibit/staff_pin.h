@@ -22,6 +22,8 @@ bool isPin(std::string_view digits) noexcept;
 
 /// @pre isPin(digits)
 StaffPin staffPinOf(std::string_view digits, std::string_view salt);
+/// The same with a new salt by chance. @pre isPin(digits)
+StaffPin newStaffPin(std::string_view digits);
 
 /// The entry of the number: digits one by one, five tries, then a minute without any. Time is an
 /// argument. [one thread]

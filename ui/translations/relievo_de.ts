@@ -2080,6 +2080,14 @@
         <source>Make the map of a scan that is larger than the memory</source>
         <translation>Die Karte eines Scans machen, der größer als der Speicher ist</translation>
     </message>
+    <message>
+        <source>Set up exhi&amp;bit…</source>
+        <translation>Ausstellung einrichte&amp;n…</translation>
+    </message>
+    <message>
+        <source>What visitors of an exhibit are offered, and how it looks after them</source>
+        <translation>Was den Besuchern einer Ausstellung angeboten wird, und wie sie begleitet werden</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2250,6 +2258,10 @@
     <message>
         <source>large huge out of core memory build pyramid survey site LAS</source>
         <translation>groß riesig Speicher Pyramide Vermessung Gelände Fundstätte LAS</translation>
+    </message>
+    <message>
+        <source>museum kiosk playlist visitors exhibition PIN</source>
+        <translation>Museum Kiosk Abspielliste Besucher Ausstellung PIN</translation>
     </message>
 </context>
 <context>
@@ -2909,6 +2921,431 @@
     <message>
         <source>Straighten the view</source>
         <translation>Ansicht geraderichten</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ExhibitDialog</name>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Is it whole?</source>
+        <translation>Ist sie vollständig?</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Was nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Enter or a double click goes to the place</source>
+        <translation>Eingabetaste oder Doppelklick führt zu der Stelle</translation>
+    </message>
+    <message>
+        <source>Op&amp;en…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Change an exhibit that is there</source>
+        <translation>Eine vorhandene Ausstellung ändern</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Keep the exhibit in its file</source>
+        <translation>Die Ausstellung in ihrer Datei speichern</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Keep the exhibit in another file</source>
+        <translation>Die Ausstellung in einer anderen Datei speichern</translation>
+    </message>
+    <message>
+        <source>Obje&amp;cts</source>
+        <translation>Ob&amp;jekte</translation>
+    </message>
+    <message>
+        <source>V&amp;isit</source>
+        <translation>&amp;Besuch</translation>
+    </message>
+    <message>
+        <source>%1 has faults. What they stand at is as it would be if nothing were said: %2</source>
+        <translation>%1 hat Fehler. Was sie betreffen, steht so da, als wäre nichts gesagt: %2</translation>
+    </message>
+    <message>
+        <source>Exhibit[*]</source>
+        <translation>Ausstellung[*]</translation>
+    </message>
+    <message>
+        <source>Exhibit %1[*]</source>
+        <translation>Ausstellung %1[*]</translation>
+    </message>
+    <message>
+        <source>It cannot be shown yet; this is missing or wrong:</source>
+        <translation>Sie kann noch nicht gezeigt werden; dies fehlt oder stimmt nicht:</translation>
+    </message>
+    <message>
+        <source>It is whole. Once it is saved, it can be shown.</source>
+        <translation>Sie ist vollständig. Ist sie gespeichert, kann sie gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>It is whole. This shows it: %1</source>
+        <translation>Sie ist vollständig. So wird sie gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>Exhibit</source>
+        <translation>Ausstellung</translation>
+    </message>
+    <message>
+        <source>Exhibits (*.json)</source>
+        <translation>Ausstellungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Save exhibit</source>
+        <translation>Ausstellung speichern</translation>
+    </message>
+    <message>
+        <source>Unsaved exhibit</source>
+        <translation>Nicht gespeicherte Ausstellung</translation>
+    </message>
+    <message>
+        <source>What was changed in the exhibit is in no file yet.</source>
+        <translation>Was an der Ausstellung geändert wurde, ist noch in keiner Datei.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ExhibitObjectsPage</name>
+    <message>
+        <source>Objects</source>
+        <translation>Objekte</translation>
+    </message>
+    <message>
+        <source>What visitors are offered, in this order</source>
+        <translation>Was Besuchern angeboten wird, in dieser Reihenfolge</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Take scans, height maps or projects into the list</source>
+        <translation>Scans, Höhenkarten oder Projekte in die Liste aufnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the object out of the list</source>
+        <translation>Das Objekt aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>U&amp;p</source>
+        <translation>&amp;Nach oben</translation>
+    </message>
+    <message>
+        <source>Offer the object earlier</source>
+        <translation>Das Objekt früher anbieten</translation>
+    </message>
+    <message>
+        <source>Dow&amp;n</source>
+        <translation>Nach un&amp;ten</translation>
+    </message>
+    <message>
+        <source>Offer the object later</source>
+        <translation>Das Objekt später anbieten</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>A scan, a height map or a project</source>
+        <translation>Ein Scan, eine Höhenkarte oder ein Projekt</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>Du&amp;rchsuchen…</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>Eine andere Datei wählen</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>Length unit of the file&apos;s coordinates</source>
+        <translation>Längeneinheit der Koordinaten in der Datei</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>From which side the object is touched</source>
+        <translation>Von welcher Seite das Objekt befühlt wird</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>What is said and shown, in each language</source>
+        <translation>Was gesagt und gezeigt wird, in jeder Sprache</translation>
+    </message>
+    <message>
+        <source>Title, %1</source>
+        <translation>Titel, %1</translation>
+    </message>
+    <message>
+        <source>At most %1 words, spoken and shown</source>
+        <translation>Höchstens %1 Wörter, gesprochen und gezeigt</translation>
+    </message>
+    <message>
+        <source>Description, %1</source>
+        <translation>Beschreibung, %1</translation>
+    </message>
+    <message>
+        <source>At most %1 words, spoken after the title; in every language or in none</source>
+        <translation>Höchstens %1 Wörter, nach dem Titel gesprochen; in jeder Sprache oder in keiner</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>Tite&amp;l</translation>
+    </message>
+    <message>
+        <source>&amp;Description</source>
+        <translation>Beschreibun&amp;g</translation>
+    </message>
+    <message>
+        <source>Objects of the exhibit</source>
+        <translation>Objekte der Ausstellung</translation>
+    </message>
+    <message>
+        <source>&amp;Objects</source>
+        <translation>&amp;Objekte</translation>
+    </message>
+    <message>
+        <source>From the file</source>
+        <translation>Aus der Datei</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of the file</source>
+        <translation>E&amp;inheit der Datei</translation>
+    </message>
+    <message>
+        <source>Vie&amp;w</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Object of the exhibit</source>
+        <translation>Objekt der Ausstellung</translation>
+    </message>
+    <message>
+        <source>No file</source>
+        <translation>Keine Datei</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ExhibitVisitPage</name>
+    <message>
+        <source>Language of a new visitor</source>
+        <translation>Sprache eines neuen Besuchers</translation>
+    </message>
+    <message>
+        <source>The first that is offered, and in which all begins</source>
+        <translation>Die erste, die angeboten wird und in der alles beginnt</translation>
+    </message>
+    <message>
+        <source>Ask whether somebody is there after</source>
+        <translation>Fragen, ob jemand da ist, nach</translation>
+    </message>
+    <message>
+        <source>Seconds without any input</source>
+        <translation>Sekunden ohne jede Eingabe</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Begin anew after</source>
+        <translation>Neu beginnen nach</translation>
+    </message>
+    <message>
+        <source>Seconds after the question</source>
+        <translation>Sekunden nach der Frage</translation>
+    </message>
+    <message>
+        <source>Chime every</source>
+        <translation>Gong alle</translation>
+    </message>
+    <message>
+        <source>Seconds between chimes while nobody is there: 10 to 3600, or none</source>
+        <translation>Sekunden zwischen Gongs, solange niemand da ist: 10 bis 3600, oder keine</translation>
+    </message>
+    <message>
+        <source>Volume of a new visitor</source>
+        <translation>Lautstärke für neue Besucher</translation>
+    </message>
+    <message>
+        <source>Buttons change it until the visit ends</source>
+        <translation>Tasten ändern sie bis zum Ende des Besuchs</translation>
+    </message>
+    <message>
+        <source>Loudest</source>
+        <translation>Am lautesten</translation>
+    </message>
+    <message>
+        <source>No button goes above it; how loud it is depends on the loudspeaker</source>
+        <translation>Keine Taste geht darüber; wie laut das ist, hängt vom Lautsprecher ab</translation>
+    </message>
+    <message>
+        <source>Words a minute</source>
+        <translation>Wörter je Minute</translation>
+    </message>
+    <message>
+        <source>How fast the voice speaks</source>
+        <translation>Wie schnell die Stimme spricht</translation>
+    </message>
+    <message>
+        <source>Languages</source>
+        <translation>Sprachen</translation>
+    </message>
+    <message>
+        <source>Offered to visitors</source>
+        <translation>Wird Besuchern angeboten</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>Voice</source>
+        <translation>Stimme</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>Sounds of touch</source>
+        <translation>Klänge beim Fühlen</translation>
+    </message>
+    <message>
+        <source>Staff</source>
+        <translation>Personal</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>&amp;Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of counts and logs</source>
+        <translation>Den Ordner der Zählungen und Protokolle wählen</translation>
+    </message>
+    <message>
+        <source>New PIN of the staff</source>
+        <translation>Neue PIN des Personals</translation>
+    </message>
+    <message>
+        <source>Folder of counts and logs</source>
+        <translation>Ordner der Zählungen und Protokolle</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>Stays as it is</source>
+        <translation>Bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>falcon, mouse, or what the panel Touch calls the device</source>
+        <translation>falcon, mouse, oder wie das Panel Fühlen das Gerät nennt</translation>
+    </message>
+    <message>
+        <source>How much of every force is felt</source>
+        <translation>Wie viel von jeder Kraft zu fühlen ist</translation>
+    </message>
+    <message>
+        <source>Their volume; 0: none</source>
+        <translation>Ihre Lautstärke; 0: keine</translation>
+    </message>
+    <message>
+        <source>No force is larger</source>
+        <translation>Keine Kraft ist größer</translation>
+    </message>
+    <message>
+        <source>Begin with the introduction</source>
+        <translation>Mit der Einführung beginnen</translation>
+    </message>
+    <message>
+        <source>Each visitor&apos;s first object begins with two shapes to feel</source>
+        <translation>Das erste Objekt jedes Besuchers beginnt mit zwei Formen zum Fühlen</translation>
+    </message>
+    <message>
+        <source>Offer to lead the hand</source>
+        <translation>Anbieten, die Hand zu führen</translation>
+    </message>
+    <message>
+        <source>Once round the outline, with a device that can</source>
+        <translation>Einmal um den Umriss, mit einem Gerät, das es kann</translation>
+    </message>
+    <message>
+        <source>Taps say what sounds say</source>
+        <translation>Stöße sagen, was Klänge sagen</translation>
+    </message>
+    <message>
+        <source>For who hears neither sounds nor speech</source>
+        <translation>Für Menschen, die weder Klänge noch Sprache hören</translation>
+    </message>
+    <message>
+        <source>One button does all</source>
+        <translation>Eine Taste für alles</translation>
+    </message>
+    <message>
+        <source>For a foot switch or another single switch</source>
+        <translation>Für einen Fußschalter oder einen anderen einzelnen Schalter</translation>
+    </message>
+    <message>
+        <source>4 to 12 digits. The file keeps a checksum of them, not the digits</source>
+        <translation>4 bis 12 Ziffern. Die Datei behält eine Prüfsumme davon, nicht die Ziffern</translation>
+    </message>
+    <message>
+        <source>Empty: a folder of the account that shows the exhibit</source>
+        <translation>Leer: ein Ordner des Kontos, das die Ausstellung zeigt</translation>
     </message>
 </context>
 <context>
@@ -9478,8 +9915,8 @@
         <translation>%1 ihrer Punkte {1|ist|sind} als zurückgehalten (nicht zu verwenden) gekennzeichnet und {1|wurde|wurden} trotzdem genommen.</translation>
     </message>
     <message>
-        <source>%1 of its points {1|is|are} marked as withheld (not to be used) and {1|was|were} left out. --keep-withheld takes them.</source>
-        <translation>%1 ihrer Punkte {1|ist|sind} als zurückgehalten (nicht zu verwenden) gekennzeichnet und {1|wurde|wurden} weggelassen. --keep-withheld nimmt sie.</translation>
+        <source>%1 of its points {1|is|are} marked as withheld (not to be used) and {1|was|were} left out. They can be taken, too (--keep-withheld).</source>
+        <translation>%1 ihrer Punkte {1|ist|sind} als zurückgehalten (nicht zu verwenden) gekennzeichnet und {1|wurde|wurden} weggelassen. Sie können mitgenommen werden (--keep-withheld).</translation>
     </message>
     <message>
         <source>Bytes after the last of the points that the header promises were ignored.</source>
@@ -9494,20 +9931,20 @@
         <translation>Ihre x und y sind Grad und keine Längen, sodass Formen falsch werden. Projizieren Sie sie in Meter um, zum Beispiel mit pdal translate und filters.reprojection.</translation>
     </message>
     <message>
-        <source>It states a unit %1, which is not known here; state it with --unit.</source>
-        <translation>Sie nennt eine Einheit %1, die hier nicht bekannt ist; geben Sie sie mit --unit an.</translation>
+        <source>It states a unit %1, which is not known here; state it (--unit).</source>
+        <translation>Sie nennt eine Einheit %1, die hier nicht bekannt ist; geben Sie sie an (--unit).</translation>
     </message>
     <message>
-        <source>It names its coordinate system, EPSG:%1, which is not known here, and no unit; state it with --unit.</source>
-        <translation>Sie nennt ihr Koordinatensystem, EPSG:%1, das hier nicht bekannt ist, und keine Einheit; geben Sie sie mit --unit an.</translation>
+        <source>It names its coordinate system, EPSG:%1, which is not known here, and no unit; state it (--unit).</source>
+        <translation>Sie nennt ihr Koordinatensystem, EPSG:%1, das hier nicht bekannt ist, und keine Einheit; geben Sie sie an (--unit).</translation>
     </message>
     <message>
         <source>It names its coordinate system, EPSG:%1, whose x and y are degrees, not lengths, so shapes will be wrong. Reproject it to metres.</source>
         <translation>Sie nennt ihr Koordinatensystem, EPSG:%1, dessen x und y Grad und keine Längen sind, sodass Formen falsch werden. Projizieren Sie sie in Meter um.</translation>
     </message>
     <message>
-        <source>It names its coordinate system, EPSG:%1, whose unit of %2 m is not known here; state it with --unit.</source>
-        <translation>Sie nennt ihr Koordinatensystem, EPSG:%1, dessen Einheit von %2 m hier nicht bekannt ist; geben Sie sie mit --unit an.</translation>
+        <source>It names its coordinate system, EPSG:%1, whose unit of %2 m is not known here; state it (--unit).</source>
+        <translation>Sie nennt ihr Koordinatensystem, EPSG:%1, dessen Einheit von %2 m hier nicht bekannt ist; geben Sie sie an (--unit).</translation>
     </message>
     <message>
         <source>Points lie outside the box that the header states, so that the file may be damaged: LAZ holds no checksum.</source>
@@ -9534,8 +9971,8 @@
         <translation>Das Raster hat %1 Kanäle; der erste wurde als Höhen gelesen.</translation>
     </message>
     <message>
-        <source>The raster&apos;s unit of %1 m is not known here; state it with --unit.</source>
-        <translation>Die Einheit des Rasters von %1 m ist hier nicht bekannt; geben Sie sie mit --unit an.</translation>
+        <source>The raster&apos;s unit of %1 m is not known here; state it (--unit).</source>
+        <translation>Die Einheit des Rasters von %1 m ist hier nicht bekannt; geben Sie sie an (--unit).</translation>
     </message>
     <message>
         <source>The raster states no unit for its heights; they were taken to be in the unit of its coordinates.</source>
@@ -10162,8 +10599,8 @@
         <translation>Das Leseprogramm hat aufgegeben (%1).</translation>
     </message>
     <message>
-        <source>PCL gave up on its points. Give --reader own.</source>
-        <translation>PCL hat bei den Punkten der Datei aufgegeben. Geben Sie --reader own an.</translation>
+        <source>PCL gave up on its points. The program&apos;s own reader may take them (--reader own).</source>
+        <translation>PCL hat bei den Punkten der Datei aufgegeben. Das eigene Leseprogramm kann sie vielleicht lesen (--reader own).</translation>
     </message>
     <message>
         <source>its reader broke down on it. The program is unharmed; the file is probably damaged. Export it again.</source>

@@ -2080,6 +2080,14 @@
         <source>Make the map of a scan that is larger than the memory</source>
         <translation>ऐसे स्कैन का मानचित्र बनाएँ जो मेमोरी से बड़ा है</translation>
     </message>
+    <message>
+        <source>Set up exhi&amp;bit…</source>
+        <translation>प्रदर्शनी तैयार करें… (&amp;B)</translation>
+    </message>
+    <message>
+        <source>What visitors of an exhibit are offered, and how it looks after them</source>
+        <translation>प्रदर्शनी के आगंतुकों को क्या मिलता है, और वह उनका ध्यान कैसे रखती है</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2250,6 +2258,10 @@
     <message>
         <source>large huge out of core memory build pyramid survey site LAS</source>
         <translation>बड़ा विशाल मेमोरी पिरामिड सर्वेक्षण स्थल LAS</translation>
+    </message>
+    <message>
+        <source>museum kiosk playlist visitors exhibition PIN</source>
+        <translation>संग्रहालय कियोस्क सूची आगंतुक प्रदर्शनी PIN</translation>
     </message>
 </context>
 <context>
@@ -2909,6 +2921,431 @@
     <message>
         <source>Straighten the view</source>
         <translation>दृश्य सीधा करें</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ExhibitDialog</name>
+    <message>
+        <source>Pages</source>
+        <translation>पन्ने</translation>
+    </message>
+    <message>
+        <source>Is it whole?</source>
+        <translation>क्या वह पूरी है?</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>समस्या</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>क्या ठीक नहीं</translation>
+    </message>
+    <message>
+        <source>Enter or a double click goes to the place</source>
+        <translation>Enter या डबल-क्लिक उस स्थान पर ले जाता है</translation>
+    </message>
+    <message>
+        <source>Op&amp;en…</source>
+        <translation>खोलें… (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Change an exhibit that is there</source>
+        <translation>मौजूद प्रदर्शनी बदलें</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>सहेजें (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Keep the exhibit in its file</source>
+        <translation>प्रदर्शनी को उसकी फ़ाइल में रखें</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve as…</source>
+        <translation>इस रूप में सहेजें… (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Keep the exhibit in another file</source>
+        <translation>प्रदर्शनी को दूसरी फ़ाइल में रखें</translation>
+    </message>
+    <message>
+        <source>Obje&amp;cts</source>
+        <translation>वस्तुएँ (&amp;C)</translation>
+    </message>
+    <message>
+        <source>V&amp;isit</source>
+        <translation>भेंट (&amp;I)</translation>
+    </message>
+    <message>
+        <source>%1 has faults. What they stand at is as it would be if nothing were said: %2</source>
+        <translation>%1 में दोष हैं। जिन बातों में दोष हैं, वे ऐसी हैं मानो कुछ न कहा गया हो: %2</translation>
+    </message>
+    <message>
+        <source>Exhibit[*]</source>
+        <translation>प्रदर्शनी[*]</translation>
+    </message>
+    <message>
+        <source>Exhibit %1[*]</source>
+        <translation>प्रदर्शनी %1[*]</translation>
+    </message>
+    <message>
+        <source>It cannot be shown yet; this is missing or wrong:</source>
+        <translation>वह अभी दिखाई नहीं जा सकती; यह कमी या गलती है:</translation>
+    </message>
+    <message>
+        <source>It is whole. Once it is saved, it can be shown.</source>
+        <translation>वह पूरी है। सहेजने के बाद दिखाई जा सकती है।</translation>
+    </message>
+    <message>
+        <source>It is whole. This shows it: %1</source>
+        <translation>वह पूरी है। यह उसे दिखाता है: %1</translation>
+    </message>
+    <message>
+        <source>Exhibit</source>
+        <translation>प्रदर्शनी</translation>
+    </message>
+    <message>
+        <source>Exhibits (*.json)</source>
+        <translation>प्रदर्शनियाँ (*.json)</translation>
+    </message>
+    <message>
+        <source>Save exhibit</source>
+        <translation>प्रदर्शनी सहेजें</translation>
+    </message>
+    <message>
+        <source>Unsaved exhibit</source>
+        <translation>न सहेजी प्रदर्शनी</translation>
+    </message>
+    <message>
+        <source>What was changed in the exhibit is in no file yet.</source>
+        <translation>प्रदर्शनी में जो बदला गया, वह अभी किसी फ़ाइल में नहीं है।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ExhibitObjectsPage</name>
+    <message>
+        <source>Objects</source>
+        <translation>वस्तुएँ</translation>
+    </message>
+    <message>
+        <source>What visitors are offered, in this order</source>
+        <translation>आगंतुकों को क्या मिलता है, इस क्रम में</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>जोड़ें… (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Take scans, height maps or projects into the list</source>
+        <translation>स्कैन, ऊँचाई मानचित्र या परियोजनाएँ सूची में लें</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>हटाएँ (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Take the object out of the list</source>
+        <translation>वस्तु को सूची से हटाएँ</translation>
+    </message>
+    <message>
+        <source>U&amp;p</source>
+        <translation>ऊपर (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Offer the object earlier</source>
+        <translation>वस्तु पहले दें</translation>
+    </message>
+    <message>
+        <source>Dow&amp;n</source>
+        <translation>नीचे (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Offer the object later</source>
+        <translation>वस्तु बाद में दें</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>फ़ाइल</translation>
+    </message>
+    <message>
+        <source>A scan, a height map or a project</source>
+        <translation>स्कैन, ऊँचाई मानचित्र या परियोजना</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>ब्राउज़ करें… (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Choose another file</source>
+        <translation>दूसरी फ़ाइल चुनें</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>फ़ाइल की इकाई</translation>
+    </message>
+    <message>
+        <source>Length unit of the file&apos;s coordinates</source>
+        <translation>फ़ाइल के निर्देशांकों की लंबाई इकाई</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>दृश्य</translation>
+    </message>
+    <message>
+        <source>From which side the object is touched</source>
+        <translation>वस्तु किस ओर से छुई जाती है</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>पाठ</translation>
+    </message>
+    <message>
+        <source>What is said and shown, in each language</source>
+        <translation>हर भाषा में क्या कहा और दिखाया जाता है</translation>
+    </message>
+    <message>
+        <source>Title, %1</source>
+        <translation>शीर्षक, %1</translation>
+    </message>
+    <message>
+        <source>At most %1 words, spoken and shown</source>
+        <translation>अधिकतम %1 शब्द, बोले और दिखाए जाते हैं</translation>
+    </message>
+    <message>
+        <source>Description, %1</source>
+        <translation>विवरण, %1</translation>
+    </message>
+    <message>
+        <source>At most %1 words, spoken after the title; in every language or in none</source>
+        <translation>अधिकतम %1 शब्द, शीर्षक के बाद बोले जाते हैं; हर भाषा में या किसी में नहीं</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>शीर्षक (&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Description</source>
+        <translation>विवरण (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Objects of the exhibit</source>
+        <translation>प्रदर्शनी की वस्तुएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Objects</source>
+        <translation>वस्तुएँ (&amp;O)</translation>
+    </message>
+    <message>
+        <source>From the file</source>
+        <translation>फ़ाइल से</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>फ़ाइल (&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of the file</source>
+        <translation>फ़ाइल की इकाई (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Vie&amp;w</source>
+        <translation>दृश्य (&amp;W)</translation>
+    </message>
+    <message>
+        <source>Object of the exhibit</source>
+        <translation>प्रदर्शनी की वस्तु</translation>
+    </message>
+    <message>
+        <source>No file</source>
+        <translation>कोई फ़ाइल नहीं</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ExhibitVisitPage</name>
+    <message>
+        <source>Language of a new visitor</source>
+        <translation>नए आगंतुक की भाषा</translation>
+    </message>
+    <message>
+        <source>The first that is offered, and in which all begins</source>
+        <translation>वह पहली भाषा जो दी जाती है और जिसमें सब शुरू होता है</translation>
+    </message>
+    <message>
+        <source>Ask whether somebody is there after</source>
+        <translation>कोई है या नहीं, यह पूछें, इतने समय बाद</translation>
+    </message>
+    <message>
+        <source>Seconds without any input</source>
+        <translation>बिना किसी इनपुट के सेकंड</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Begin anew after</source>
+        <translation>नए सिरे से शुरू करें, इतने समय बाद</translation>
+    </message>
+    <message>
+        <source>Seconds after the question</source>
+        <translation>प्रश्न के बाद सेकंड</translation>
+    </message>
+    <message>
+        <source>Chime every</source>
+        <translation>घंटी हर</translation>
+    </message>
+    <message>
+        <source>Seconds between chimes while nobody is there: 10 to 3600, or none</source>
+        <translation>जब कोई न हो, घंटियों के बीच सेकंड: 10 से 3600, या कोई नहीं</translation>
+    </message>
+    <message>
+        <source>Volume of a new visitor</source>
+        <translation>नए आगंतुक के लिए ध्वनि-स्तर</translation>
+    </message>
+    <message>
+        <source>Buttons change it until the visit ends</source>
+        <translation>बटन इसे भेंट के अंत तक बदलते हैं</translation>
+    </message>
+    <message>
+        <source>Loudest</source>
+        <translation>सबसे ऊँचा</translation>
+    </message>
+    <message>
+        <source>No button goes above it; how loud it is depends on the loudspeaker</source>
+        <translation>कोई बटन इससे ऊपर नहीं जाता; यह कितना ऊँचा है, यह लाउडस्पीकर पर निर्भर है</translation>
+    </message>
+    <message>
+        <source>Words a minute</source>
+        <translation>प्रति मिनट शब्द</translation>
+    </message>
+    <message>
+        <source>How fast the voice speaks</source>
+        <translation>आवाज़ कितनी तेज़ बोलती है</translation>
+    </message>
+    <message>
+        <source>Languages</source>
+        <translation>भाषाएँ</translation>
+    </message>
+    <message>
+        <source>Offered to visitors</source>
+        <translation>आगंतुकों को दी जाती है</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>प्रतीक्षा</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>कोई नहीं</translation>
+    </message>
+    <message>
+        <source>Voice</source>
+        <translation>आवाज़</translation>
+    </message>
+    <message>
+        <source>Touch</source>
+        <translation>स्पर्श</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>उपकरण</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>प्रबलता</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>सबसे बड़ा बल</translation>
+    </message>
+    <message>
+        <source>Sounds of touch</source>
+        <translation>स्पर्श की ध्वनियाँ</translation>
+    </message>
+    <message>
+        <source>Staff</source>
+        <translation>कर्मचारी</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>चुनें… (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Choose the folder of counts and logs</source>
+        <translation>गणनाओं और लॉग का फ़ोल्डर चुनें</translation>
+    </message>
+    <message>
+        <source>New PIN of the staff</source>
+        <translation>कर्मचारियों का नया PIN</translation>
+    </message>
+    <message>
+        <source>Folder of counts and logs</source>
+        <translation>गणनाओं और लॉग का फ़ोल्डर</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>अभी कोई नहीं</translation>
+    </message>
+    <message>
+        <source>Stays as it is</source>
+        <translation>जैसा है वैसा रहेगा</translation>
+    </message>
+    <message>
+        <source>falcon, mouse, or what the panel Touch calls the device</source>
+        <translation>falcon, mouse, या पैनल &apos;स्पर्श&apos; उपकरण को जो कहता है</translation>
+    </message>
+    <message>
+        <source>How much of every force is felt</source>
+        <translation>हर बल का कितना भाग महसूस होता है</translation>
+    </message>
+    <message>
+        <source>Their volume; 0: none</source>
+        <translation>उनका ध्वनि-स्तर; 0: कोई नहीं</translation>
+    </message>
+    <message>
+        <source>No force is larger</source>
+        <translation>कोई बल इससे बड़ा नहीं</translation>
+    </message>
+    <message>
+        <source>Begin with the introduction</source>
+        <translation>परिचय से शुरू करें</translation>
+    </message>
+    <message>
+        <source>Each visitor&apos;s first object begins with two shapes to feel</source>
+        <translation>हर आगंतुक की पहली वस्तु दो आकृतियों को छूने से शुरू होती है</translation>
+    </message>
+    <message>
+        <source>Offer to lead the hand</source>
+        <translation>हाथ को ले चलने का प्रस्ताव दें</translation>
+    </message>
+    <message>
+        <source>Once round the outline, with a device that can</source>
+        <translation>रूपरेखा के चारों ओर एक बार, ऐसे उपकरण से जो यह कर सके</translation>
+    </message>
+    <message>
+        <source>Taps say what sounds say</source>
+        <translation>थपकियाँ वही कहती हैं जो ध्वनियाँ</translation>
+    </message>
+    <message>
+        <source>For who hears neither sounds nor speech</source>
+        <translation>उनके लिए जो न ध्वनियाँ सुनते हैं न भाषण</translation>
+    </message>
+    <message>
+        <source>One button does all</source>
+        <translation>एक बटन से सब</translation>
+    </message>
+    <message>
+        <source>For a foot switch or another single switch</source>
+        <translation>पैर के स्विच या किसी अकेले स्विच के लिए</translation>
+    </message>
+    <message>
+        <source>4 to 12 digits. The file keeps a checksum of them, not the digits</source>
+        <translation>4 से 12 अंक। फ़ाइल उनका चेकसम रखती है, अंक नहीं</translation>
+    </message>
+    <message>
+        <source>Empty: a folder of the account that shows the exhibit</source>
+        <translation>खाली: उस खाते का फ़ोल्डर जो प्रदर्शनी दिखाता है</translation>
     </message>
 </context>
 <context>
@@ -9478,8 +9915,8 @@
         <translation>उसके %1 बिंदु रोके गए (उपयोग के लिए नहीं) चिह्नित हैं और फिर भी लिए गए।</translation>
     </message>
     <message>
-        <source>%1 of its points {1|is|are} marked as withheld (not to be used) and {1|was|were} left out. --keep-withheld takes them.</source>
-        <translation>उसके %1 बिंदु रोके गए (उपयोग के लिए नहीं) चिह्नित हैं और छोड़े गए। --keep-withheld उन्हें लेता है।</translation>
+        <source>%1 of its points {1|is|are} marked as withheld (not to be used) and {1|was|were} left out. They can be taken, too (--keep-withheld).</source>
+        <translation>उसके %1 बिंदु रोके गए (उपयोग के लिए नहीं) चिह्नित हैं और छोड़े गए। उन्हें भी लिया जा सकता है (--keep-withheld)।</translation>
     </message>
     <message>
         <source>Bytes after the last of the points that the header promises were ignored.</source>
@@ -9494,20 +9931,20 @@
         <translation>उसके x और y डिग्री हैं, लंबाई नहीं, इसलिए आकृतियाँ ग़लत होंगी। उसे मीटर में पुनः प्रक्षेपित करें, जैसे pdal translate और filters.reprojection से।</translation>
     </message>
     <message>
-        <source>It states a unit %1, which is not known here; state it with --unit.</source>
-        <translation>वह इकाई %1 बताती है, जो यहाँ ज्ञात नहीं; उसे --unit से बताएँ।</translation>
+        <source>It states a unit %1, which is not known here; state it (--unit).</source>
+        <translation>वह इकाई %1 बताती है, जो यहाँ ज्ञात नहीं; उसे बताएँ (--unit)।</translation>
     </message>
     <message>
-        <source>It names its coordinate system, EPSG:%1, which is not known here, and no unit; state it with --unit.</source>
-        <translation>वह अपनी निर्देशांक प्रणाली, EPSG:%1, बताती है, जो यहाँ ज्ञात नहीं, और कोई इकाई नहीं; उसे --unit से बताएँ।</translation>
+        <source>It names its coordinate system, EPSG:%1, which is not known here, and no unit; state it (--unit).</source>
+        <translation>वह अपनी निर्देशांक प्रणाली, EPSG:%1, बताती है, जो यहाँ ज्ञात नहीं, और कोई इकाई नहीं; उसे बताएँ (--unit)।</translation>
     </message>
     <message>
         <source>It names its coordinate system, EPSG:%1, whose x and y are degrees, not lengths, so shapes will be wrong. Reproject it to metres.</source>
         <translation>वह अपनी निर्देशांक प्रणाली, EPSG:%1, बताती है, जिसके x और y डिग्री हैं, लंबाई नहीं, इसलिए आकृतियाँ ग़लत होंगी। उसे मीटर में पुनः प्रक्षेपित करें।</translation>
     </message>
     <message>
-        <source>It names its coordinate system, EPSG:%1, whose unit of %2 m is not known here; state it with --unit.</source>
-        <translation>वह अपनी निर्देशांक प्रणाली, EPSG:%1, बताती है, जिसकी %2 m की इकाई यहाँ ज्ञात नहीं; उसे --unit से बताएँ।</translation>
+        <source>It names its coordinate system, EPSG:%1, whose unit of %2 m is not known here; state it (--unit).</source>
+        <translation>वह अपनी निर्देशांक प्रणाली, EPSG:%1, बताती है, जिसकी %2 m की इकाई यहाँ ज्ञात नहीं; उसे बताएँ (--unit)।</translation>
     </message>
     <message>
         <source>Points lie outside the box that the header states, so that the file may be damaged: LAZ holds no checksum.</source>
@@ -9534,8 +9971,8 @@
         <translation>रास्टर में %1 बैंड हैं; पहला ऊँचाइयों के रूप में पढ़ा गया।</translation>
     </message>
     <message>
-        <source>The raster&apos;s unit of %1 m is not known here; state it with --unit.</source>
-        <translation>रास्टर की %1 m की इकाई यहाँ ज्ञात नहीं; उसे --unit से बताएँ।</translation>
+        <source>The raster&apos;s unit of %1 m is not known here; state it (--unit).</source>
+        <translation>रास्टर की %1 m की इकाई यहाँ ज्ञात नहीं; उसे बताएँ (--unit)।</translation>
     </message>
     <message>
         <source>The raster states no unit for its heights; they were taken to be in the unit of its coordinates.</source>
@@ -10162,8 +10599,8 @@
         <translation>इसके पाठक-प्रोग्राम ने हार मान ली (%1)।</translation>
     </message>
     <message>
-        <source>PCL gave up on its points. Give --reader own.</source>
-        <translation>PCL ने इसके बिंदुओं पर हार मान ली। --reader own दें।</translation>
+        <source>PCL gave up on its points. The program&apos;s own reader may take them (--reader own).</source>
+        <translation>PCL ने इसके बिंदुओं पर हार मान ली। प्रोग्राम का अपना पाठक शायद उन्हें ले सके (--reader own)।</translation>
     </message>
     <message>
         <source>its reader broke down on it. The program is unharmed; the file is probably damaged. Export it again.</source>

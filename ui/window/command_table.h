@@ -24,6 +24,7 @@ enum class Command {
   open_folder,
   open_address,
   tiled_map,
+  exhibit_setup,
   save_project,
   save_project_as,
   figure,

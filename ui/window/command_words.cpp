@@ -12,7 +12,7 @@ struct OtherWords {
   const char* words;
 };
 
-constexpr std::array<OtherWords, 46> kWords{
+constexpr std::array<OtherWords, 47> kWords{
     {{"open", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import file read")},
      {"open_folder", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import directory images")},
      {"open_address", QT_TRANSLATE_NOOP("relievo::CommandWords",
@@ -20,6 +20,8 @@ constexpr std::array<OtherWords, 46> kWords{
      {"tiled_map",
       QT_TRANSLATE_NOOP("relievo::CommandWords",
                         "large huge out of core memory build pyramid survey site LAS")},
+     {"exhibit_setup",
+      QT_TRANSLATE_NOOP("relievo::CommandWords", "museum kiosk playlist visitors exhibition PIN")},
      {"save_project", QT_TRANSLATE_NOOP("relievo::CommandWords", "store keep session")},
      {"figure", QT_TRANSLATE_NOOP("relievo::CommandWords",
                                   "export publish print paper PDF SVG TIFF screenshot")},

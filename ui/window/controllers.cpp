@@ -36,7 +36,8 @@ Controllers::Controllers(const ControllerParts& parts, WorkArea& area)
       surface(parts, area.detail(), area.scan(), touch),
       study(parts, look),
       web(parts, opening),
-      turns(parts, area.detail(), touch) {
+      turns(parts, area.detail(), touch),
+      exhibits(parts) {
   saving.watch({pictures, packages, exports, tiles, videos});
   QObject::connect(&tiles, &TilesController::openAsked, &opening,
                    [this](const QString& file) { opening.open(file); });

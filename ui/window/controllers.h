@@ -5,6 +5,7 @@
 #include "ui/control/look_controller.h"
 #include "ui/control/measure_controller.h"
 #include "ui/control/open_controller.h"
+#include "ui/control/output/exhibit_setup_controller.h"
 #include "ui/control/output/export_controller.h"
 #include "ui/control/output/package_controller.h"
 #include "ui/control/output/picture_controller.h"
@@ -50,6 +51,7 @@ struct Controllers {
   StudyController study;
   WebController web;
   TurnController turns;
+  ExhibitSetupController exhibits;
 };
 
 }  // namespace relievo

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <random>
 
 #include "app/cli/json.h"
 #include "app/cli/report_text.h"
@@ -77,12 +76,7 @@ CommandResult makePin() {
   std::string digits;
   std::getline(std::cin, digits);
   if (!isPin(digits)) throw failure<MessageId::exhibit_pin_digits>();
-  constexpr int kSaltLetters = 16;
-  constexpr std::string_view kLetters = "0123456789abcdef";
-  std::random_device random;
-  std::string salt;
-  for (int i = 0; i < kSaltLetters; ++i) salt += kLetters[random() % kLetters.size()];
-  const StaffPin pin = staffPinOf(digits, salt);
+  const StaffPin pin = newStaffPin(digits);
   const Json json{{"staff_pin", {{"salt", pin.salt}, {"sha256", pin.sha256}}}};
   // Without the outer braces: a line for the file of the exhibit.
   const std::string text = json.dump();

@@ -202,6 +202,52 @@ TEST_F(ExhibitTest, EachFaultIsOneSentenceThatNamesItsPlace) {
   }
 }
 
+TEST_F(ExhibitTest, WhatIsWrittenIsReadAgain) {
+  write(whole_.dump());
+  Exhibit e = readExhibit(file(), kKnown);
+  fs::create_directories(folder_ / "moved");
+  e.file = folder_ / "moved/exhibit.json";
+  e.records = "/var/lib/counts";
+  writeExhibit(e);
+  std::ifstream in(e.file);
+  const Json written = Json::parse(in);
+  EXPECT_EQ(written["objects"][0]["file"], "../coin.ply") << "both can be moved together";
+  EXPECT_EQ(written["records"], "/var/lib/counts");
+  Json before = whole_, after = written;
+  for (Json* one : {&before, &after}) {
+    one->erase("records");
+    for (Json& object : (*one)["objects"]) object.erase("file");
+    (*one)["touch"].erase("felt_patterns");  // Not said before, and false.
+  }
+  EXPECT_EQ(nlohmann::json(before), nlohmann::json(after));
+  EXPECT_EQ(exhibitText(readExhibit(e.file, kKnown)), exhibitText(e));
+}
+
+TEST_F(ExhibitTest, WhatIsWrongIsWrittenAndFound) {
+  Exhibit e;
+  e.file = file();
+  e.languages = {"de"};
+  e.objects.push_back({.file = folder_ / "gone.ply", .title = {{"en", "A coin"}}});
+  e.objects.emplace_back();
+  e.speech.loudest_percent = 50;
+  std::vector<std::string> faults;
+  for (const Message& fault : checkExhibitText(exhibitText(e), e.file, kKnown).faults) {
+    faults.push_back(englishText(fault));
+  }
+  EXPECT_THAT(faults, testing::UnorderedElementsAre(
+                          HasSubstr("objects[0].file: there is no file"),
+                          "objects[0].title.de has no words.", "objects[1].file has no words.",
+                          "objects[1].title.de has no words.",
+                          "speech.volume_percent is 70, above speech.loudest_percent, which is 50.",
+                          "staff_pin is missing."));
+}
+
+TEST_F(ExhibitTest, EachNewPinHasASaltOfItsOwn) {
+  const StaffPin one = newStaffPin("2580"), other = newStaffPin("2580");
+  EXPECT_NE(one.salt, other.salt);
+  EXPECT_EQ(one.sha256, staffPinOf("2580", one.salt).sha256);
+}
+
 TEST_F(ExhibitTest, AllFaultsAreSaidTogether) {
   const auto faults = faultsAfter([](Json& j) {
     j["languages"].push_back("fr");

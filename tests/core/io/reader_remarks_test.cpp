@@ -77,12 +77,12 @@ TEST(ReaderRemarks, OfScansOfOneFile) {
 TEST(ReaderRemarks, OfLasAndRasters) {
   EXPECT_EQ(english<MessageId::withheld_left_out>(many(1500)),
             "1 500 of its points are marked as withheld (not to be used) and were left out. "
-            "--keep-withheld takes them.");
+            "They can be taken, too (--keep-withheld).");
   EXPECT_EQ(english<MessageId::heights_converted_to_unit_of_plane>("ft", "m"),
             "Its heights are in ft, its x and y in m; heights were converted to m.");
   EXPECT_EQ(english<MessageId::system_unit_unknown>(2222, "0.9144"),
             "It names its coordinate system, EPSG:2222, whose unit of 0.9144 m is not known here; "
-            "state it with --unit.");
+            "state it (--unit).");
   EXPECT_EQ(english<MessageId::raster_heights_converted>("ft", "m"),
             "Heights in ft were converted to m, the unit of the coordinates.");
   EXPECT_EQ(english<MessageId::companion_of_another_map>("a.origin.tif"),
