@@ -19,7 +19,8 @@ bool isCarriedByPointer(const QString& device) {
 }  // namespace
 
 PointerController::PointerController(const ControllerParts& parts, DetailView& detail)
-    : Controller(parts), detail_(detail) {
+    : Controller(parts), detail_(detail), feel_(detail) {
+  commands_.on(Command::pointer_feel, this, [this] { feel(!feel_.isOn()); });
   commands_.on(Command::pointer_look, this, [this] { choose(PointerMode::look); });
   commands_.on(Command::pointer_touch, this, [this] { choose(PointerMode::touch); });
   commands_.on(Command::pointer_switch, this, [this] {
@@ -28,6 +29,21 @@ PointerController::PointerController(const ControllerParts& parts, DetailView& d
     announce(bindingsText(detail_.pointerMode(), bindings()));
   });
   connect(&document_, &Document::surfaceChanged, this, &PointerController::showBindings);
+}
+
+void PointerController::feel(bool on) {
+  feel_.setOn(on);
+  commands_[Command::pointer_feel].setChecked(on);
+  announce(
+      on ? tr("The mouse feels the surface: slower uphill, faster downhill, the pointer larger "
+              "on heights. Escape ends it")
+         : tr("The mouse no longer feels the surface"));
+}
+
+bool PointerController::stopFeeling() {
+  if (!feel_.isOn()) return false;
+  feel(false);
+  return true;
 }
 
 void PointerController::showKeptMode() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/views/pointer_bindings.h"
+#include "ui/views/pointer_feel.h"
 #include "ui/views/touch_readout.h"
 #include "ui/window/controller.h"
 
@@ -21,12 +22,16 @@ class PointerController : public Controller {
   void follow(const TouchReadout& readout);
   void touchWhileForcesAreOn(bool on);
   PointerBindings bindings() const;  ///< As preferences say.
+  /// @return whether the mouse felt the surface until now
+  bool stopFeeling();
 
  private:
+  void feel(bool on);
   void choose(PointerMode mode);
   void show(PointerMode mode);
 
   DetailView& detail_;
+  PointerFeel feel_;
   QString device_;  ///< That touches.
   bool forces_were_on_ = false;
   bool looks_after_forces_ = false;  ///< Touch was chosen by the forces, not by the person.

@@ -2088,6 +2088,14 @@
         <source>What visitors of an exhibit are offered, and how it looks after them</source>
         <translation>Was den Besuchern einer Ausstellung angeboten wird, und wie sie begleitet werden</translation>
     </message>
+    <message>
+        <source>&amp;Feel with the mouse</source>
+        <translation>Mit der Maus &amp;fühlen</translation>
+    </message>
+    <message>
+        <source>The pointer is slower uphill and faster downhill, and larger on heights; Escape ends it</source>
+        <translation>Der Zeiger ist bergauf langsamer, bergab schneller und auf Höhen größer; Escape beendet es</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2262,6 +2270,10 @@
     <message>
         <source>museum kiosk playlist visitors exhibition PIN</source>
         <translation>Museum Kiosk Abspielliste Besucher Ausstellung PIN</translation>
+    </message>
+    <message>
+        <source>pseudo-haptic cursor slow bumps holes touch</source>
+        <translation>pseudohaptisch Mauszeiger langsam Buckel Löcher ertasten</translation>
     </message>
 </context>
 <context>
@@ -11173,6 +11185,14 @@
     <message>
         <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
         <translation>Was die Maus in der Detailansicht tut; F7 wechselt zwischen Betrachten und Fühlen, die Einstellungen belegen die Tasten</translation>
+    </message>
+    <message>
+        <source>The mouse feels the surface: slower uphill, faster downhill, the pointer larger on heights. Escape ends it</source>
+        <translation>Die Maus fühlt die Oberfläche: bergauf langsamer, bergab schneller, auf Höhen ein größerer Zeiger. Escape beendet es</translation>
+    </message>
+    <message>
+        <source>The mouse no longer feels the surface</source>
+        <translation>Die Maus fühlt die Oberfläche nicht mehr</translation>
     </message>
 </context>
 <context>

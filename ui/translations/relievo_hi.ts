@@ -2088,6 +2088,14 @@
         <source>What visitors of an exhibit are offered, and how it looks after them</source>
         <translation>प्रदर्शनी के आगंतुकों को क्या मिलता है, और वह उनका ध्यान कैसे रखती है</translation>
     </message>
+    <message>
+        <source>&amp;Feel with the mouse</source>
+        <translation>माउस से महसूस करें (&amp;F)</translation>
+    </message>
+    <message>
+        <source>The pointer is slower uphill and faster downhill, and larger on heights; Escape ends it</source>
+        <translation>सूचक चढ़ाई पर धीमा, उतराई पर तेज़ और ऊँचाई पर बड़ा होता है; Escape इसे समाप्त करता है</translation>
+    </message>
 </context>
 <context>
     <name>relievo::CommandWords</name>
@@ -2262,6 +2270,10 @@
     <message>
         <source>museum kiosk playlist visitors exhibition PIN</source>
         <translation>संग्रहालय कियोस्क सूची आगंतुक प्रदर्शनी PIN</translation>
+    </message>
+    <message>
+        <source>pseudo-haptic cursor slow bumps holes touch</source>
+        <translation>छद्म-हैप्टिक कर्सर धीमा उभार छेद स्पर्श</translation>
     </message>
 </context>
 <context>
@@ -11173,6 +11185,14 @@
     <message>
         <source>What the mouse does in the detail view; F7 changes between look and touch, Preferences choose the buttons</source>
         <translation>माउस विवरण दृश्य में क्या करता है; F7 देखने और स्पर्श के बीच बदलता है, वरीयताएँ बटन चुनती हैं</translation>
+    </message>
+    <message>
+        <source>The mouse feels the surface: slower uphill, faster downhill, the pointer larger on heights. Escape ends it</source>
+        <translation>माउस सतह महसूस करता है: चढ़ाई पर धीमा, उतराई पर तेज़, ऊँचाई पर बड़ा सूचक। Escape इसे समाप्त करता है</translation>
+    </message>
+    <message>
+        <source>The mouse no longer feels the surface</source>
+        <translation>माउस अब सतह महसूस नहीं करता</translation>
     </message>
 </context>
 <context>

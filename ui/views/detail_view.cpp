@@ -233,9 +233,37 @@ void DetailView::showCursor() {
     setCursor(Qt::SizeVerCursor);
   } else if (picking_) {
     setCursor(Qt::PointingHandCursor);
+  } else if (own_cursor_) {
+    setCursor(*own_cursor_);
   } else {
     setCursor(mode_ == PointerMode::look ? Qt::OpenHandCursor : Qt::CrossCursor);
   }
+}
+
+void DetailView::setOwnCursor(const std::optional<QCursor>& cursor) {
+  own_cursor_ = cursor;
+  showCursor();
+}
+
+double DetailView::risePerWay(const QPointF& from, const QPointF& to) const {
+  const auto window = document_.window();
+  if (!window) return 0;
+  const ViewMm a = onSurface(from);
+  const ViewMm b = onSurface(to);
+  const double way_mm = std::hypot(b.x - a.x, b.y - a.y);
+  if (!(way_mm > 0)) return 0;
+  const double rise_mm = windowHeightMm(*window, b.x, b.y) - windowHeightMm(*window, a.x, a.y);
+  return document_.project().gain * rise_mm / way_mm;
+}
+
+double DetailView::heightShare(const QPointF& point) const {
+  constexpr double kFlat = 0.5;
+  const auto window = document_.window();
+  if (!window || !(window->max_mm > window->min_mm)) return kFlat;
+  const ViewMm p = onSurface(point);
+  const auto lowest = static_cast<double>(window->min_mm);
+  return (windowHeightMm(*window, p.x, p.y) - lowest) /
+         (static_cast<double>(window->max_mm) - lowest);
 }
 
 void DetailView::setPointerMode(PointerMode mode) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <QCursor>
 
 #include "core/depth/view.h"
 #include "core/region/hand.h"
@@ -38,6 +39,14 @@ class DetailView : public SurfaceView {
   void setPointerMode(PointerMode mode);
   /// What the view tells of itself (What's This) follows.
   void setBindings(const PointerBindings& bindings);
+
+  /// In the place of the pointer that says what dragging does; nothing: that one. [GUI thread]
+  void setOwnCursor(const std::optional<QCursor>& cursor);
+  /// How much the surface, as exaggerated as it is felt, rises from one point of the view to
+  /// another, for each mm of way; 0 where there is no way, or no surface.
+  double risePerWay(const QPointF& from, const QPointF& to) const;
+  /// Of the surface under a point, from 0, the lowest of the window, to 1; 0.5 where all is flat.
+  double heightShare(const QPointF& point) const;
 
   /// While something is measured, the left button and Enter pick places instead of pressing in.
   void setPicking(bool on);
@@ -98,6 +107,7 @@ class DetailView : public SurfaceView {
   std::optional<Region> camera_region_;
   PointerMode mode_ = PointerMode::look;
   PointerBindings bindings_;
+  std::optional<QCursor> own_cursor_;
   Drag drag_ = Drag::none;
   Qt::MouseButton drag_button_ = Qt::NoButton;  ///< That holds the drag.
   QPointF drag_point_;

@@ -77,6 +77,11 @@ const std::array<CommandRow, kCommandCount>& CommandTable::rows() {
       {C::pointer_switch, "pointer_switch", M::detail_view,
        QT_TR_NOOP("&Switch between look and touch"), "F7",
        QT_TR_NOOP("What the left button does in the detail view: turn it, or press the hand in")},
+      {C::pointer_feel, "pointer_feel", M::detail_view, QT_TR_NOOP("&Feel with the mouse"),
+       "Ctrl+M",
+       QT_TR_NOOP("The pointer is slower uphill and faster downhill, and larger on heights; Escape "
+                  "ends it"),
+       Needs::map, kCheckable},
       {C::turn_left, "turn_left", M::detail_view, QT_TR_NOOP("Turn &left"), "Ctrl+Shift+Left",
        QT_TR_NOOP("Turn the detail view by 15 degrees"), Needs::map, kGroup},
       {C::turn_right, "turn_right", M::detail_view, QT_TR_NOOP("Turn &right"), "Ctrl+Shift+Right",

@@ -52,6 +52,7 @@ enum class Command {
   pointer_look,
   pointer_touch,
   pointer_switch,
+  pointer_feel,
   turn_left,
   turn_right,
   turn_up,

@@ -12,7 +12,7 @@ struct OtherWords {
   const char* words;
 };
 
-constexpr std::array<OtherWords, 47> kWords{
+constexpr std::array<OtherWords, 48> kWords{
     {{"open", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import file read")},
      {"open_folder", QT_TRANSLATE_NOOP("relievo::CommandWords", "load import directory images")},
      {"open_address", QT_TRANSLATE_NOOP("relievo::CommandWords",
@@ -70,6 +70,8 @@ constexpr std::array<OtherWords, 47> kWords{
      {"auto", QT_TRANSLATE_NOOP("relievo::CommandWords", "align rotate orient level")},
      {"pointer_look", QT_TRANSLATE_NOOP("relievo::CommandWords", "rotate orbit mouse navigate")},
      {"pointer_touch", QT_TRANSLATE_NOOP("relievo::CommandWords", "feel press mouse haptic")},
+     {"pointer_feel",
+      QT_TRANSLATE_NOOP("relievo::CommandWords", "pseudo-haptic cursor slow bumps holes touch")},
      {"pointer_switch", QT_TRANSLATE_NOOP("relievo::CommandWords", "mouse button mode tool")},
      {"light_rake_left",
       QT_TRANSLATE_NOOP("relievo::CommandWords", "light shadow oblique grazing")},

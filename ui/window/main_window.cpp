@@ -341,6 +341,7 @@ bool MainWindow::escape() {
     return true;
   }
   if (area_->panels().suggestions->cancel()) return true;
+  if (c.pointer.stopFeeling()) return true;
   if (c.foreign.cancel()) return true;
   if (document_.loader().busy()) {
     c.opening.cancel();
