@@ -2090,7 +2090,7 @@
     </message>
     <message>
         <source>&amp;Feel with the mouse</source>
-        <translation>Mit der Maus &amp;fühlen</translation>
+        <translation>Mit der &amp;Maus fühlen</translation>
     </message>
     <message>
         <source>The pointer is slower uphill and faster downhill, and larger on heights; Escape ends it</source>

@@ -227,8 +227,9 @@ TEST_F(ExhibitTest, WhatIsWrongIsWrittenAndFound) {
   Exhibit e;
   e.file = file();
   e.languages = {"de"};
-  e.objects.push_back({.file = folder_ / "gone.ply", .title = {{"en", "A coin"}}});
-  e.objects.emplace_back();
+  e.objects.resize(2);
+  e.objects[0].file = folder_ / "gone.ply";
+  e.objects[0].title = {{"en", "A coin"}};
   e.speech.loudest_percent = 50;
   std::vector<std::string> faults;
   for (const Message& fault : checkExhibitText(exhibitText(e), e.file, kKnown).faults) {

@@ -174,14 +174,16 @@ TEST_F(ExhibitDialogTest, AFileWithFaultsIsShownAndSaid) {
   makeWhole();
   ASSERT_TRUE(dialog().save(path("museum.json")));
   QFile written(path("museum.json"));
-  ASSERT_TRUE(written.open(QIODevice::ReadWrite));
+  ASSERT_TRUE(written.open(QIODevice::ReadOnly));
   QByteArray text = written.readAll();
+  written.close();
   text.replace("\"loudest_percent\": 100", "\"loudest_percent\": 500");
-  written.resize(0);
+  ASSERT_TRUE(written.open(QIODevice::WriteOnly));
   written.write(text);
   written.close();
   dialog().openFile(path("museum.json"));
-  EXPECT_TRUE(part<QLabel>("exhibit_problem").text().contains("must be from 10 to 100"));
+  EXPECT_TRUE(part<QLabel>("exhibit_problem").text().contains("must be from 10.0 to 100.0"))
+      << part<QLabel>("exhibit_problem").text().toStdString();
   EXPECT_EQ(part<QSpinBox>("exhibit_loudest").value(), 100);
   EXPECT_TRUE(dialog().isUnsaved()) << "saved it would say something else";
   type("exhibit_title_en", "Another title");
