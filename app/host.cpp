@@ -151,7 +151,11 @@ void WindowHost::showError(const QString& sentence, const QString& code) {
   // A plugin fails by itself, not because somebody asked for it just now.
   const QScopedValueRollback<SaidBecause> because(window_says_because_, SaidBecause::noticed);
   window_.messages().showError(sentence, code);
-  if (exhibit_ != nullptr) exhibit_->noteError(code);
+  if (exhibit_ != nullptr) {
+    exhibit_->noteError(code);
+  } else if (code == QLatin1String("E402")) {
+    low_tones_.play();
+  }
 }
 
 bool WindowHost::run(const QString& command) {

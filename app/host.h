@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plugins/api/host.h"
+#include "ui/exhibit/chime.h"
 #include "ui/window/main_window.h"
 #include "ui/work/latest_worker.h"
 
@@ -60,6 +61,8 @@ class WindowHost : public ShownWindow,
   QString mapState(const QString& folder) const override;
 
  private:
+  static constexpr int kLowTonesPercent = 60;
+
   MainWindow& window_;
   Voice* voice_ = nullptr;
   ExhibitControl* exhibit_ = nullptr;
@@ -67,6 +70,7 @@ class WindowHost : public ShownWindow,
   Host parts_{*this, *this, *this, *this, *this};
   std::vector<QPointer<QWidget>> new_panels_;
   std::vector<QPointer<QAction>> new_actions_;
+  Chime low_tones_{lowTonesWav(kLowTonesPercent)};  ///< Where no voice can say so.
   LatestWorker firmness_worker_, finer_worker_;
 };
 

@@ -9,14 +9,14 @@
 
 namespace relievo {
 
-/// A quiet chime while nobody is there: two sines, 0.8 s, as a file for a program of the sound
-/// system (pw-play, paplay or aplay); the beep of the screen where there is none. [GUI thread]
+/// A short sound as a file for a program of the sound system (pw-play, paplay or aplay); the beep
+/// of the screen where there is none. [GUI thread]
 class Chime : public QObject {
   Q_OBJECT
  public:
   static constexpr double kPeak = 0.2;  ///< Of full scale, at 100 percent.
 
-  explicit Chime(int volume_percent, QObject* parent = nullptr);
+  explicit Chime(const QByteArray& wav, QObject* parent = nullptr);
   ~Chime() override;
   void play();
   /// Which program plays, with its arguments before the file; empty: none is there.
@@ -28,7 +28,10 @@ class Chime : public QObject {
   QProcess process_;
 };
 
-/// The chime as a WAV file of 16 bits, one channel.
+/// What sounds while nobody is there: two sines, 0.8 s. As the next, a WAV file of 16 bits, one
+/// channel.
 QByteArray chimeWav(int volume_percent);
+/// What sounds where nothing can be said (E402): three low tones of 0.2 s, 0.1 s apart.
+QByteArray lowTonesWav(int volume_percent);
 
 }  // namespace relievo

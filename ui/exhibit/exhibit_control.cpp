@@ -47,7 +47,8 @@ ExhibitControl::ExhibitControl(MainWindow& window, Exhibit exhibit, ExhibitWays 
       ways_(std::move(ways)),
       lock_(window),
       caption_(new ExhibitCaption(window.centralWidget())),
-      chime_(exhibit_.speech.volume_percent),
+      chime_(chimeWav(exhibit_.speech.volume_percent)),
+      low_tones_(lowTonesWav(exhibit_.speech.volume_percent)),
       visit_(planOf(exhibit_), exhibit_.times, ways_.now_s()),
       staff_(exhibit_.pin),
       counts_(recordsFolder(exhibit_)),
@@ -125,7 +126,9 @@ bool ExhibitControl::isChecked(const char* command) const {
 }
 
 void ExhibitControl::noteError(const QString& code) {
-  if (code == QLatin1String("E402")) toggle("feltPatterns", true);
+  if (code != QLatin1String("E402")) return;
+  low_tones_.play();
+  toggle("feltPatterns", true);
 }
 
 /// What others do by themselves.

@@ -76,6 +76,7 @@ class ExhibitControl : public QObject {
   const ExhibitCaption& caption() const { return *caption_; }
   const VisitCounts& counts() const { return counts_; }
   Chime& chime() { return chime_; }
+  Chime& lowTones() { return low_tones_; }
 
  private:
   void connectDocument();
@@ -115,7 +116,7 @@ class ExhibitControl : public QObject {
   ExhibitWays ways_;
   ExhibitLock lock_;
   ExhibitCaption* caption_;
-  Chime chime_;
+  Chime chime_, low_tones_;
   Visit visit_;
   StaffLock staff_;
   VisitCounts counts_;

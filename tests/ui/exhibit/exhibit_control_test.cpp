@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QCloseEvent>
+#include <QFile>
 #include <QMenu>
 #include <QMenuBar>
 #include <QtTest>
@@ -220,6 +221,43 @@ TEST_F(ExhibitControlTest, AWindowThatStoodStillHasNotWaitedForAnObjectInVain) {
   EXPECT_EQ(control_->visit().state(), Visit::State::opening) << "in one look";
   for (int i = 0; i < 6; ++i) after(1);
   EXPECT_EQ(control_->visit().state(), Visit::State::list) << "in six";
+}
+
+/// Loudest of each 50 ms of a WAV file, of full scale.
+std::vector<double> loudness(const QByteArray& wav) {
+  constexpr int kHeader = 44, kRateHz = 44100, kBlock = kRateHz / 20;
+  std::vector<double> loudest;
+  for (int i = 0; kHeader + 2 * i + 1 < wav.size(); ++i) {
+    if (i % kBlock == 0) loudest.push_back(0);
+    const auto low = static_cast<unsigned char>(wav[kHeader + 2 * i]);
+    const auto sample = static_cast<qint16>(low | (wav[kHeader + 2 * i + 1] << 8));
+    loudest.back() = std::max(loudest.back(), std::abs(sample) / 32767.0);
+  }
+  return loudest;
+}
+
+TEST_F(ExhibitControlTest, ThreeLowTonesSayThatNoVoiceSpeaks) {
+  begin();
+  // What plays is handed a file; this one keeps it.
+  const QString played = path(QStringLiteral("played.wav"));
+  control_->lowTones().setPlayer({"/bin/sh", "-c", "cp \"$0\" '" + played + "'"});
+  control_->noteError(QStringLiteral("E303"));
+  QTest::qWait(100);
+  EXPECT_FALSE(QFile::exists(played)) << "of no other error";
+  control_->noteError(QStringLiteral("E402"));
+  const QByteArray expected = lowTonesWav(ExhibitSpeech{}.volume_percent);
+  QByteArray wav;
+  EXPECT_TRUE(waitFor([&] {
+    QFile file(played);
+    wav = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    return wav == expected;
+  }));
+  const double peak = Chime::kPeak * ExhibitSpeech{}.volume_percent / 100;
+  const std::vector<double> heard = loudness(wav);
+  ASSERT_EQ(heard.size(), 18U) << "0.9 s";
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    EXPECT_NEAR(heard[i], i % 6 < 4 ? peak : 0, 0.01) << "at " << 50 * i << " ms";
+  }
 }
 
 TEST_F(ExhibitControlTest, ItIsLeftByThePinAlone) {
