@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <limits>
+#include <locale>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -48,6 +49,14 @@ std::size_t wordsIn(const std::string& text) {
   std::size_t count = 0;
   while (words >> word) ++count;
   return count;
+}
+
+/// "10" and "0.5".
+std::string shortNumber(double number) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << number;
+  return text.str();
 }
 
 /// Reads what a file says and notes what is wrong with it; a place that is wrong keeps its default.
@@ -170,8 +179,8 @@ class Reader {
     if (found == nullptr) return;
     const double given = found->get<double>();
     if (!(given >= least && given <= most)) {
-      note<MessageId::exhibit_out_of_range>(inside(place, key), found->dump(), Json(least).dump(),
-                                            Json(most).dump());
+      note<MessageId::exhibit_out_of_range>(inside(place, key), found->dump(), shortNumber(least),
+                                            shortNumber(most));
       return;
     }
     into = static_cast<Number>(given);

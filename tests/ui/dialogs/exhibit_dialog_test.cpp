@@ -182,7 +182,7 @@ TEST_F(ExhibitDialogTest, AFileWithFaultsIsShownAndSaid) {
   written.write(text);
   written.close();
   dialog().openFile(path("museum.json"));
-  EXPECT_TRUE(part<QLabel>("exhibit_problem").text().contains("must be from 10.0 to 100.0"))
+  EXPECT_TRUE(part<QLabel>("exhibit_problem").text().contains("must be from 10 to 100"))
       << part<QLabel>("exhibit_problem").text().toStdString();
   EXPECT_EQ(part<QSpinBox>("exhibit_loudest").value(), 100);
   EXPECT_TRUE(dialog().isUnsaved()) << "saved it would say something else";
