@@ -109,10 +109,11 @@ TEST_F(PluginProject, SaysWhatItHasNot) {
 }
 
 TEST_F(PluginProject, TellsItsVersions) {
-  const Said done = built(project("find_package(relievo 0.1 REQUIRED COMPONENTS plugins)\n"
-                                  "message(\"interface ${relievo_PLUGIN_VERSION} in "
-                                  "${relievo_PLUGIN_DIR}\")\nadd_custom_target(all_of_it ALL)\n"),
-                          path("build"));
+  const Said done =
+      built(project("find_package(relievo " RELIEVO_VERSION_STRING " REQUIRED COMPONENTS plugins)\n"
+                    "message(\"interface ${relievo_PLUGIN_VERSION} in "
+                    "${relievo_PLUGIN_DIR}\")\nadd_custom_target(all_of_it ALL)\n"),
+            path("build"));
   EXPECT_EQ(done.status, 0) << done.text;
   EXPECT_THAT(done.text, HasSubstr("interface 2 in " + prefix()));
 }

@@ -10,7 +10,7 @@ from pathlib import Path
 
 SOURCE = Path(sys.argv[1]).resolve()
 FILES = ["CMakeLists.txt", "CHANGELOG.md", "CITATION.cff", ".zenodo.json", "app/desktop/relievo.metainfo.xml",
-         "cmake/packages.cmake", "docs/user/clusters.md"]
+         "cmake/packages.cmake", "docs/user/clusters.md", "plugins/example/CMakeLists.txt"]
 
 
 class Release(unittest.TestCase):
@@ -51,6 +51,7 @@ class Release(unittest.TestCase):
                 ("app/desktop/relievo.metainfo.xml", 'version="' + self.version + '" date', 'version="9.9.9" date'),
                 ("app/desktop/relievo.metainfo.xml", 'date="20', 'date="19'),
                 ("cmake/packages.cmake", "CPACK_PACKAGE_VERSION ${PROJECT_VERSION}", "CPACK_PACKAGE_VERSION 9.9.9"),
+                ("plugins/example/CMakeLists.txt", "find_package(relievo 0", "find_package(relievo 9"),
                 ("docs/user/clusters.md", "relievo-cli_" + self.version, "relievo-cli_9.9.9"),
                 ("CHANGELOG.md", "## " + self.version + " - ", "## 9.9.9 - "),
                 ("CHANGELOG.md", "## Unreleased", "## 9.9.10")):
@@ -66,7 +67,7 @@ class Release(unittest.TestCase):
         self.change("CMakeLists.txt", "VERSION " + self.version, "VERSION 9.9.9")
         status, said = self.release("--check")
         self.assertEqual(status, 1)
-        for name in ("CITATION.cff", ".zenodo.json", "CHANGELOG.md", "metainfo.xml", "clusters.md"):
+        for name in ("CITATION.cff", ".zenodo.json", "CHANGELOG.md", "metainfo.xml", "clusters.md", "example"):
             self.assertIn(name, said)
 
     def test_a_release_wants_all_committed_and_nothing_unreleased(self):

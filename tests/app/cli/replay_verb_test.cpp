@@ -167,7 +167,8 @@ TEST_F(ReplayVerb, ARecordingUnderAnEarlierLawSaysWhyItDiffers) {
   EXPECT_TRUE(report["law"]["recorded"].is_null());
   EXPECT_EQ(report["law"]["this_build"], 7);
   const std::string why = report["why"];
-  EXPECT_NE(why.find("made by version 0.1.0 under an earlier force law; this build has law 7"),
+  EXPECT_NE(why.find("made by version " RELIEVO_VERSION_STRING
+                     " under an earlier force law; this build has law 7"),
             std::string::npos)
       << why;
   EXPECT_NE(why.find("Law 2 (2026-11-22)"), std::string::npos) << why;
