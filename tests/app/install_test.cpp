@@ -27,6 +27,7 @@ class Install : public test::CommandTest {
     for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME"}) {
       ASSERT_EQ(::setenv(variable, path(variable).c_str(), 1), 0);
     }
+    ASSERT_EQ(::unsetenv("MESA_SHADER_CACHE_DIR"), 0);  // In the build's folder.
     saidBy(CMAKE_PROGRAM " --install " RELIEVO_BINARY_DIR " --prefix " + path("usr"));
   }
   std::string installed(const std::string& name) const { return path("usr/" + name); }

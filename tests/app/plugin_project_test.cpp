@@ -37,6 +37,7 @@ class PluginProject : public test::CommandTest {
     for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME"}) {
       ASSERT_EQ(::setenv(variable, path(variable).c_str(), 1), 0);
     }
+    ASSERT_EQ(::unsetenv("MESA_SHADER_CACHE_DIR"), 0);  // In the build's folder.
     const Said done = said(CMAKE_PROGRAM " --install " RELIEVO_BINARY_DIR " --prefix " + prefix());
     ASSERT_EQ(done.status, 0) << done.text;
   }

@@ -34,4 +34,11 @@ QByteArray chimeWav(int volume_percent);
 /// What sounds where nothing can be said (E402): three low tones of 0.2 s, 0.1 s apart.
 QByteArray lowTonesWav(int volume_percent);
 
+/// What an exhibit plays beside its voice.
+struct ExhibitSounds {
+  explicit ExhibitSounds(int volume_percent)
+      : chime(chimeWav(volume_percent)), low_tones(lowTonesWav(volume_percent)) {}
+  Chime chime, low_tones;
+};
+
 }  // namespace relievo

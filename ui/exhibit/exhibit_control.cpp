@@ -47,8 +47,7 @@ ExhibitControl::ExhibitControl(MainWindow& window, Exhibit exhibit, ExhibitWays 
       ways_(std::move(ways)),
       lock_(window),
       caption_(new ExhibitCaption(window.centralWidget())),
-      chime_(chimeWav(exhibit_.speech.volume_percent)),
-      low_tones_(lowTonesWav(exhibit_.speech.volume_percent)),
+      sounds_(exhibit_.speech.volume_percent),
       visit_(planOf(exhibit_), exhibit_.times, ways_.now_s()),
       staff_(exhibit_.pin),
       counts_(recordsFolder(exhibit_)),
@@ -127,7 +126,7 @@ bool ExhibitControl::isChecked(const char* command) const {
 
 void ExhibitControl::noteError(const QString& code) {
   if (code != QLatin1String("E402")) return;
-  low_tones_.play();
+  sounds_.low_tones.play();
   toggle("feltPatterns", true);
 }
 
@@ -214,7 +213,7 @@ void ExhibitControl::carryOut(const Visit::Order& order) {
       log("help was asked for");
       break;
     case Do::chime:
-      return chime_.play();
+      return sounds_.chime.play();
     case Do::open:
       return openObject(order.index);
     case Do::retry_device:

@@ -75,8 +75,8 @@ class ExhibitControl : public QObject {
   const Visit& visit() const { return visit_; }
   const ExhibitCaption& caption() const { return *caption_; }
   const VisitCounts& counts() const { return counts_; }
-  Chime& chime() { return chime_; }
-  Chime& lowTones() { return low_tones_; }
+  Chime& chime() { return sounds_.chime; }
+  Chime& lowTones() { return sounds_.low_tones; }
 
  private:
   void connectDocument();
@@ -116,7 +116,7 @@ class ExhibitControl : public QObject {
   ExhibitWays ways_;
   ExhibitLock lock_;
   ExhibitCaption* caption_;
-  Chime chime_, low_tones_;
+  ExhibitSounds sounds_;
   Visit visit_;
   StaffLock staff_;
   VisitCounts counts_;
