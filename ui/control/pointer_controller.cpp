@@ -34,10 +34,8 @@ PointerController::PointerController(const ControllerParts& parts, DetailView& d
 void PointerController::feel(bool on) {
   feel_.setOn(on);
   commands_[Command::pointer_feel].setChecked(on);
-  announce(
-      on ? tr("The mouse feels the surface: slower uphill, faster downhill, the pointer larger "
-              "on heights. Escape ends it")
-         : tr("The mouse no longer feels the surface"));
+  announce(on ? tr("The mouse feels the surface; Escape ends it")
+              : tr("The mouse no longer feels the surface"));
 }
 
 bool PointerController::stopFeeling() {

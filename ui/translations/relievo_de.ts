@@ -11187,8 +11187,8 @@
         <translation>Was die Maus in der Detailansicht tut; F7 wechselt zwischen Betrachten und Fühlen, die Einstellungen belegen die Tasten</translation>
     </message>
     <message>
-        <source>The mouse feels the surface: slower uphill, faster downhill, the pointer larger on heights. Escape ends it</source>
-        <translation>Die Maus fühlt die Oberfläche: bergauf langsamer, bergab schneller, auf Höhen ein größerer Zeiger. Escape beendet es</translation>
+        <source>The mouse feels the surface; Escape ends it</source>
+        <translation>Die Maus fühlt die Oberfläche; Escape beendet es</translation>
     </message>
     <message>
         <source>The mouse no longer feels the surface</source>

@@ -11187,8 +11187,8 @@
         <translation>माउस विवरण दृश्य में क्या करता है; F7 देखने और स्पर्श के बीच बदलता है, वरीयताएँ बटन चुनती हैं</translation>
     </message>
     <message>
-        <source>The mouse feels the surface: slower uphill, faster downhill, the pointer larger on heights. Escape ends it</source>
-        <translation>माउस सतह महसूस करता है: चढ़ाई पर धीमा, उतराई पर तेज़, ऊँचाई पर बड़ा सूचक। Escape इसे समाप्त करता है</translation>
+        <source>The mouse feels the surface; Escape ends it</source>
+        <translation>माउस सतह महसूस करता है; Escape इसे समाप्त करता है</translation>
     </message>
     <message>
         <source>The mouse no longer feels the surface</source>
