@@ -12,11 +12,19 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+/// Where a folder really is: "up" from one behind a symbolic link is not where the link lies.
+fs::path realFolder(const fs::path& absolute) {
+  std::error_code unknown;
+  const fs::path real = fs::weakly_canonical(absolute.parent_path(), unknown);
+  return unknown ? absolute.parent_path() : real;
+}
+
 /// From the folder of the exhibit, if it lies there or in the folder above.
 std::string placeText(const fs::path& place, const fs::path& exhibit_file) {
   const fs::path absolute = fs::absolute(place).lexically_normal();
-  const fs::path folder = fs::absolute(exhibit_file).lexically_normal().parent_path();
-  const fs::path from_there = absolute.lexically_relative(folder);
+  const fs::path folder = realFolder(fs::absolute(exhibit_file).lexically_normal());
+  const fs::path from_there =
+      (realFolder(absolute) / absolute.filename()).lexically_relative(folder);
   const auto up = std::count(from_there.begin(), from_there.end(), "..");
   const bool is_near = up == 0 || (up == 1 && folder.has_relative_path());
   return textOfName((is_near ? from_there : absolute).native());

@@ -223,6 +223,21 @@ TEST_F(ExhibitTest, WhatIsWrittenIsReadAgain) {
   EXPECT_EQ(exhibitText(readExhibit(e.file, kKnown)), exhibitText(e));
 }
 
+TEST_F(ExhibitTest, AFolderBehindALinkFindsItsObjects) {
+  write(whole_.dump());
+  Exhibit e = readExhibit(file(), kKnown);
+  fs::create_directories(folder_ / "disk/museum");
+  std::ofstream(folder_ / "disk/near.ply") << "ply";
+  fs::create_directory_symlink(folder_ / "disk/museum", folder_ / "link");
+  e.objects[1].file = folder_ / "disk/near.ply";
+  e.file = folder_ / "link/exhibit.json";
+  writeExhibit(e);
+  const Exhibit read = readExhibit(e.file, kKnown);  // Throws where one is not found.
+  EXPECT_TRUE(fs::equivalent(read.objects[0].file, folder_ / "coin.ply"))
+      << "beside the link, not beside what it leads to: " << read.objects[0].file;
+  EXPECT_EQ(read.objects[1].file, folder_ / "link/../near.ply");
+}
+
 TEST_F(ExhibitTest, WhatIsWrongIsWrittenAndFound) {
   Exhibit e;
   e.file = file();
