@@ -326,7 +326,8 @@ class Reader {
     number(json, "speech", "loudest_percent", kLeastVolume, kMostVolume, speech.loudest_percent);
     number(json, "speech", "words_per_minute", kSlowest, kFastest, speech.words_per_minute);
     if (speech.volume_percent > speech.loudest_percent) {
-      note<MessageId::exhibit_too_loud>(speech.volume_percent, speech.loudest_percent);
+      note<MessageId::exhibit_too_loud>("speech.volume_percent", speech.volume_percent,
+                                        "speech.loudest_percent", speech.loudest_percent);
     }
   }
 

@@ -48,13 +48,23 @@ TEST_F(GuidePluginTest, LeadsTheHandAlongTheOutlineAndLetsGo) {
   guide()->trigger();
   ASSERT_TRUE(said("Guiding along the outline of a raised area, you lead."));
   EXPECT_TRUE(guide()->isChecked());
-  // From the right side of the hill to its other side, along its edge.
+  // From the right side of the hill to its other side, along its edge. Where a busy computer makes
+  // the loop pause, the simulated hand flies on with the last force, and the guide lets go of it,
+  // as it must: then it is asked again.
   double worst_mm = 0;
+  bool on_outline = false;
   ASSERT_TRUE(probeBecomes([&](const Probe& p) {
+    if (!guide()->isChecked()) {
+      worst_mm = 0;
+      on_outline = false;
+      guide()->trigger();
+    }
     const double x = p.hip.x - 40, y = p.hip.y - 40;
-    if (std::abs(y) > 5) worst_mm = std::max(worst_mm, std::abs(std::hypot(x, y) - kRadiusMm));
-    return x < -kRadiusMm / 2;
-  }));
+    const double off_mm = std::abs(std::hypot(x, y) - kRadiusMm);
+    if (off_mm < 2) on_outline = true;
+    if (on_outline && std::abs(y) > 5) worst_mm = std::max(worst_mm, off_mm);
+    return on_outline && x < -kRadiusMm / 2;
+  })) << host_.announcements.join(" | ").toStdString();
   EXPECT_LT(worst_mm, 4) << "round it and not across";
   guide()->trigger();
   EXPECT_TRUE(host_.announcements.contains("The guide is off."));

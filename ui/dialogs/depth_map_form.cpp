@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/depth/rules/point_rule.h"
+#include "ui/dialogs/scan_choices.h"
 #include "ui/language/core_text.h"
 #include "ui/style/mnemonic.h"
 #include "ui/style/text.h"
@@ -24,11 +25,6 @@ enum class CellChoice { automatic, count, size };
 constexpr int kLeastCharacters = 16;  // That a field shows.
 constexpr std::array<const char*, 8> kRules{"front", "second", "topmean",   "median",
                                             "mean",  "splat",  "quadratic", "min"};
-
-QString capital(QString text) {
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
-  return text;
-}
 
 }  // namespace
 
@@ -80,9 +76,7 @@ DepthMapForm::DepthMapForm(OpenedInput source, const Surface& present,
 void DepthMapForm::addSource(QFormLayout* layout) {
   unit_ = field<QComboBox>(layout, tr("&Unit of the file"), "depth_unit",
                            tr("Length unit of the file's coordinates"));
-  for (const LengthUnitFact& u : kLengthUnits) {
-    unit_->addItem(capital(unitText(u.unit)), static_cast<int>(u.unit));
-  }
+  addUnits(*unit_);
   size_ = new QLabel;
   size_->setObjectName(QStringLiteral("depth_size"));
   size_->setAccessibleName(tr("Size in millimetres"));
@@ -95,10 +89,7 @@ void DepthMapForm::addSource(QFormLayout* layout) {
   strays_->addItem(tr("Keep"), static_cast<int>(StrayRule::keep));
   view_ =
       field<QComboBox>(layout, tr("&View"), "depth_view", tr("From which side the object is seen"));
-  for (const std::string_view name : kViewNames) {
-    const QString word = QString::fromLatin1(name.data(), static_cast<int>(name.size()));
-    view_->addItem(viewText(word), word);
-  }
+  addViews(*view_);
   const bool is_other = first_.view && !first_.view->rotation &&
                         view_->findData(QString::fromStdString(first_.view->name)) < 0;
   if (is_other) {

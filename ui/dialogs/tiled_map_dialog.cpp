@@ -16,13 +16,12 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "core/depth/view.h"
 #include "core/tiles/threads.h"
 #include "ui/dialogs/depth_map_preview.h"
+#include "ui/dialogs/named_fields.h"
+#include "ui/dialogs/scan_choices.h"
 #include "ui/language/core_text.h"
 #include "ui/style/dialog_size.h"
-#include "ui/style/mnemonic.h"
-#include "ui/style/text.h"
 #include "ui/work/file_names.h"
 
 namespace relievo {
@@ -31,59 +30,40 @@ namespace {
 constexpr int kPathRole = Qt::UserRole;
 constexpr int kShownNames = 4;  // Of the list, without a scroll bar.
 
-QPushButton* button(const QString& text, const char* name, const QString& tip) {
-  auto* made = new QPushButton(text);
-  made->setObjectName(QString::fromLatin1(name));
-  made->setAccessibleName(withoutMnemonic(text).remove(u'\u2026'));
-  made->setToolTip(tip);
-  made->setAutoDefault(false);
-  return made;
-}
-
-template <class Widget>
-Widget* named(Widget* widget, const char* name, const QString& title, const QString& tip) {
-  widget->setObjectName(QString::fromLatin1(name));
-  widget->setAccessibleName(title);
-  widget->setToolTip(tip);
-  return widget;
-}
-
-QString capital(QString text) {
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
-  return text;
-}
 }  // namespace
 
 TiledMapDialog::TiledMapDialog(const TiledMapOrder& begun, QWidget* parent)
     : QDialog(parent),
-      names_(named(new QListWidget, "tiles_scan", tr("Scan"),
-                   tr("LAS, LAZ or binary PLY files and folders of them, which are one scan, or "
-                      "one height raster"))),
-      files_(button(tr("F&iles\u2026"), "tiles_files", tr("Take files into the list"))),
-      folder_(button(tr("Fo&lder\u2026"), "tiles_folder",
-                     tr("Take all LAS, LAZ and PLY files of a folder"))),
-      remove_(button(tr("&Remove"), "tiles_remove", tr("Take the chosen entries from the list"))),
-      browse_(button(tr("&Browse\u2026"), "tiles_browse", tr("Choose another place"))),
-      file_(named(new QLineEdit, "tiles_file", tr("Map"),
-                  tr("Where the finest level is written; the others lie beside it"))),
-      unit_(named(new QComboBox, "tiles_unit", tr("Unit of the file"),
-                  tr("Length unit of the file's coordinates"))),
-      view_(
-          named(new QComboBox, "tiles_view", tr("View"), tr("From which side the object is seen"))),
-      memory_(named(new QSpinBox, "tiles_memory", tr("Memory"),
-                    tr("What the work may take beside the program itself"))),
-      threads_(named(new QSpinBox, "tiles_threads", tr("Cores"), tr("How many work at once"))),
-      keeps_(named(new QCheckBox(tr("&Keep what is finished, to go on after a stop")),
-                   "tiles_keeps", tr("Keep what is finished, to go on after a stop"),
-                   tr("In a folder beside the map, until the map is made"))),
-      opens_(named(new QCheckBox(tr("&Open the map when it is made")), "tiles_opens",
-                   tr("Open the map when it is made"), tr("In the place of what is open"))),
+      names_(
+          namedField(new QListWidget, "tiles_scan", tr("Scan"),
+                     tr("LAS, LAZ or binary PLY files and folders of them, which are one scan, or "
+                        "one height raster"))),
+      files_(namedButton(tr("F&iles\u2026"), "tiles_files", tr("Take files into the list"))),
+      folder_(namedButton(tr("Fo&lder\u2026"), "tiles_folder",
+                          tr("Take all LAS, LAZ and PLY files of a folder"))),
+      remove_(
+          namedButton(tr("&Remove"), "tiles_remove", tr("Take the chosen entries from the list"))),
+      browse_(namedButton(tr("&Browse\u2026"), "tiles_browse", tr("Choose another place"))),
+      file_(namedField(new QLineEdit, "tiles_file", tr("Map"),
+                       tr("Where the finest level is written; the others lie beside it"))),
+      unit_(namedField(new QComboBox, "tiles_unit", tr("Unit of the file"),
+                       tr("Length unit of the file's coordinates"))),
+      view_(namedField(new QComboBox, "tiles_view", tr("View"),
+                       tr("From which side the object is seen"))),
+      memory_(namedField(new QSpinBox, "tiles_memory", tr("Memory"),
+                         tr("What the work may take beside the program itself"))),
+      threads_(namedField(new QSpinBox, "tiles_threads", tr("Cores"), tr("How many work at once"))),
+      keeps_(namedField(new QCheckBox(tr("&Keep what is finished, to go on after a stop")),
+                        "tiles_keeps", tr("Keep what is finished, to go on after a stop"),
+                        tr("In a folder beside the map, until the map is made"))),
+      opens_(namedField(new QCheckBox(tr("&Open the map when it is made")), "tiles_opens",
+                        tr("Open the map when it is made"), tr("In the place of what is open"))),
       preview_(new DepthMapPreview),
-      ready_(named(new QLabel, "tiles_ready", tr("What is ready"), {})),
-      step_(named(new QLabel, "tiles_step", tr("What is being done"), {})),
-      problem_(named(new QLabel, "tiles_problem", tr("Problem"), {})),
-      bar_(named(new QProgressBar, "tiles_progress", tr("Progress"), {})),
-      stop_(button(tr("&Stop"), "tiles_stop", tr("Stop the work"))) {
+      ready_(namedField(new QLabel, "tiles_ready", tr("What is ready"), {})),
+      step_(namedField(new QLabel, "tiles_step", tr("What is being done"), {})),
+      problem_(namedField(new QLabel, "tiles_problem", tr("Problem"), {})),
+      bar_(namedField(new QProgressBar, "tiles_progress", tr("Progress"), {})),
+      stop_(namedButton(tr("&Stop"), "tiles_stop", tr("Stop the work"))) {
   setObjectName(QStringLiteral("tiled_map_dialog"));
   setWindowTitle(tr("Map by tiles"));
   fillChoices();
@@ -106,14 +86,9 @@ void TiledMapDialog::fillChoices() {
   names_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   names_->setMinimumHeight(kShownNames * fontMetrics().lineSpacing());
   unit_->addItem(tr("From the file"), -1);
-  for (const LengthUnitFact& u : kLengthUnits) {
-    unit_->addItem(capital(unitText(u.unit)), static_cast<int>(u.unit));
-  }
+  addUnits(*unit_);
   view_->addItem(tr("From the file"), QString());
-  for (const std::string_view name : kViewNames) {
-    const QString word = QString::fromLatin1(name.data(), static_cast<int>(name.size()));
-    view_->addItem(viewText(word), word);
-  }
+  addViews(*view_);
   memory_->setRange(64, 1'000'000);
   memory_->setSingleStep(500);
   memory_->setSuffix(QStringLiteral(" MB"));
@@ -210,7 +185,7 @@ QBoxLayout* TiledMapDialog::bottomRow() {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   nameButtons(*buttons);
   buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Return makes the map.
-  make_ = button(tr("M&ake"), "tiles_make", tr("Make the map"));
+  make_ = namedButton(tr("M&ake"), "tiles_make", tr("Make the map"));
   make_->setDefault(true);
   buttons->addButton(make_, QDialogButtonBox::ActionRole);
   connect(make_, &QPushButton::clicked, this, &TiledMapDialog::makeAsked);

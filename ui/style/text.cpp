@@ -103,7 +103,12 @@ QString viewText(const QString& name) {
       return QCoreApplication::translate("Text", "%1, upside down").arg(face);
     }
   }
-  return name.left(1).toUpper() + name.mid(1);
+  return capital(name);
+}
+
+QString capital(QString text) {
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
 }
 
 }  // namespace relievo

@@ -24,5 +24,7 @@ void setSizeUnit(std::optional<LengthUnit> unit);
 QString unitText(LengthUnit unit);
 /// "top" -> "Top", "free" -> "Free view".
 QString viewText(const QString& name);
+/// The same with a capital letter at its beginning.
+QString capital(QString text);
 
 }  // namespace relievo

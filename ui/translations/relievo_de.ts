@@ -3033,6 +3033,14 @@
         <source>What was changed in the exhibit is in no file yet.</source>
         <translation>Was an der Ausstellung geändert wurde, ist noch in keiner Datei.</translation>
     </message>
+    <message>
+        <source>Object %1: %2</source>
+        <translation>Objekt %1: %2</translation>
+    </message>
+    <message>
+        <source>Nothing is missing. The objects are being opened to see whether they can be.</source>
+        <translation>Nichts fehlt. Die Objekte werden geöffnet, um zu sehen, ob das geht.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ExhibitObjectsPage</name>
@@ -9051,10 +9059,6 @@
         <translation>%1 hat %2 Wörter; %3 sind möglich.</translation>
     </message>
     <message>
-        <source>speech.volume_percent is %1, above speech.loudest_percent, which is %2.</source>
-        <translation>speech.volume_percent ist %1 und damit mehr als speech.loudest_percent, das %2 ist.</translation>
-    </message>
-    <message>
         <source>staff_pin must hold a salt of up to 64 characters and 64 hexadecimal digits. &apos;relievo exhibit pin&apos; makes both.</source>
         <translation>staff_pin muss ein salt mit bis zu 64 Zeichen und 64 hexadezimale Ziffern haben. &apos;relievo exhibit pin&apos; macht beides.</translation>
     </message>
@@ -10621,6 +10625,26 @@
     <message>
         <source>its reader broke down on it (&quot;%1&quot;). The program is unharmed; the file is probably damaged. Export it again.</source>
         <translation>Das Leseprogramm ist an der Datei zusammengebrochen („%1“). Das Hauptprogramm ist unversehrt; die Datei ist wahrscheinlich beschädigt. Exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>a raster keeps its cells and heights.</source>
+        <translation>ein Raster behält seine Zellen und Höhen.</translation>
+    </message>
+    <message>
+        <source>a map that relievo wrote is taken as it is.</source>
+        <translation>eine Karte, die relievo geschrieben hat, wird genommen, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>a raster that relievo did not write</source>
+        <translation>ein Raster, das relievo nicht geschrieben hat</translation>
+    </message>
+    <message>
+        <source>%1 changes nothing here: %2</source>
+        <translation>%1 ändert hier nichts: %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2, above %3, which is %4.</source>
+        <translation>%1 ist %2 und damit mehr als %3, das %4 ist.</translation>
     </message>
 </context>
 <context>

@@ -3033,6 +3033,14 @@
         <source>What was changed in the exhibit is in no file yet.</source>
         <translation>प्रदर्शनी में जो बदला गया, वह अभी किसी फ़ाइल में नहीं है।</translation>
     </message>
+    <message>
+        <source>Object %1: %2</source>
+        <translation>वस्तु %1: %2</translation>
+    </message>
+    <message>
+        <source>Nothing is missing. The objects are being opened to see whether they can be.</source>
+        <translation>कुछ भी कमी नहीं है। यह देखने के लिए कि वस्तुएँ खुलती हैं या नहीं, उन्हें खोला जा रहा है।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ExhibitObjectsPage</name>
@@ -9051,10 +9059,6 @@
         <translation>%1 में %2 शब्द हैं; %3 हो सकते हैं।</translation>
     </message>
     <message>
-        <source>speech.volume_percent is %1, above speech.loudest_percent, which is %2.</source>
-        <translation>speech.volume_percent %1 है, जो speech.loudest_percent (%2) से अधिक है।</translation>
-    </message>
-    <message>
         <source>staff_pin must hold a salt of up to 64 characters and 64 hexadecimal digits. &apos;relievo exhibit pin&apos; makes both.</source>
         <translation>staff_pin में 64 वर्णों तक का salt और 64 षोडशाधारी अंक होने चाहिए। &apos;relievo exhibit pin&apos; दोनों बनाता है।</translation>
     </message>
@@ -10621,6 +10625,26 @@
     <message>
         <source>its reader broke down on it (&quot;%1&quot;). The program is unharmed; the file is probably damaged. Export it again.</source>
         <translation>पढ़ने वाला प्रोग्राम इस पर टूट गया (“%1”)। मुख्य प्रोग्राम सुरक्षित है; फ़ाइल संभवतः क्षतिग्रस्त है। इसे फिर से निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>a raster keeps its cells and heights.</source>
+        <translation>रास्टर अपनी कोशिकाएँ और ऊँचाइयाँ बनाए रखता है।</translation>
+    </message>
+    <message>
+        <source>a map that relievo wrote is taken as it is.</source>
+        <translation>relievo का लिखा मानचित्र जैसा है वैसा ही लिया जाता है।</translation>
+    </message>
+    <message>
+        <source>a raster that relievo did not write</source>
+        <translation>ऐसा रास्टर जिसे relievo ने नहीं लिखा</translation>
+    </message>
+    <message>
+        <source>%1 changes nothing here: %2</source>
+        <translation>%1 से यहाँ कुछ नहीं बदलता: %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2, above %3, which is %4.</source>
+        <translation>%1 %2 है, जो %3 (%4) से अधिक है।</translation>
     </message>
 </context>
 <context>

@@ -11,24 +11,23 @@
 namespace relievo::batch {
 namespace {
 
-constexpr const char* kRaster = "a raster keeps its cells and heights.";
-
-void tellUnused(const std::string& option, bool given, const std::string& why) {
-  if (given) tell(option + " changes nothing here: " + why);
+void tellUnused(const char* option, bool given, const Message& why) {
+  if (given) tell(englishText(said<MessageId::option_changes_nothing>(option, why)));
 }
 
 /// @param is_own  relievo wrote the raster
 void tellUnusedOfRaster(const MapArguments& a, bool is_own) {
   const MapArguments none;
-  tellUnused("--cells", a.cells.has_value(), kRaster);
-  tellUnused("--spacing", a.spacing_mm.has_value(), kRaster);
-  tellUnused("--engine", a.engine != none.engine, kRaster);
-  tellUnused("--rule", !a.rule.empty() && a.rule != "auto", kRaster);
-  tellUnused("--strays", a.strays != none.strays, kRaster);
+  const Message kept = said<MessageId::raster_keeps_cells>();
+  tellUnused("--cells", a.cells.has_value(), kept);
+  tellUnused("--spacing", a.spacing_mm.has_value(), kept);
+  tellUnused("--engine", a.engine != none.engine, kept);
+  tellUnused("--rule", !a.rule.empty() && a.rule != "auto", kept);
+  tellUnused("--strays", a.strays != none.strays, kept);
   tellUnusedScanOptions(a.scan);
   if (!is_own) return;
   // What says no more than what is: millimetres, seen from above.
-  const std::string own = "a map that relievo wrote is taken as it is.";
+  const Message own = said<MessageId::raster_taken_as_is>();
   tellUnused("--unit", !a.unit.empty() && a.unit != "mm", own);
   tellUnused("--view", !a.view.empty() && a.view != "top" && a.view != "auto", own);
   tellUnused("--turn", !a.turn.empty(), own);
@@ -47,17 +46,17 @@ void tellUnusedMapOptions(const MapArguments& a, const LargeMap& map) {
 }
 
 void tellUnusedScanOptions(const ScanArguments& a) {
-  const std::string points = englishText(said<MessageId::raster_without_points>());
+  const Message points = said<MessageId::raster_without_points>();
   tellUnused("--reader", a.reader != ScanArguments{}.reader, points);
   tellUnused("--parts", !a.parts.empty(), points);
   tellUnused("--keep-withheld", a.keep_withheld, points);
   tellUnused("--load-incomplete", a.accept_incomplete, points);
-  tellUnused("--every", a.every != ScanArguments{}.every, kRaster);
+  tellUnused("--every", a.every != ScanArguments{}.every, said<MessageId::raster_keeps_cells>());
 }
 
 void requireRasterUse(const SurfaceOptions& options, const Surface& surface) {
   const bool has_scale = surface.raster_scale.has_value();
-  const std::string raster = "a raster that relievo did not write";
+  const std::string raster = englishText(said<MessageId::raster_of_others>());
   requireUse("--pixel-size", options.raster.pixel_mm.has_value(), has_scale, raster);
   requireUse("--height-scale", options.raster.height_mm.has_value(), has_scale, raster);
   requireUse("--height-zero", options.raster.zero.has_value(), has_scale, raster);

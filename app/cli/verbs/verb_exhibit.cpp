@@ -8,8 +8,7 @@
 #include "core/base/failure.h"
 #include "core/exhibit/exhibit.h"
 #include "core/exhibit/visit_counts.h"
-#include "core/io/input_facts.h"
-#include "core/project/project_files.h"
+#include "core/project/openable.h"
 #include "ui/translations/message_languages.h"
 
 namespace relievo::batch {
@@ -25,21 +24,6 @@ std::vector<std::string> languageTags() {
   return tags;
 }
 
-/// Whether the program can read it, too; what it is shall be known before a visitor is there.
-/// @return why not; empty: it can
-std::string refusalOf(const std::filesystem::path& file) {
-  try {
-    if (file.extension() == ".json") {
-      readProject(file);
-    } else {
-      inputFacts(file);
-    }
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return {};
-}
-
 CommandResult runCheck(const std::string& file, const Task& task) {
   const ExhibitCheck check = checkExhibit(file, languageTags());
   const Exhibit& exhibit = check.exhibit;
@@ -50,8 +34,9 @@ CommandResult runCheck(const std::string& file, const Task& task) {
     task.check();
     std::error_code unknown;
     if (std::filesystem::exists(object.file, unknown)) {
-      const std::string refusal = refusalOf(object.file);
-      if (!refusal.empty()) faults.push_back(refusal);
+      // What cannot be opened shall be known before a visitor is there.
+      const std::optional<Message> refusal = openingRefusal(object.file, task);
+      if (refusal) faults.push_back(englishText(*refusal));
     }
     objects.push_back({{"id", object.id}, {"file", object.file.string()}});
   }

@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "core/base/bands.h"
-#include "core/base/failure.h"
 #include "core/file/owned_fd.h"
 #include "core/io/worker/scan_transport.h"
 
@@ -165,8 +164,8 @@ class PlyBlocks {
     layout_.order = ByteOrder::little;  // PCL turns all numbers to this machine's order.
   }
 
-  /// Reads `count` records, on any thread. @throw FileError  PCL cannot
-  void read(std::string_view records, std::uint64_t count) {
+  /// Reads `count` records, on any thread. @return  false if PCL cannot
+  bool read(std::string_view records, std::uint64_t count) {
     count_ = count;
     const std::uint64_t rows = form_.rowsOf(count);
     const std::string header = form_.header(count, file_order_);
@@ -181,9 +180,7 @@ class PlyBlocks {
                          ::ftruncate(memory_.get(), static_cast<off_t>(all)) == 0;
     if (!written && errno == EFBIG) refuseLength();
     numbers_.expect(rows * form_.rowBytes());
-    if (!written || !parseWith(path_, numbers_) || !numbers_.isFull()) {
-      throw failure<MessageId::pcl_gave_up>();
-    }
+    return written && parseWith(path_, numbers_) && numbers_.isFull();
   }
   /// What was read last.
   void give(const TakeColumns& take) const { take(columnsOf(layout_, numbers_.data()), count_); }
@@ -232,7 +229,7 @@ class Turns {
 
 /// PCL asks a stream for every number, which takes longer than all else: blocks are read side by
 /// side, and given in their order.
-void readPlyRecords(const PlyHeader& header, std::string_view records, std::uint64_t count,
+bool readPlyRecords(const PlyHeader& header, std::string_view records, std::uint64_t count,
                     const TakeColumns& take) {
   const RecordLayout layout = recordLayoutOf(header);
   const PlyForm form(layout);
@@ -242,12 +239,16 @@ void readPlyRecords(const PlyHeader& header, std::string_view records, std::uint
   own.reserve(static_cast<std::size_t>(readers));
   for (int i = 0; i < readers; ++i) own.push_back(std::make_unique<PlyBlocks>(form, layout));
   Turns turns;
+  std::atomic<bool> gave_up{false};
   parallelFor(readers, readers, [&](int reader, int) {
     PlyBlocks& mine = *own[static_cast<std::size_t>(reader)];
     for (int block = reader; block < blocks; block += readers) {
       const std::uint64_t done = kBlock * static_cast<std::uint64_t>(block);
       try {
-        mine.read(records.substr(done * layout.bytes), std::min(kBlock, count - done));
+        if (!mine.read(records.substr(done * layout.bytes), std::min(kBlock, count - done))) {
+          gave_up.store(true);
+          return turns.fail();
+        }
       } catch (...) {
         turns.fail();
         throw;
@@ -255,6 +256,7 @@ void readPlyRecords(const PlyHeader& header, std::string_view records, std::uint
       if (!turns.take(block, [&] { mine.give(take); })) return;
     }
   });
+  return !gave_up.load();
 }
 
 }  // namespace

@@ -13,8 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/failure.h"
-
 namespace relievo {
 namespace {
 
@@ -69,7 +67,7 @@ const char* charsOf(const pcl::PCLPointCloud2& cloud) {
   return reinterpret_cast<const char*>(cloud.data.data());
 }
 
-void readPcdRecords(const PcdHeader& header, std::string_view records, std::uint64_t count,
+bool readPcdRecords(const PcdHeader& header, std::string_view records, std::uint64_t count,
                     const TakeColumns& take) {
   const RecordLayout layout = recordLayoutOf(header);
   pcl::PCDReader reader;
@@ -83,10 +81,11 @@ void readPcdRecords(const PcdHeader& header, std::string_view records, std::uint
     shape(cloud, block, layout.bytes);
     if (reader.readBodyBinary(bytesOf(records.substr(done * layout.bytes)), cloud, 0, false, 0) <
         0) {
-      throw failure<MessageId::pcl_gave_up>();
+      return false;
     }
     take(columnsOf(layout, charsOf(cloud)), block);
   }
+  return true;
 }
 
 bool readPcdCompressed(const PcdHeader& header, std::string_view body, const TakeColumns& take) {

@@ -19,15 +19,16 @@ using TakeColumns = std::function<void(const PointColumns& columns, std::uint64_
 struct PclLibrary {
   const char* name = nullptr;  ///< "PCL 1.13.0"
 
-  /// Complete binary records of a PCD file, block by block. @throw FileError  PCL gave up
-  void (*pcd_records)(const PcdHeader& header, std::string_view records, std::uint64_t count,
+  /// Complete binary records of a PCD file, block by block.
+  /// @return  false if PCL gave up; what was given before is of no use
+  bool (*pcd_records)(const PcdHeader& header, std::string_view records, std::uint64_t count,
                       const TakeColumns& take) = nullptr;
   /// A compressed body whose two sizes were checked: against its bytes, and header.points records.
   /// @return  false if it cannot be unpacked
   bool (*pcd_compressed)(const PcdHeader& header, std::string_view body,
                          const TakeColumns& take) = nullptr;
-  /// Complete binary records of PLY points. @throw FileError  PCL gave up
-  void (*ply_records)(const PlyHeader& header, std::string_view records, std::uint64_t count,
+  /// Complete binary records of PLY points. @return  as of pcd_records
+  bool (*ply_records)(const PlyHeader& header, std::string_view records, std::uint64_t count,
                       const TakeColumns& take) = nullptr;
 };
 

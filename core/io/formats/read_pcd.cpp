@@ -83,7 +83,9 @@ class PcdReader {
     if (!byPcl()) return addRecords(layout_, body_, found, job_.task, builder_);
     builder_.info().reader = job_.pcl->name;
     std::uint64_t done = 0;
-    job_.pcl->pcd_records(header_, body_, found, taker(done));
+    if (!job_.pcl->pcd_records(header_, body_, found, taker(done))) {
+      throwReadError(job_.file, said<MessageId::pcl_gave_up>());
+    }
   }
 
   /// The program that called may have none: then ours reads, unless PCL was asked for.

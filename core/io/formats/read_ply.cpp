@@ -180,12 +180,14 @@ class PlyReader {
     if (byPcl()) {
       builder_.info().reader = job_.pcl->name;
       std::uint64_t done = 0;
-      job_.pcl->ply_records(header_, rest, found,
-                            [&](const PointColumns& columns, std::uint64_t count) {
-                              report(done, element.count);
-                              addColumns(columns, count, builder_);
-                              done += count;
-                            });
+      const auto take = [&](const PointColumns& columns, std::uint64_t count) {
+        report(done, element.count);
+        addColumns(columns, count, builder_);
+        done += count;
+      };
+      if (!job_.pcl->ply_records(header_, rest, found, take)) {
+        throwReadError(job_.file, said<MessageId::pcl_gave_up>());
+      }
     } else {
       addRecords(layout_, rest, found, job_.task, builder_);
     }

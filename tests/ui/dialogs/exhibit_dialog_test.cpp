@@ -5,6 +5,7 @@
 #include <fstream>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDateTime>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
@@ -59,13 +60,14 @@ class ExhibitDialogTest : public GuiTest {
 
 TEST_F(ExhibitDialogTest, MakesAnExhibitThatIsReadAsItWasMade) {
   openRelief();
-  EXPECT_EQ(faults(), (QStringList{"objects[0].title.en has no words.", "staff_pin is missing."}))
+  EXPECT_EQ(faults(), (QStringList{"Object 1: Title, English has no words.",
+                                   "New PIN of the staff is missing."}))
       << "begins with what is open";
   part<QCheckBox>("exhibit_language_de").click();
   type("exhibit_title_en", "A dome on a plate");
   type("exhibit_title_de", "Kuppel");
   part<QPlainTextEdit>("exhibit_description_en").setPlainText("Round, and 12 mm high.");
-  EXPECT_TRUE(faults().contains("objects[0].description.de has no words."));
+  EXPECT_TRUE(faults().contains("Object 1: Description, Deutsch has no words."));
   part<QPlainTextEdit>("exhibit_description_de").setPlainText("Rund.");
   auto& first = part<QComboBox>("exhibit_first_language");
   first.setCurrentIndex(first.findData("de"));
@@ -76,14 +78,16 @@ TEST_F(ExhibitDialogTest, MakesAnExhibitThatIsReadAsItWasMade) {
   part<QDoubleSpinBox>("exhibit_limit").setValue(2.5);
   part<QCheckBox>("exhibit_guide").click();
   type("exhibit_pin", "258");
-  EXPECT_EQ(faults(), QStringList{"staff_pin is missing."}) << "three digits are none";
+  EXPECT_EQ(faults(), QStringList{"New PIN of the staff is missing."}) << "three digits are none";
   type("exhibit_pin", "2580");
   EXPECT_TRUE(faults().isEmpty());
   EXPECT_TRUE(dialog().isUnsaved());
 
   ASSERT_TRUE(dialog().save(path("museum.json")));
   EXPECT_FALSE(dialog().isUnsaved());
-  EXPECT_TRUE(part<QLabel>("exhibit_state").text().contains("relievo --exhibit '"));
+  EXPECT_TRUE(waitFor([&] {
+    return part<QLabel>("exhibit_state").text().contains("relievo --exhibit '");
+  })) << "once the relief was opened";
   const Exhibit made = readExhibit(file("museum.json"), kKnown);
   EXPECT_EQ(made.languages, (std::vector<std::string>{"de", "en"}));
   ASSERT_EQ(made.objects.size(), 1U);
@@ -130,15 +134,15 @@ TEST_F(ExhibitDialogTest, ObjectsAreAddedMovedAndTakenOut) {
   EXPECT_EQ(list.currentRow(), 2);
   part<QPushButton>("exhibit_up").click();
   EXPECT_EQ(list.item(1)->text(), "gone.ply");
-  EXPECT_TRUE(faults().join(' ').contains("objects[1].file: there is no file"));
+  EXPECT_TRUE(faults().join(' ').contains("Object 2: File: there is no file"));
   EXPECT_EQ(part<QLineEdit>("exhibit_file").text(), path("gone.ply"));
   part<QPushButton>("exhibit_remove").click();
   EXPECT_EQ(list.count(), 2);
   EXPECT_EQ(dialog().exhibit().objects[1].file, file("second.ply"));
   EXPECT_EQ(part<QLineEdit>("exhibit_file").text(), path("second.ply")) << "the one that follows";
-  EXPECT_EQ(faults(), QStringList{"objects[1].title.en has no words."});
+  EXPECT_EQ(faults(), QStringList{"Object 2: Title, English has no words."});
   for (int i = 0; i < 2; ++i) part<QPushButton>("exhibit_remove").click();
-  EXPECT_EQ(faults(), QStringList{"objects is empty."});
+  EXPECT_EQ(faults(), QStringList{"Objects is empty."});
   EXPECT_FALSE(part<QLineEdit>("exhibit_title_en").isEnabled());
 }
 
@@ -152,10 +156,42 @@ TEST_F(ExhibitDialogTest, AFaultLeadsToItsPlace) {
   Q_EMIT list.itemActivated(list.item(0));
   EXPECT_EQ(pages.currentIndex(), 0);
   EXPECT_TRUE(part<QLineEdit>("exhibit_title_hi").isVisible());
+  EXPECT_EQ(dialog().focusWidget(), &part<QLineEdit>("exhibit_title_hi"));
+  part<QSpinBox>("exhibit_volume").setValue(80);
   part<QSpinBox>("exhibit_loudest").setValue(20);
   ASSERT_EQ(list.count(), 2);
+  EXPECT_EQ(faults().back(), "Volume of a new visitor is 80, above Loudest, which is 20.");
   Q_EMIT list.itemActivated(list.item(1));
   EXPECT_EQ(pages.currentIndex(), 1);
+  EXPECT_EQ(dialog().focusWidget(), &part<QSpinBox>("exhibit_volume"));
+}
+
+TEST_F(ExhibitDialogTest, AnObjectThatCannotBeOpenedIsSaid) {
+  makeWhole();
+  const auto write = [this](const char* points) {
+    QFile scan(path("cut.ply"));
+    ASSERT_TRUE(scan.open(QIODevice::WriteOnly));
+    scan.write(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nend_header\n");
+    scan.write(points);
+  };
+  write("0 0 0\n1 0 0\n");
+  type("exhibit_file", path("cut.ply").toUtf8().constData());
+  ASSERT_TRUE(waitFor([this] { return faults().size() == 1; }));
+  EXPECT_TRUE(faults().front().contains("cut.ply")) << faults().join(' ').toStdString();
+  EXPECT_TRUE(part<QLabel>("exhibit_state").text().contains("cannot be shown yet"));
+  auto& list = part<QListWidget>("exhibit_faults");
+  Q_EMIT list.itemActivated(list.item(0));
+  EXPECT_EQ(dialog().focusWidget(), &part<QLineEdit>("exhibit_file"));
+
+  write("0 0 0\n1 0 0\n0 1 0.5\n");
+  QFile scan(path("cut.ply"));
+  ASSERT_TRUE(scan.open(QIODevice::ReadWrite));
+  scan.setFileTime(QDateTime::currentDateTime().addSecs(60), QFileDevice::FileModificationTime);
+  scan.close();
+  part<QSpinBox>("exhibit_strength").setValue(25);
+  EXPECT_TRUE(waitFor([this] { return faults().isEmpty(); })) << "mended, and opened again";
 }
 
 TEST_F(ExhibitDialogTest, WhatIsInNoFileIsAskedAbout) {

@@ -10,9 +10,10 @@
 #include <QTabWidget>
 
 #include "core/base/error.h"
-#include "ui/dialogs/exhibit/exhibit_fields.h"
 #include "ui/dialogs/exhibit/exhibit_objects_page.h"
 #include "ui/dialogs/exhibit/exhibit_visit_page.h"
+#include "ui/dialogs/exhibit/objects_check.h"
+#include "ui/dialogs/named_fields.h"
 #include "ui/language/core_text.h"
 #include "ui/language/error_text.h"
 #include "ui/language/language.h"
@@ -32,7 +33,22 @@ std::vector<std::string> spokenTags() {
   return tags;
 }
 
-/// Where in the file a fault is, "objects[1].title.de": its sentence begins with it.
+// Places as the file names them: "objects", "objects[1].title.de", "speech.loudest_percent".
+bool isOfObjects(const QString& place) {
+  return place.startsWith(QLatin1String("objects"));
+}
+/// Which object, from 0; -1: none.
+int objectOf(const QString& place) {
+  bool is_number = false;
+  const int number = place.section(u'[', 1, 1).section(u']', 0, 0).toInt(&is_number);
+  return isOfObjects(place) && is_number ? number : -1;
+}
+/// "title.de" of "objects[1].title.de".
+QString partOf(const QString& place) {
+  return place.section(u'.', 1);
+}
+
+/// Where in the file a fault is: its sentence begins with it.
 QString placeOf(const Message& fault) {
   if (fault.arguments.empty()) return {};
   const auto* place = std::get_if<NameArgument>(&fault.arguments.front());
@@ -46,6 +62,7 @@ ExhibitDialog::ExhibitDialog(const Exhibit& begun, QWidget* parent)
       pages_(namedField(new QTabWidget, "exhibit_pages", tr("Pages"), QString())),
       objects_(new ExhibitObjectsPage),
       visit_(new ExhibitVisitPage),
+      looks_(new ObjectsCheck(this)),
       state_(namedField(new QLabel, "exhibit_state", tr("Is it whole?"), QString())),
       problem_(namedField(new QLabel, "exhibit_problem", tr("Problem"), QString())),
       faults_(namedField(new QListWidget, "exhibit_faults", tr("What is wrong"),
@@ -63,6 +80,7 @@ ExhibitDialog::ExhibitDialog(const Exhibit& begun, QWidget* parent)
   all->addLayout(bottomRow());
   connect(objects_, &ExhibitObjectsPage::changed, this, &ExhibitDialog::noteChange);
   connect(visit_, &ExhibitVisitPage::changed, this, &ExhibitDialog::noteChange);
+  connect(looks_, &ObjectsCheck::looked, this, &ExhibitDialog::check);
   setExhibit(begun, {});
   resizeToText(*this, {120, 34});
 }
@@ -160,7 +178,10 @@ void ExhibitDialog::noteChange() {
 
 void ExhibitDialog::check() {
   const Exhibit made = exhibit();
+  looks_->look(made.objects);
   showFaults(checkExhibitText(exhibitText(made), made.file, spokenTags()).faults);
+  showRefusals(made.objects);
+  showState();
   setWindowTitle(title());
   setWindowModified(is_unsaved_);
 }
@@ -172,12 +193,28 @@ QString ExhibitDialog::title() const {
 void ExhibitDialog::showFaults(const std::vector<Message>& faults) {
   faults_->clear();
   for (const Message& fault : faults) {
-    auto* item = new QListWidgetItem(messageText(fault), faults_);
+    auto* item = new QListWidgetItem(messageText(inFields(fault)), faults_);
     item->setData(kPlaceRole, placeOf(fault));
   }
-  faults_->setEnabled(!faults.empty());
-  if (!faults.empty()) {
+}
+
+/// Behind the faults of the file itself.
+void ExhibitDialog::showRefusals(const std::vector<ExhibitObject>& objects) {
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::optional<Message> refusal = looks_->refusalOf(objects[i].file);
+    if (!refusal) continue;
+    auto* item = new QListWidgetItem(messageText(*refusal), faults_);
+    item->setData(kPlaceRole, QStringLiteral("objects[%1].file").arg(i));
+  }
+}
+
+void ExhibitDialog::showState() {
+  faults_->setEnabled(faults_->count() > 0);
+  if (faults_->count() > 0) {
     state_->setText(tr("It cannot be shown yet; this is missing or wrong:"));
+  } else if (looks_->busy()) {
+    state_->setText(
+        tr("Nothing is missing. The objects are being opened to see whether they can be."));
   } else if (is_unsaved_ || file_.isEmpty()) {
     state_->setText(tr("It is whole. Once it is saved, it can be shown."));
   } else {
@@ -186,13 +223,31 @@ void ExhibitDialog::showFaults(const std::vector<Message>& faults) {
   }
 }
 
-// "objects[1].title.de", "speech.loudest_percent", as the file names its places.
+QWidget* ExhibitDialog::fieldOf(const QString& place) const {
+  return isOfObjects(place) ? objects_->fieldOf(partOf(place)) : visit_->fieldOf(place);
+}
+
+/// The sentence with the names of fields where it has places of the file.
+Message ExhibitDialog::inFields(Message fault) const {
+  for (MessageArgument& argument : fault.arguments) {
+    auto* const name = std::get_if<NameArgument>(&argument);
+    if (name == nullptr) continue;
+    const QString place = QString::fromStdString(name->text);
+    const QWidget* const field = fieldOf(place);
+    if (field == nullptr) continue;
+    const int object = objectOf(place);
+    const QString words = field->accessibleName();
+    name->text =
+        (object < 0 ? words : tr("Object %1: %2").arg(object + 1).arg(words)).toStdString();
+  }
+  return fault;
+}
+
 void ExhibitDialog::goTo(const QString& place) {
-  const bool is_object = place.startsWith(QLatin1String("objects"));
+  const bool is_object = isOfObjects(place);
   pages_->setCurrentWidget(is_object ? static_cast<QWidget*>(objects_) : visit_);
-  if (!is_object) return;
-  const QString number = place.section(u'[', 1, 1).section(u']', 0, 0);
-  if (!number.isEmpty()) objects_->choose(number.toInt(), place.section(u'.', -1));
+  if (const int object = objectOf(place); object >= 0) objects_->choose(object, partOf(place));
+  if (QWidget* const field = fieldOf(place)) field->setFocus(Qt::OtherFocusReason);
 }
 
 void ExhibitDialog::chooseFile() {
@@ -241,6 +296,11 @@ void ExhibitDialog::whenNothingIsUnsaved(const std::function<void()>& then) {
 
 void ExhibitDialog::reject() {
   whenNothingIsUnsaved([this] { QDialog::reject(); });
+}
+
+void ExhibitDialog::done(int result) {
+  looks_->worker().outliveJob(*this);
+  QDialog::done(result);
 }
 
 }  // namespace relievo

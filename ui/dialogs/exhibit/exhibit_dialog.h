@@ -16,6 +16,7 @@ namespace relievo {
 
 class ExhibitObjectsPage;
 class ExhibitVisitPage;
+class ObjectsCheck;
 
 /// "Set up exhibit...": what `relievo --exhibit` shows, made and changed by a curator. What is
 /// wrong is said while it is changed, in the sentences of `relievo exhibit check`; it may be saved
@@ -36,6 +37,7 @@ class ExhibitDialog : public QDialog {
   bool isUnsaved() const { return is_unsaved_; }
 
   void reject() override;
+  void done(int result) override;
 
  private:
   QBoxLayout* faultColumn();
@@ -44,6 +46,10 @@ class ExhibitDialog : public QDialog {
   void noteChange();
   void check();
   void showFaults(const std::vector<Message>& faults);
+  void showRefusals(const std::vector<ExhibitObject>& objects);
+  void showState();
+  QWidget* fieldOf(const QString& place) const;
+  Message inFields(Message fault) const;
   void goTo(const QString& place);
   void chooseFile();
   void saveAsked(bool elsewhere);
@@ -56,6 +62,7 @@ class ExhibitDialog : public QDialog {
   QTabWidget* pages_;
   ExhibitObjectsPage* objects_;
   ExhibitVisitPage* visit_;
+  ObjectsCheck* looks_;
   QLabel *state_, *problem_;
   QListWidget* faults_;
   QPushButton *open_, *save_, *save_as_;

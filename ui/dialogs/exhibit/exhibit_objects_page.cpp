@@ -15,19 +15,13 @@
 #include <QSignalBlocker>
 #include <QTabWidget>
 
-#include "core/depth/view.h"
-#include "ui/dialogs/exhibit/exhibit_fields.h"
+#include "ui/dialogs/named_fields.h"
+#include "ui/dialogs/scan_choices.h"
 #include "ui/language/language.h"
-#include "ui/style/text.h"
 #include "ui/work/file_names.h"
 
 namespace relievo {
 namespace {
-
-QString capital(QString text) {
-  if (!text.isEmpty()) text[0] = text[0].toUpper();
-  return text;
-}
 
 QString wordsOf(const ExhibitTexts& texts, const std::string& tag) {
   const auto text = texts.find(tag);
@@ -128,14 +122,9 @@ QBoxLayout* ExhibitObjectsPage::fileRow() {
 
 QWidget* ExhibitObjectsPage::objectForm() {
   unit_->addItem(tr("From the file"), -1);
-  for (const LengthUnitFact& u : kLengthUnits) {
-    unit_->addItem(capital(unitText(u.unit)), static_cast<int>(u.unit));
-  }
+  addUnits(*unit_);
   view_->addItem(tr("From the file"), QString());
-  for (const std::string_view name : kViewNames) {
-    const QString word = QString::fromLatin1(name.data(), static_cast<int>(name.size()));
-    view_->addItem(viewText(word), word);
-  }
+  addViews(*view_);
   for (QComboBox* choice : {unit_, view_}) {
     connect(choice, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
             &ExhibitObjectsPage::takeFields);
@@ -174,10 +163,24 @@ void ExhibitObjectsPage::setLanguages(const std::vector<std::string>& languages)
   }
 }
 
-void ExhibitObjectsPage::choose(int object, const QString& language) {
+QWidget* ExhibitObjectsPage::fieldOf(const QString& part) const {
+  if (part.isEmpty()) return list_;
+  if (part == QLatin1String("file")) return file_;
+  if (part == QLatin1String("unit")) return unit_;
+  if (part == QLatin1String("view")) return view_;
+  const QString name = part.section(u'.', 0, 0), tag = part.section(u'.', 1);
+  for (const Texts& texts : languages_) {
+    if (QString::fromStdString(texts.tag) != tag) continue;
+    if (name == QLatin1String("title")) return texts.title;
+    if (name == QLatin1String("description")) return texts.description;
+  }
+  return nullptr;
+}
+
+void ExhibitObjectsPage::choose(int object, const QString& part) {
   list_->setCurrentRow(object);
   for (std::size_t i = 0; i < languages_.size(); ++i) {
-    if (QString::fromStdString(languages_[i].tag) == language) {
+    if (QString::fromStdString(languages_[i].tag) == part.section(u'.', 1)) {
       texts_->setCurrentIndex(static_cast<int>(i));
     }
   }

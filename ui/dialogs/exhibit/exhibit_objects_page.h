@@ -28,8 +28,10 @@ class ExhibitObjectsPage : public QWidget {
   const std::vector<ExhibitObject>& objects() const { return objects_; }
   /// Those of the exhibit. Texts in others stay, and cannot be changed.
   void setLanguages(const std::vector<std::string>& languages);
-  /// Chooses an object, and a language unless its tag is empty.
-  void choose(int object, const QString& language);
+  /// Shows an object, and of its texts those of a part, "title.de".
+  void choose(int object, const QString& part);
+  /// What shows a part of the chosen object; of "" the list of all; null: nothing here.
+  QWidget* fieldOf(const QString& part) const;
   void add(const QStringList& files);
 
  Q_SIGNALS:

@@ -2,6 +2,7 @@
 #include "ui/dialogs/exhibit/exhibit_visit_page.h"
 
 #include <algorithm>
+#include <array>
 #include <QBoxLayout>
 #include <QCheckBox>
 #include <QComboBox>
@@ -15,8 +16,9 @@
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <utility>
 
-#include "ui/dialogs/exhibit/exhibit_fields.h"
+#include "ui/dialogs/named_fields.h"
 #include "ui/language/language.h"
 #include "ui/work/file_names.h"
 
@@ -121,7 +123,7 @@ QCheckBox* ExhibitVisitPage::truth(const char* name, const QString& title, const
 }
 
 QGroupBox* ExhibitVisitPage::languageBox() {
-  auto* box = new QGroupBox(tr("Languages"));
+  auto* box = namedField(new QGroupBox(tr("Languages")), "exhibit_languages", tr("Languages"), {});
   auto* form = formIn(box);
   for (const Language& language : languageList()) {
     auto* spoken = namedField(new QCheckBox(language.name),
@@ -132,6 +134,7 @@ QGroupBox* ExhibitVisitPage::languageBox() {
     form->addRow(spoken);
     connect(spoken, &QCheckBox::toggled, this, &ExhibitVisitPage::takeLanguages);
   }
+  box->setFocusProxy(spoken_.front());
   form->addRow(tr("Language of a new visitor"), first_);
   connect(first_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           &ExhibitVisitPage::takeLanguages);
@@ -233,6 +236,31 @@ void ExhibitVisitPage::fill(Exhibit& exhibit) const {
                    .one_button = one_button_->isChecked()};
   exhibit.pin = pin_;
   exhibit.records = bytesOfPath(records_->text());
+}
+
+QWidget* ExhibitVisitPage::fieldOf(const QString& place) const {
+  const std::array<std::pair<const char*, QWidget*>, 17> fields{
+      {{"languages", findChild<QWidget*>(QStringLiteral("exhibit_languages"))},
+       {"idle.still_there_s", still_there_},
+       {"idle.goodbye_s", goodbye_},
+       {"idle.chime_s", chime_},
+       {"speech.volume_percent", volume_},
+       {"speech.loudest_percent", loudest_},
+       {"speech.words_per_minute", words_},
+       {"touch.device", device_},
+       {"touch.strength_percent", strength_},
+       {"touch.limit_n", limit_},
+       {"touch.sounds_percent", sounds_},
+       {"touch.introduction", introduction_},
+       {"touch.guide", guide_},
+       {"touch.felt_patterns", patterns_},
+       {"touch.one_button", one_button_},
+       {"staff_pin", digits_},
+       {"records", records_}}};
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& field) {
+    return place == QLatin1String(field.first);
+  });
+  return found == fields.end() ? nullptr : found->second;
 }
 
 // Those that stay keep their order, the others come behind; the first is the one that was chosen.

@@ -28,6 +28,8 @@ class ExhibitVisitPage : public QWidget {
   /// Takes what is chosen into all but the objects. The PIN is a new one if digits were typed.
   void fill(Exhibit& exhibit) const;
   const std::vector<std::string>& languages() const { return languages_; }
+  /// What shows a place of the file, "speech.loudest_percent"; null: nothing here.
+  QWidget* fieldOf(const QString& place) const;
 
  Q_SIGNALS:
   void changed();
