@@ -67,6 +67,7 @@ LargeMap makeTiledMap(const TiledWork& work, const Task& task) {
                         .memory_bytes = work.memory_bytes,
                         .threads = work.threads,
                         .on_view = work.on_view,
+                        .on_ready = work.on_ready,
                         .state =
                             [&](const LargeMap& map) {
                               // Its progress would be that of another step.

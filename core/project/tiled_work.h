@@ -22,6 +22,7 @@ struct TiledWork {
   int threads = 0;                             ///< 0: as many as there are usable cores.
   std::filesystem::path job_folder = {};       ///< What is finished is kept there; empty: nowhere.
   std::function<void(const Surface& view)> on_view = {};  ///< As LargeMapOptions::on_view. [worker]
+  std::function<void(const ReadyMap& ready)> on_ready = {};  ///< Likewise.
 };
 
 /// Makes the map with all its levels; each file says where it comes from, with the checksum of

@@ -14215,6 +14215,14 @@
         <source>%1 is made: %2 × %3 cells, %4 levels.</source>
         <translation>%1 ist gemacht: %2 × %3 Zellen, %4 Ebenen.</translation>
     </message>
+    <message>
+        <source>All heights of %1 × %2 cells are there; gaps are looked for.</source>
+        <translation>Alle Höhen von %1 × %2 Zellen sind da; Lücken werden gesucht.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows have their heights, from below; the rest is from a sample of the points.</source>
+        <translation>%1 von %2 Zeilen haben ihre Höhen, von unten an; der Rest ist aus einer Stichprobe der Punkte.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TimePlot</name>

@@ -14215,6 +14215,14 @@
         <source>%1 is made: %2 × %3 cells, %4 levels.</source>
         <translation>%1 बन गया: %2 × %3 कोशिकाएँ, %4 स्तर।</translation>
     </message>
+    <message>
+        <source>All heights of %1 × %2 cells are there; gaps are looked for.</source>
+        <translation>%1 × %2 कोशिकाओं की सभी ऊँचाइयाँ तैयार हैं; खाली जगहें खोजी जा रही हैं।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows have their heights, from below; the rest is from a sample of the points.</source>
+        <translation>नीचे से %2 में से %1 पंक्तियों की ऊँचाइयाँ तैयार हैं; बाकी बिंदुओं के एक नमूने से है।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TimePlot</name>

@@ -24,6 +24,7 @@
 #include "core/session/large/large_colours.h"
 #include "core/session/large/large_memory.h"
 #include "core/session/large/large_points.h"
+#include "core/session/large/ready_rows.h"
 #include "core/session/loss_report.h"
 #include "core/session/source/missing_height.h"
 #include "core/session/source/raster_in_use.h"
@@ -257,6 +258,21 @@ MemoryPlan planWork(const GridFrame& frame, const SurfaceOptions& options, Large
   return plan;
 }
 
+/// Tells how far the heights are; null: nobody looks.
+TakeDepthRows readyTeller(const Placed& placed, const Surface& sample,
+                          const LargeMapOptions& large) {
+  if (!large.on_ready) return {};
+  const auto ready = std::make_shared<ReadyRows>(placed.frame, kSecondViewCells);
+  ready->beginWith(sample, placed.view_from_file, placed.lowest_mm);
+  return [ready, &large, told = Clock::now()](const DepthRows& rows) mutable {
+    ready->add(rows);
+    const bool is_whole = ready->now().rows == ready->now().whole.rows;
+    if (!is_whole && secondsSince(told) < large.ready_every_s) return;
+    told = Clock::now();
+    large.on_ready(ready->now());
+  };
+}
+
 LargeMap fromPoints(const std::vector<std::filesystem::path>& inputs, const SurfaceOptions& options,
                     const LargeMapOptions& asked, const ImportOptions& import, const Task& task) {
   const auto start = Clock::now();
@@ -290,7 +306,12 @@ LargeMap fromPoints(const std::vector<std::filesystem::path>& inputs, const Surf
   const MemoryPlan plan =
       planWork(placed.frame, options, large, merges ? 0 : made.info.finite_points,
                [&](int threads) { return heldBytes(stream, placed, threads); });
-  if (large.on_view) large.on_view(viewOf(sample, options, kSecondViewCells, task));
+  TakeDepthRows on_rows;
+  if (large.on_view) {
+    const Surface view = viewOf(sample, options, kSecondViewCells, task);
+    large.on_view(view);
+    on_rows = readyTeller(placed, view, large);
+  }
   sample = {};
   copyFacts(made, map);
   map.engine = "cpu";
@@ -300,7 +321,8 @@ LargeMap fromPoints(const std::vector<std::filesystem::path>& inputs, const Surf
   map.seconds.read = secondsSince(start);
 
   const auto grid_start = Clock::now();
-  const auto depths = gridPoints(map, stream, placed, options, large, plan, job.get(), task);
+  const auto depths =
+      gridPoints(map, stream, placed, options, large, plan, job.get(), on_rows, task);
   // All heights are there: the points are not needed again.
   if (job) job->remove("points");
   map.seconds.grid = secondsSince(grid_start);

@@ -19,6 +19,13 @@ namespace relievo {
 
 struct LargeMap;
 
+/// How far a map by tiles is while its heights are made, to be looked at.
+struct ReadyMap {
+  DepthMap map;    ///< Every n-th cell, above the lowest place; what is not ready is from a sample.
+  GridSize whole;  ///< Of the finest level.
+  int rows = 0;    ///< Of it that are ready, from the lowest on.
+};
+
 struct LargeMapOptions {
   std::filesystem::path file;                  ///< Of the finest level; the others lie beside it.
   std::uint64_t memory_bytes = 2'000'000'000;  ///< For all but the program itself.
@@ -27,6 +34,10 @@ struct LargeMapOptions {
   /// some 250 000, then from some 2 000 000 found while the whole is measured. Each covers the
   /// object as `LargeMap` will, but for points not seen yet. For rasters never. [worker]
   std::function<void(const Surface& view)> on_view;
+  /// Called while the heights of a cloud's map are made, before gaps are filled, if there is
+  /// `on_view`; at most every `ready_every_s`, and at their end. [worker]
+  std::function<void(const ReadyMap& ready)> on_ready = {};
+  double ready_every_s = 1;
   /// What every level's file says inside of where it comes from (ASCII); asked once, when all but
   /// the files is there. Null: nothing. [worker]
   std::function<std::string(const LargeMap& map)> state = {};

@@ -229,7 +229,8 @@ void sayTakenOver(LargeMap& map, const KnownParts& known, int rows, int all_rows
 std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointFiles& stream,
                                          const Placed& placed, const SurfaceOptions& options,
                                          const LargeMapOptions& large, const MemoryPlan& plan,
-                                         JobFolder* job, const Task& task) {
+                                         JobFolder* job, const TakeDepthRows& on_rows,
+                                         const Task& task) {
   GriddedPoints points(stream, placed, options, large, plan, job);
   const FrontSurface* front = placed.front ? &*placed.front : nullptr;
   std::optional<PointDecisions> decided = job != nullptr ? loadDecisions(*job) : std::nullopt;
@@ -269,6 +270,7 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointFiles& stream
     if (rows.hidden) depths->hidden = depths->hidden.value_or(HiddenSurface{}) + *rows.hidden;
     depths->outliers += rows.outliers;
     depths->steep.setRows(rows.first_row, rows.steep);
+    if (on_rows) on_rows(rows);
   }
   map.spilled_bytes = points.spilledBytes();
   if (job != nullptr) sayTakenOver(map, points.known(), known_rows, tile_rows, job->damaged());

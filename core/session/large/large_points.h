@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -75,11 +76,15 @@ struct StoredDepths {
   }
 };
 
-/// @param job  where finished parts lie; null: nowhere [worker]
+using TakeDepthRows = std::function<void(const DepthRows& rows)>;
+
+/// @param job  where finished parts lie; null: nowhere
+/// @param on_rows  called with each row of tiles, from the lowest on; null: nobody looks [worker]
 /// @throw FileError, WriteError, Cancelled; ArgumentError  E102 where points lie too dense
 std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointFiles& stream,
                                          const Placed& placed, const SurfaceOptions& options,
                                          const LargeMapOptions& large, const MemoryPlan& plan,
-                                         JobFolder* job, const Task& task);
+                                         JobFolder* job, const TakeDepthRows& on_rows,
+                                         const Task& task);
 
 }  // namespace relievo

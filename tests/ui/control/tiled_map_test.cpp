@@ -69,7 +69,7 @@ TEST_F(TiledMapDialogTest, MakesTheMapOfThisScanShowsItOnTheWayAndOpensIt) {
   ASSERT_TRUE(hears(QStringLiteral("by_window.tif is made: ")));
   auto* const made = window().findChild<TiledMapDialog*>();
   const QString ready = made->findChild<QLabel*>("tiles_ready")->text();
-  EXPECT_TRUE(ready.startsWith("From a sample of the points: ")) << ready.toStdString();
+  EXPECT_TRUE(ready.startsWith("All heights of ")) << ready.toStdString();
   EXPECT_FALSE(made->isVisible()) << "the map takes its place";
   ASSERT_TRUE(waitFor([&] { return document().isOpen() && document().surface()->tiles; }));
   EXPECT_EQ(document().file(), map);

@@ -45,6 +45,20 @@ QString readyText(const GridFrame& frame, const HeightRange& z) {
       .arg(lengthText(frame.spacing_mm), lengthText(z.max_mm - z.min_mm));
 }
 
+/// How many rows of it have their heights.
+QString readyText(int rows, GridSize whole) {
+  if (rows == whole.rows) {
+    return TilesController::tr("All heights of %1 × %2 cells are there; gaps are looked for.")
+        .arg(whole.cols)
+        .arg(whole.rows);
+  }
+  return TilesController::tr(
+             "%1 of %2 rows have their heights, from below; the rest is from a "
+             "sample of the points.")
+      .arg(rows)
+      .arg(whole.rows);
+}
+
 /// What is open, with its unit and side; nothing of a map by tiles, which is no scan any more.
 TiledMapOrder begunWith(const Document& document) {
   TiledMapOrder begun;
@@ -120,13 +134,16 @@ void TilesController::make(const TiledMapOrder& order) {
           read.push_back({.file = work->open, .what = "what the window shows"});
           requireNotAnInput(work->work.out, read);
           work->work.on_view = [this, &task](const Surface& view) {
-            const DepthMapPicture picture = pictureOf(view, task);
-            QMetaObject::invokeMethod(
-                this,
-                [this, picture, frame = view.map.frame, z = heightRange(view.map)] {
-                  dialog_->showReady(picture, readyText(frame, z));
-                },
-                Qt::QueuedConnection);
+            showReady(
+                view.map,
+                [frame = view.map.frame, z = heightRange(view.map)] { return readyText(frame, z); },
+                task);
+          };
+          work->work.on_ready = [this, &task](const ReadyMap& ready) {
+            const auto words = [rows = ready.rows, whole = ready.whole] {
+              return readyText(rows, whole);
+            };
+            showReady(ready.map, words, task);
           };
           work->made = makeTiledMap(work->work, task);
         } catch (const Cancelled&) {  // Its end is not told.
@@ -135,6 +152,13 @@ void TilesController::make(const TiledMapOrder& order) {
         }
       },
       [this, work] { finish(*work); });
+}
+
+void TilesController::showReady(const DepthMap& map, const std::function<QString()>& words,
+                                const Task& task) {
+  const DepthMapPicture picture = pictureOf(map, task);
+  QMetaObject::invokeMethod(
+      this, [this, picture, words] { dialog_->showReady(picture, words()); }, Qt::QueuedConnection);
 }
 
 void TilesController::stop() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 
 #include "ui/window/controller.h"
@@ -10,6 +11,8 @@
 namespace relievo {
 
 class TiledMapDialog;
+struct DepthMap;
+struct Task;
 struct TiledMapOrder;
 
 /// Maps larger than the memory, made in the background from files that need not be open. [GUI
@@ -31,6 +34,8 @@ class TilesController : public Controller {
   void choose();
   void make(const TiledMapOrder& order);
   void stop();
+  /// [worker] @param words  of it [GUI thread]
+  void showReady(const DepthMap& map, const std::function<QString()>& words, const Task& task);
   void showProgress(const QString& step, double fraction);
   void finish(const Work& work);
 

@@ -51,9 +51,13 @@ QRgb maskPixel(CellStatus origin, int x, int y) {
 }  // namespace
 
 DepthMapPicture pictureOf(const Surface& surface, const Task& task) {
+  return pictureOf(surface.map, task);
+}
+
+DepthMapPicture pictureOf(const DepthMap& whole, const Task& task) {
   DepthMapPicture picture;
-  picture.shares = originShares(surface.map);
-  const DepthMap map = thinned(surface.map);
+  picture.shares = originShares(whole);
+  const DepthMap map = thinned(whole);
   const ReliefLook look{.kind = ReliefKind::hillshade};
   const ReliefValues shade = reliefValues(map, look, task);
   const GridSize size = map.frame.size;

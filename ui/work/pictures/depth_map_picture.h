@@ -19,6 +19,7 @@ struct DepthMapPicture {
   std::array<double, kOriginCount> shares{};
 };
 /// [worker] @throw Cancelled
+DepthMapPicture pictureOf(const DepthMap& map, const Task& task = {});
 DepthMapPicture pictureOf(const Surface& surface, const Task& task = {});
 
 }  // namespace relievo
