@@ -18,6 +18,7 @@
 #include "app/cli/options/falcon_setting.h"
 #include "app/cli/sound_track.h"
 #include "app/cli/state.h"
+#include "app/desktop/desktop_recent.h"
 #include "app/end_signals.h"
 #include "app/exhibit/exhibit_window.h"
 #include "app/host.h"
@@ -154,6 +155,9 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options,
   }
   MainWindow window(captureDepths, mode);
   shareDevices(window);
+  window.settings().shareRecentFiles(
+      {[list = DesktopRecent()](const QString& file) { list.add(file); },
+       [list = DesktopRecent()] { list.clear(); }});
   window.controllers().packages.setDependencies(batch::dependenciesOf);
   window.controllers().videos.setSound(batch::soundTrackOf);
   WindowHost host(window);

@@ -19,7 +19,7 @@ endfunction()
 
 find_package(Threads REQUIRED)
 if(RELIEVO_BUILD_UI)
-  find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets Test)
+  find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets Xml Test)
   find_package(VTK 9.1 REQUIRED COMPONENTS
     GUISupportQt RenderingOpenGL2 RenderingFreeType RenderingAnnotation RenderingUI InteractionStyle
     FiltersCore FiltersSources FiltersGeneral IOImage CommonCore CommonDataModel RenderingCore)

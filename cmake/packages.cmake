@@ -29,8 +29,11 @@ Gaussian pyramid; regions of it are measured, drawn, and touched along strokes
 with the force of a haptic device at 1 kHz. Scans are read in a process of
 their own.
 
-This package has all commands and no window. It gives whoever sits at the
-computer access to a Novint Falcon and to a SpaceMouse, by a udev rule.")
+This package has all commands and no window. Its udev rule gives whoever sits
+at the computer access to a Novint Falcon, to devices of Force Dimension, to a
+SpaceMouse, and to joysticks, gamepads, button boxes and foot switches that
+count as one. An empty file /etc/udev/rules.d/60-relievo-falcon.rules takes
+it back.")
 # Pictures are drawn on a screen in memory where there is none, and videos are packed by ffmpeg.
 # libusb and hidapi are loaded where they are.
 set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libhidapi-hidraw0, libusb-1.0-0, xvfb")

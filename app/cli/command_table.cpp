@@ -28,6 +28,22 @@ OptionRow rowOf(const CLI::Option& option) {
   return row;
 }
 
+std::vector<CommandRow> rowsOf(const CLI::App& app) {
+  std::vector<CommandRow> table;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    CommandRow row{.name = command->get_name(),
+                   .help = command->get_description(),
+                   .positionals = {},
+                   .options = {},
+                   .parts = rowsOf(*command)};
+    for (const CLI::Option* option : command->get_options()) {
+      (option->get_positional() ? row.positionals : row.options).push_back(rowOf(*option));
+    }
+    table.push_back(std::move(row));
+  }
+  return table;
+}
+
 }  // namespace
 
 std::vector<CommandRow> commandTable() {
@@ -35,18 +51,7 @@ std::vector<CommandRow> commandTable() {
   std::vector<batch::Verb> verbs = batch::verbs();
   std::string format;
   batch::declareVerbs(app, verbs, format);
-  std::vector<CommandRow> table;
-  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
-    CommandRow row{.name = verb->get_name(),
-                   .help = verb->get_description(),
-                   .positionals = {},
-                   .options = {}};
-    for (const CLI::Option* option : verb->get_options()) {
-      (option->get_positional() ? row.positionals : row.options).push_back(rowOf(*option));
-    }
-    table.push_back(std::move(row));
-  }
-  return table;
+  return rowsOf(app);
 }
 
 }  // namespace relievo

@@ -22,6 +22,7 @@ struct OptionRow {
 struct CommandRow {
   std::string name, help;
   std::vector<OptionRow> positionals, options;
+  std::vector<CommandRow> parts = {};  ///< "firmware" of `devices`, with options of their own.
 };
 
 /// Every verb with all that it takes, from the very parser that reads the command line.

@@ -12,6 +12,25 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
   return text;
 }
 
+std::vector<std::string> namesOf(const std::vector<CommandRow>& commands) {
+  std::vector<std::string> names;
+  for (const CommandRow& row : commands) names.push_back(row.name);
+  return names;
+}
+
+/// Verbs, each with its parts behind it as "devices firmware".
+std::vector<CommandRow> withParts(const std::vector<CommandRow>& verbs) {
+  std::vector<CommandRow> all;
+  for (const CommandRow& verb : verbs) {
+    all.push_back(verb);
+    for (CommandRow part : verb.parts) {
+      part.name = verb.name + " " + part.name;
+      all.push_back(std::move(part));
+    }
+  }
+  return all;
+}
+
 std::string namesOf(const std::vector<OptionRow>& options) {
   std::string text;
   for (const OptionRow& row : options) text += (text.empty() ? "" : " ") + joined(row.names, " ");
@@ -67,10 +86,25 @@ std::string bashValues(const std::string& verb, const std::vector<OptionRow>& op
 
 std::string bashOptions(const CommandLine& line) {
   std::string text = "      '') words='" + namesOf(line.window) + "' ;;\n";
-  for (const CommandRow& verb : line.verbs) {
-    text += "      " + verb.name + ") words='" + namesOf(verb.options) + "' ;;\n";
+  for (const CommandRow& verb : withParts(line.verbs)) {
+    text += "      '" + verb.name + "') words='" + namesOf(verb.options) + "' ;;\n";
   }
   return text;
+}
+
+/// Of verbs that have parts: which one is chosen, and what is offered in its place.
+std::pair<std::string, std::string> bashParts(const CommandLine& line) {
+  std::string chosen, offered;
+  for (const CommandRow& verb : line.verbs) {
+    if (verb.parts.empty()) continue;
+    const std::vector<std::string> parts = namesOf(verb.parts);
+    const std::string with_verb = verb.name + ":";
+    chosen += "    " + with_verb + joined(parts, "|" + with_verb) +
+              ") [ $COMP_CWORD -gt 2 ] && verb+=\" ${COMP_WORDS[2]}\" ;;\n";
+    offered += "        [ \"$verb\" = " + verb.name + " ] && [ $COMP_CWORD -eq 2 ] && words='" +
+               joined(parts, " ") + "'\n";
+  }
+  return {chosen, offered};
 }
 
 // ---- zsh -----------------------------------------------------------------------------------
@@ -99,6 +133,22 @@ std::string zshArguments(const std::vector<OptionRow>& options) {
   return text + " \\\n        '*:file:_files'\n";
 }
 
+/// What comes before the options of a verb that has parts.
+std::string zshParts(const CommandRow& verb) {
+  if (verb.parts.empty()) return {};
+  std::string list, chosen;
+  for (const CommandRow& part : verb.parts) {
+    list += " " + inQuotes(part.name + ":" + escaped(part.help, ":\\"));
+    chosen += "        " + part.name +
+              ")\n          shift 2 words; (( CURRENT -= 2 ))\n          " +
+              zshArguments(part.options) + "          return ;;\n";
+  }
+  return "      local -a parts=(" + list +
+         ")\n      (( CURRENT == 3 )) && _describe -t parts part parts\n"
+         "      (( CURRENT > 3 )) && case ${words[3]} in\n" +
+         chosen + "      esac\n";
+}
+
 // ---- fish ----------------------------------------------------------------------------------
 
 std::string fishOption(const std::string& condition, const OptionRow& row) {
@@ -120,8 +170,8 @@ std::string fishOption(const std::string& condition, const OptionRow& row) {
 }  // namespace
 
 std::string bashCompletion(const CommandLine& line) {
-  std::vector<std::string> verbs;
-  for (const CommandRow& verb : line.verbs) verbs.push_back(verb.name);
+  const std::vector<std::string> verbs = namesOf(line.verbs);
+  const auto [parts_chosen, parts_offered] = bashParts(line);
   std::string text = kLicence;
   text +=
       "# Completion of relievo for bash.\n"
@@ -134,17 +184,22 @@ std::string bashCompletion(const CommandLine& line) {
       joined(verbs, "|") +
       ") [ $COMP_CWORD -gt 1 ] && verb=${COMP_WORDS[1]} ;;\n"
       "  esac\n"
+      "  case $verb:${COMP_WORDS[2]} in\n" +
+      parts_chosen +
+      "  esac\n"
       "  case \"$verb $before\" in\n" +
       bashValues("", line.window);
-  for (const CommandRow& verb : line.verbs) text += bashValues(verb.name, verb.options);
+  for (const CommandRow& verb : withParts(line.verbs)) {
+    text += bashValues(verb.name, verb.options);
+  }
   text +=
       "    *)\n      if [[ $word == -* ]]; then\n        case $verb in\n" + bashOptions(line) +
       "        esac\n"
       "      else\n"
       "        files=yes\n"
       "        [ $COMP_CWORD -eq 1 ] && words='" +
-      joined(verbs, " ") +
-      "'\n      fi ;;\n"
+      joined(verbs, " ") + "'\n" + parts_offered +
+      "      fi ;;\n"
       "  esac\n"
       "  [ -n \"$words\" ] && mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n"
       "  if [ -n \"$files\" ]; then\n"
@@ -172,8 +227,9 @@ std::string zshCompletion(const CommandLine& line) {
       "  fi\n"
       "  case ${words[2]} in\n";
   for (const CommandRow& verb : line.verbs) {
-    text += "    " + verb.name + ")\n      shift words; (( CURRENT-- ))\n      " +
-            zshArguments(verb.options) + "      ;;\n";
+    text += "    " + verb.name + ")\n" + zshParts(verb) +
+            "      shift words; (( CURRENT-- ))\n      " + zshArguments(verb.options) +
+            "      ;;\n";
   }
   return text + "    *)\n      " + zshArguments(line.window) +
          "      ;;\n  esac\n}\n_relievo \"$@\"\n";
@@ -187,8 +243,17 @@ std::string fishCompletion(const CommandLine& line) {
   }
   for (const OptionRow& row : line.window) text += fishOption("__fish_use_subcommand", row);
   for (const CommandRow& verb : line.verbs) {
-    const std::string condition = "'__fish_seen_subcommand_from " + verb.name + "'";
-    for (const OptionRow& row : verb.options) text += fishOption(condition, row);
+    const std::string seen = "__fish_seen_subcommand_from ";
+    const std::string parts = joined(namesOf(verb.parts), " ");
+    const std::string in_verb =
+        "'" + seen + verb.name + (parts.empty() ? "'" : "; and not " + seen + parts + "'");
+    for (const OptionRow& row : verb.options) text += fishOption(in_verb, row);
+    for (const CommandRow& part : verb.parts) {
+      text += "complete -c relievo -n " + in_verb + " -a " + part.name + " -d '" +
+              escaped(part.help, "'\\") + "'\n";
+      const std::string in_part = "'" + seen + verb.name + "; and " + seen + part.name + "'";
+      for (const OptionRow& row : part.options) text += fishOption(in_part, row);
+    }
   }
   return text;
 }

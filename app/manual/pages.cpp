@@ -67,8 +67,9 @@ std::string exitStatus() {
   return text;
 }
 
-std::string synopsis(const CommandRow& verb) {
-  std::string text = ".SH SYNOPSIS\n.B relievo " + roff(verb.name) + "\n[\\fIOPTIONS\\fR]";
+/// What is behind the name on the command line.
+std::string argumentsOf(const CommandRow& verb) {
+  std::string text = "[\\fIOPTIONS\\fR]";
   for (const OptionRow& row : verb.positionals) {
     const std::string name =
         "\\fI" + roff(row.names.front()) + "\\fR" + (row.repeated ? "..." : "");
@@ -81,6 +82,22 @@ std::string synopsis(const CommandRow& verb) {
   return text + "\n";
 }
 
+std::string synopsis(const CommandRow& verb) {
+  const std::string name = "relievo " + verb.name;
+  std::string text = ".SH SYNOPSIS\n.B " + roff(name) + "\n" + argumentsOf(verb);
+  for (const CommandRow& part : verb.parts) {
+    text += ".br\n.B " + roff(name + " " + part.name) + "\n" + argumentsOf(part);
+  }
+  return text;
+}
+
+std::string partOf(const CommandRow& part) {
+  std::string text = ".SS " + roff(part.name) + "\n" + roff(part.help) + ".\n";
+  for (const OptionRow& row : part.positionals) text += entry(row);
+  for (const OptionRow& row : part.options) text += entry(row);
+  return text;
+}
+
 std::string verbPage(const CommandRow& verb) {
   std::string text = title("relievo-" + verb.name) + ".SH NAME\n" + roff("relievo-" + verb.name) +
                      " \\- " + roff(verb.help) + "\n" + synopsis(verb);
@@ -88,6 +105,8 @@ std::string verbPage(const CommandRow& verb) {
   for (const OptionRow& row : verb.positionals) text += entry(row);
   text += ".SH OPTIONS\n";
   for (const OptionRow& row : verb.options) text += entry(row);
+  if (!verb.parts.empty()) text += ".SH SUBCOMMANDS\n";
+  for (const CommandRow& part : verb.parts) text += partOf(part);
   return text + exitStatus() + ".SH SEE ALSO\n.BR relievo (1)\n";
 }
 

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <future>
 
 #include "tests/app/command_test.h"
 
@@ -73,6 +75,32 @@ TEST_F(Container, AStrokeIsTouchedWithoutAHome) {
   fs::copy_file(test::kFlatStroke, path("flat.csv"));  // The tree may be hidden, too.
   EXPECT_EQ(contained("touch ../plane.xyz --unit mm --stroke ../flat.csv -o log.csv"), 0) << said();
   EXPECT_TRUE(fs::exists(path("out/log.csv")));
+}
+
+/// The screen in memory finds its place in the small /tmp.
+TEST_F(Container, APictureIsDrawn) {
+  plane();
+  ASSERT_EQ(contained("render ../plane.xyz --unit mm --pixels 100 -o plane.png"), 0) << said();
+  EXPECT_EQ(test::bytesOf(path("out/plane.png")).substr(1, 3), "PNG");
+}
+
+/// The first process of a container hears no signal that it does not wait for.
+TEST_F(Container, ItEndsInOrderWhenItIsAsked) {
+  plane();
+  const std::string ask =
+      "for p in /proc/[0-9]*; do case $(cat $p/comm) in relievo*) grep -qa asked_to_end $p/cmdline "
+      "&& kill -TERM ${p#/proc/};; esac; done 2>/dev/null";
+  auto ended = std::async(std::launch::async, [&] {
+    return contained(
+        "record ../plane.xyz --unit mm --device virtual --seconds 600 -o "
+        "asked_to_end.csv");
+  });
+  do {
+    exitOf(ask);
+  } while (ended.wait_for(std::chrono::milliseconds(200)) != std::future_status::ready);
+  EXPECT_EQ(ended.get(), 0) << said();
+  EXPECT_THAT(said(), testing::HasSubstr("what was recorded is saved"));
+  EXPECT_TRUE(fs::exists(path("out/asked_to_end.csv")));
 }
 
 }  // namespace

@@ -8,11 +8,13 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <QGuiApplication>
 #include <QImage>
 #include <QMimeDatabase>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QSet>
 #include <QSettings>
 #include <QSvgRenderer>
@@ -22,6 +24,8 @@
 
 namespace relievo {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct Ran {
   int exit_code = -1;
@@ -75,9 +79,26 @@ TEST_F(Desktop, TheValidatorsHaveNothingToSay) {
   EXPECT_EQ(about.exit_code, 0) << about.out;
 }
 
+/// There is no place on the web that has them; in the tree there is.
+TEST_F(Desktop, ItsPicturesAreThoseOfThePages) {
+  const QString about =
+      QString::fromStdString(test::bytesOf(share("metainfo/relievo.metainfo.xml")));
+  const QRegularExpression image(
+      QStringLiteral("<image>https://relievo\\.invalid/(docs/user/[a-z_]+\\.png)</image>"));
+  int pictures = 0;
+  for (auto found = image.globalMatch(about); found.hasNext(); ++pictures) {
+    const QString name = QStringLiteral(RELIEVO_SOURCE_DIR "/") + found.next().captured(1);
+    EXPECT_GE(QImage(name).width(), 600) << name.toStdString();
+  }
+  EXPECT_EQ(pictures, 3);
+  EXPECT_EQ(about.count(QLatin1String("<caption>")), pictures);
+}
+
 TEST_F(Desktop, EveryKindOfFileIsKnownByNameAndContent) {
   const std::vector<std::array<std::string, 3>> files{
       {"work.relievo.json", "{}", "application/vnd.relievo.project+json"},
+      {"site.relievo.tif", "II*", "image/vnd.relievo.map+tiff"},
+      {"site.tif", "II*", "image/tiff"},
       {"a.ply", "ply\nformat ascii 1.0\n", "application/vnd.relievo.ply"},
       {"without_ending", "ply\nformat ascii 1.0\n", "application/vnd.relievo.ply"},
       {"a.pcd", "# .PCD v0.7 - Point Cloud Data\n", "application/vnd.relievo.pcd"},
@@ -148,6 +169,29 @@ TEST_F(Desktop, FileManagersGetAPictureOfAScan) {
   }
 }
 
+/// What is no scan leaves nothing behind, and is told by the exit code as file managers ask it.
+TEST_F(Desktop, ADamagedScanHasNoPicture) {
+  ASSERT_EQ(::setenv("PATH", (path("usr/bin") + ":" + std::getenv("PATH")).c_str(), 1), 0);
+  const std::string cut = write("cut.ply",
+                                "ply\nformat ascii 1.0\nelement vertex 900\nproperty float x\n"
+                                "property float y\nproperty float z\nend_header\n1 2 3\n");
+  const std::string promised =
+      write("promised.ply",
+            "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n"
+            "property float y\nproperty float z\nend_header\n");
+  for (const std::string& scan : {cut, promised, path("gone.ply")}) {
+    std::string command = valueIn(thumbnailer(), "Exec");
+    const std::string picture = path("damaged.png");
+    for (const auto& [field, value] :
+         {std::pair{"%s", std::string("128")}, std::pair{"%o", picture}, std::pair{"%i", scan}}) {
+      command.replace(command.find(field), 2, value);
+    }
+    EXPECT_NE(run(command).exit_code, 0) << scan;
+    EXPECT_FALSE(fs::exists(picture)) << scan;
+    EXPECT_FALSE(fs::exists(picture + ".png")) << scan;
+  }
+}
+
 /// As a double click does: the entry's command with the file in the place of %F.
 TEST_F(Desktop, TheEntryOpensAScanInAWindowWithTheIcon) {
   ASSERT_EQ(valueIn(entry(), "Exec"), "relievo %F");
@@ -155,6 +199,10 @@ TEST_F(Desktop, TheEntryOpensAScanInAWindowWithTheIcon) {
                              path("usr/bin/relievo"));
   ASSERT_TRUE(test::eventually([&] { return window.title().starts_with("relief_f.ply"); }));
   EXPECT_TRUE(window.hasIcon());
+  const std::string recent = path("XDG_DATA_HOME/recently-used.xbel");
+  EXPECT_TRUE(test::eventually([&] {
+    return test::bytesOf(recent).find("/data/samples/relief_f.ply\"") != std::string::npos;
+  })) << "the desktop knows that it was opened";
 }
 
 /// With the program and its page where they were installed, since systemd looks for both.

@@ -24,8 +24,8 @@ using test::ProgramWindow;
 class EndSignalsTest : public test::CommandTest, public testing::WithParamInterface<int> {
  protected:
   void SetUp() override {
-    for (const char* variable :
-         {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_RUNTIME_DIR", "TMPDIR"}) {
+    for (const char* variable : {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME",
+                                 "XDG_RUNTIME_DIR", "TMPDIR"}) {
       ASSERT_EQ(::setenv(variable, path(variable).c_str(), 1), 0);
       fs::create_directories(path(variable));
       fs::permissions(path(variable), fs::perms::owner_all);  // Qt makes one of its own else.

@@ -24,7 +24,7 @@ std::string saidBy(const std::string& command) {
 class Install : public test::CommandTest {
  protected:
   void SetUp() override {
-    for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME"}) {
+    for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
       ASSERT_EQ(::setenv(variable, path(variable).c_str(), 1), 0);
     }
     ASSERT_EQ(::unsetenv("MESA_SHADER_CACHE_DIR"), 0);  // In the build's folder.

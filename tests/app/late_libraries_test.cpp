@@ -20,7 +20,7 @@ class LateLibraries : public test::CommandTest {
  protected:
   void SetUp() override {
     test::CommandTest::SetUp();
-    for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME"}) {
+    for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
       ASSERT_EQ(::setenv(variable, path(variable).c_str(), 1), 0);
     }
     std::filesystem::create_directory(path("broken"));

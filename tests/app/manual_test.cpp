@@ -11,11 +11,16 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <regex>
+#include <set>
 #include <sstream>
+
+#include "tests/app/command.h"
 
 namespace relievo::manual {
 namespace {
 
+using test::runRelievo;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::UnorderedElementsAre;
@@ -63,6 +68,23 @@ std::string textOf(const std::string& file) {
   return text.str();
 }
 
+/// What bash offers for the last word, sorted by bash.
+std::vector<std::string> offered(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += " '" + word + "'";
+  const Ran ran = run("bash -c '. \"" + share("bash-completion/completions/relievo") +
+                      "\"; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _relievo; printf \"%s\\n\" "
+                      "\"${COMPREPLY[@]}\"' bash" +
+                      list);
+  EXPECT_EQ(ran.exit_code, 0) << ran.out;
+  std::vector<std::string> found;
+  std::istringstream in(ran.out);
+  for (std::string word; std::getline(in, word);) {
+    if (!word.empty()) found.push_back(word);
+  }
+  return found;
+}
+
 TEST(Manual, TheTableHasEveryVerbAndWhatItTakes) {
   EXPECT_GE(line().verbs.size(), 15U);
   EXPECT_EQ(verb("depthmap").positionals.front().names.front(), "FILE");
@@ -76,6 +98,57 @@ TEST(Manual, TheTableHasEveryVerbAndWhatItTakes) {
   EXPECT_THAT(option("--reader").words, UnorderedElementsAre("auto", "pcl", "own"));
   EXPECT_EQ(option("--stiffness").value, "FLOAT:0.001 to 100 N/mm");
   EXPECT_EQ(option("--keep-withheld").value, "");
+}
+
+/// Options that a help text declares at the beginning of a line, "--report".
+std::set<std::string> declaredBy(std::vector<std::string> words) {
+  words.emplace_back("--help");
+  const std::string help = runRelievo(words).out;
+  const std::regex option("\\n  (?:-[a-zA-Z],)?(--[a-z][a-z-]*)");
+  std::set<std::string> names;
+  for (std::sregex_iterator i(help.begin(), help.end(), option), end; i != end; ++i) {
+    names.insert((*i)[1]);
+  }
+  return names;
+}
+
+/// By the program that runs: the table alone would agree with itself.
+TEST(Manual, TheTableIsWhatHelpPrints) {
+  const auto names_of = [](const CommandRow& row) {
+    std::set<std::string> names;
+    for (const OptionRow& option : row.options) names.insert(option.names.back());
+    return names;
+  };
+  std::size_t parts = 0;
+  for (const CommandRow& row : line().verbs) {
+    EXPECT_EQ(names_of(row), declaredBy({row.name})) << row.name;
+    const std::string help = runRelievo({row.name, "--help"}).out;
+    const std::size_t listed = help.find("\nSubcommands:\n");
+    EXPECT_EQ(listed == std::string::npos, row.parts.empty()) << row.name;
+    for (const CommandRow& part : row.parts) {
+      ++parts;
+      EXPECT_NE(help.find("\n  " + part.name + " ", listed), std::string::npos) << part.name;
+      EXPECT_EQ(names_of(part), declaredBy({row.name, part.name})) << row.name << part.name;
+    }
+  }
+  EXPECT_EQ(parts, 5U);
+}
+
+TEST(Manual, PartsOfAVerbAreOnItsPageAndCompleted) {
+  const std::string page = pages(line()).at("relievo-devices.1");
+  for (const CommandRow& part : verb("devices").parts) {
+    EXPECT_THAT(page, HasSubstr("\n.SS " + part.name + "\n" + part.help.substr(0, 20))) << part.name;
+    std::vector<std::string> names;
+    for (const OptionRow& option : part.options) {
+      names.insert(names.end(), option.names.begin(), option.names.end());
+    }
+    EXPECT_THAT(offered({"relievo", "devices", part.name, "-"}),
+                testing::UnorderedElementsAreArray(names));
+  }
+  EXPECT_THAT(page, HasSubstr("\\fB\\-\\-accept\\fR"));
+  EXPECT_THAT(offered({"relievo", "devices", "se"}), UnorderedElementsAre("selftest"));
+  EXPECT_THAT(offered({"relievo", "devices", "firmware", "--re"}),
+              testing::Not(Contains("--report")));
 }
 
 TEST(Manual, EveryPageNamesEveryOptionWithItsHelp) {
@@ -107,23 +180,6 @@ TEST(Manual, ThePagesAreRoffThatNothingIsWrongWith) {
   }
   const Ran shown = run("groff -man -Tascii -P-cbou '" + share("man/man1/relievo-touch.1") + "'");
   EXPECT_THAT(shown.out, HasSubstr("--level-stiffness FLOAT:0.001 to 100 N/mm"));
-}
-
-/// What bash offers for the last word, sorted by bash.
-std::vector<std::string> offered(const std::vector<std::string>& words) {
-  std::string list;
-  for (const std::string& word : words) list += " '" + word + "'";
-  const Ran ran = run("bash -c '. \"" + share("bash-completion/completions/relievo") +
-                      "\"; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); _relievo; printf \"%s\\n\" "
-                      "\"${COMPREPLY[@]}\"' bash" +
-                      list);
-  EXPECT_EQ(ran.exit_code, 0) << ran.out;
-  std::vector<std::string> found;
-  std::istringstream in(ran.out);
-  for (std::string word; std::getline(in, word);) {
-    if (!word.empty()) found.push_back(word);
-  }
-  return found;
 }
 
 TEST(Manual, BashCompletesVerbsOptionsWordsAndFiles) {
@@ -159,7 +215,7 @@ TEST(Manual, ZshAndFishUnderstandTheirs) {
             << row.name;
       }
     }
-    if (!isThere(shell)) continue;
+    if (!isThere(shell)) continue;  // Both are among .ci/packages.txt.
     const Ran ran = run(std::string(shell) + " -n '" + share(file) + "'");
     EXPECT_EQ(ran.exit_code, 0) << ran.out;
   }

@@ -193,7 +193,8 @@ void writeRaster(const std::string& file, const char* driver, GDALDataType type,
 class OneWayIn : public test::CommandTest {
  protected:
   void SetUp() override {
-    for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"}) {
+    for (const char* variable :
+         {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) {
       ASSERT_EQ(::setenv(variable, path(variable).c_str(), 1), 0);
     }
     const std::string points = std::to_string(kSide * kSide);

@@ -13,7 +13,7 @@ namespace {
 class OpenArgument : public test::CommandTest {
  protected:
   void SetUp() override {
-    for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME"}) {
+    for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME"}) {
       ASSERT_EQ(::setenv(variable, path(variable).c_str(), 1), 0);
     }
     ASSERT_EQ(test::runRelievo({"render", plane(), "-o", path("fig.png")}).exit_code, 0);

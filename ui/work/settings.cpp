@@ -50,10 +50,17 @@ void Settings::addRecentFile(const QString& file) {
   files.prepend(path);
   while (files.size() > kRecentFiles) files.removeLast();
   state_.setValue(QStringLiteral("recent"), files);
+  if (shared_recent_.add && !isAddress(place)) shared_recent_.add(path);
 }
 
 void Settings::clearRecentFiles() {
-  if (!safe_) state_.remove(QStringLiteral("recent"));
+  if (safe_) return;
+  state_.remove(QStringLiteral("recent"));
+  if (shared_recent_.clear) shared_recent_.clear();
+}
+
+void Settings::shareRecentFiles(SharedRecent list) {
+  if (!safe_) shared_recent_ = std::move(list);
 }
 
 std::optional<LengthUnit> Settings::unitOfFolder(const QString& file) const {

@@ -25,6 +25,13 @@ class Settings {
   QStringList recentFiles() const;
   void addRecentFile(const QString& file);  ///< Of a map from the web, its address.
   void clearRecentFiles();
+  /// Another list of recent files, which other programs share; of the web's maps nothing goes
+  /// there. Not in safe mode.
+  struct SharedRecent {
+    std::function<void(const QString& file)> add;  ///< Absolute.
+    std::function<void()> clear;
+  };
+  void shareRecentFiles(SharedRecent list);
 
   /// The unit said for the files of one folder.
   std::optional<LengthUnit> unitOfFolder(const QString& file) const;
@@ -53,6 +60,7 @@ class Settings {
  private:
   bool safe_;
   std::map<QString, Elsewhere> elsewhere_;
+  SharedRecent shared_recent_;
   DeviceTrust device_trust_;
   mutable QSettings config_, state_;
 };

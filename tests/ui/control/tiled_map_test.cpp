@@ -56,7 +56,7 @@ class TiledMapDialogTest : public GuiTest {
 TEST_F(TiledMapDialogTest, MakesTheMapOfThisScanShowsItOnTheWayAndOpensIt) {
   openRelief();
   EXPECT_EQ(part<QListWidget>("tiles_scan").count(), 1) << "what is open is offered";
-  EXPECT_TRUE(part<QLineEdit>("tiles_file").text().endsWith("relief-map.tif"));
+  EXPECT_TRUE(part<QLineEdit>("tiles_file").text().endsWith("relief-map.relievo.tif"));
   EXPECT_EQ(dialog().order().unit, LengthUnit::mm) << "as it is shown";
   EXPECT_EQ(dialog().order().view, "top");
   const QString map = path(QStringLiteral("by_window.tif"));
@@ -98,7 +98,7 @@ TEST_F(TiledMapDialogTest, FilesOfAFolderAreOneScan) {
   begun.unit = LengthUnit::mm;
   TiledMapDialog of_folder(begun);
   EXPECT_TRUE(of_folder.findChild<QPushButton*>("tiles_make")->isEnabled());
-  EXPECT_EQ(of_folder.order().file, path("parts-map.tif"));
+  EXPECT_EQ(of_folder.order().file, path("parts-map.relievo.tif"));
   TiledWork work{.names = {pathOf(of_folder.order().names.front())},
                  .out = pathOf(of_folder.order().file)};
   work.options.unit = of_folder.order().unit;
