@@ -11,7 +11,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL cli)
 if(RELIEVO_BUILD_UI)
-  list(APPEND CPACK_COMPONENTS_ALL window)
+  list(APPEND CPACK_COMPONENTS_ALL draw window)
 endif()
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -29,15 +29,25 @@ Gaussian pyramid; regions of it are measured, drawn, and touched along strokes
 with the force of a haptic device at 1 kHz. Scans are read in a process of
 their own.
 
-This package has all commands and no window. Its udev rule gives whoever sits
-at the computer access to a Novint Falcon, to devices of Force Dimension, to a
-SpaceMouse, and to joysticks, gamepads, button boxes and foot switches that
-count as one. An empty file /etc/udev/rules.d/60-relievo-falcon.rules takes
-it back.")
-# Pictures are drawn on a screen in memory where there is none, and videos are packed by ffmpeg.
+This package has all commands and no window; those that draw need the package
+relievo-draw. Its udev rule gives whoever sits at the computer access to a
+Novint Falcon, to devices of Force Dimension, to a SpaceMouse, and to
+joysticks, gamepads, button boxes and foot switches that count as one. An
+empty file /etc/udev/rules.d/60-relievo-falcon.rules takes it back.")
 # libusb and hidapi are loaded where they are.
-set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libhidapi-hidraw0, libusb-1.0-0, xvfb")
-set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "ffmpeg, relievo")
+set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS "libhidapi-hidraw0, libusb-1.0-0, relievo-draw (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "relievo")
+
+# What brings Qt's widgets and VTK, apart, for computers that draw nothing.
+set(CPACK_DEBIAN_DRAW_PACKAGE_NAME relievo-draw)
+set(CPACK_COMPONENT_DRAW_DESCRIPTION "pictures, figures and videos of scans of heritage objects
+The commands of relievo that draw: relief images in many looks, figures for
+print with scales and what was not measured, anaglyphs and other stereo
+pictures, and videos of recorded touches.")
+set(CPACK_DEBIAN_DRAW_PACKAGE_DEPENDS "relievo-cli (= ${PROJECT_VERSION})")
+# Pictures are drawn on a screen in memory where there is none, and videos are packed by ffmpeg.
+set(CPACK_DEBIAN_DRAW_PACKAGE_RECOMMENDS "fonts-dejavu-core, libgl1-mesa-dri, xvfb")
+set(CPACK_DEBIAN_DRAW_PACKAGE_SUGGESTS "ffmpeg")
 
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME relievo)
 set(CPACK_COMPONENT_WINDOW_DESCRIPTION "feel and see scanned heritage at every scale
@@ -46,7 +56,7 @@ stereo, and lets it be touched with a haptic device or a mouse, at any scale.
 Measurements carry their uncertainty; recordings can be replayed and verified;
 figures say how they were made.")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS
-  "relievo-cli (= ${PROJECT_VERSION}), fonts-dejavu-core, libqt5svg5")
+  "relievo-draw (= ${PROJECT_VERSION}), fonts-dejavu-core, libqt5svg5")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "ffmpeg, fonts-lohit-deva, libgl1-mesa-dri, libpulse0, qttranslations5-l10n, speech-dispatcher | espeak-ng, xdg-utils")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_SUGGESTS "www-browser")
 
@@ -79,6 +89,7 @@ command line relievo, to the last bit.")
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "relievo-cli (= ${PROJECT_VERSION}), python3-numpy, python3 (>= 3.${Python_VERSION_MINOR}~), python3 (<< 3.${next_minor}~)")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "relievo-draw (= ${PROJECT_VERSION})")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-ipykernel, jupyter-notebook")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/app/python/package/postinst
