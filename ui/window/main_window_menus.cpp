@@ -21,6 +21,7 @@
 #include "ui/style/mnemonic.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/reference_view.h"
+#include "ui/views/scan_view.h"
 #include "ui/window/command_search.h"
 #include "ui/window/main_window.h"
 #include "ui/window/manual.h"

@@ -74,13 +74,17 @@ Lonely lonelyOf(const std::string& text) {
   return {.radius_mm = values[0], .neighbours = wholeNumber("--lonely", values[1])};
 }
 
+/// With its arguments spelt out: compiled alone, g++ 12 warns wrongly else.
+[[noreturn]] void refusePairs(const fs::path& file, std::size_t line, const std::string& why) {
+  throw failure<MessageId::pairs_unreadable>(PathArgument(file), CountArgument(line),
+                                             TextArgument(why), NameArgument(kPairsHeader));
+}
+
 /// Three or more places that were picked on a scan and on the reference.
 std::vector<PickedPair> pairsIn(const fs::path& file) {
   const std::string text = readTextFile(file, kMostRecipeBytes);
   Lines lines(text);
-  const auto refuse = [&](const std::string& why) {
-    throw failure<MessageId::pairs_unreadable>(file, lines.number(), why, kPairsHeader);
-  };
+  const auto refuse = [&](const std::string& why) { refusePairs(file, lines.number(), why); };
   if (!lines.next() || trimmed(lines.line()) != kPairsHeader) refuse("it has other columns");
   std::vector<PickedPair> pairs;
   while (lines.next()) {
