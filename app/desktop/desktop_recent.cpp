@@ -97,8 +97,9 @@ QDomElement applicationsOf(QDomDocument& list, QDomElement bookmark, const QStri
     child(list, bookmark, "info").appendChild(metadata);
   }
   if (metadata.firstChildElement(QStringLiteral("mime:mime-type")).isNull()) {
-    child(list, metadata, "mime:mime-type")
-        .setAttribute(QStringLiteral("type"), QMimeDatabase().mimeTypeForFile(file).name());
+    // By its name: what foreign files hold is read by import processes alone (docs/adr/0146).
+    const QMimeType type = QMimeDatabase().mimeTypeForFile(file, QMimeDatabase::MatchExtension);
+    child(list, metadata, "mime:mime-type").setAttribute(QStringLiteral("type"), type.name());
   }
   return child(list, metadata, "bookmark:applications");
 }

@@ -25,7 +25,7 @@ print(open("/proc/self/maps").read())
 class Installed(unittest.TestCase):
     def test_it_needs_nothing_of_the_build(self):
         with tempfile.TemporaryDirectory() as folder:
-            for component in ("cli", "python"):
+            for component in ("cli", "draw", "python"):
                 subprocess.run(
                     [os.environ["CMAKE_PROGRAM"], "--install", BUILD, "--prefix", folder,
                      "--component", component],
