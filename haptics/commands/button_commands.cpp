@@ -113,6 +113,9 @@ void ButtonCommands::cancelMoving() {
 void ButtonCommands::press(std::uint8_t button, bool down, double time_s) {
   if (button >= kButtons) return;
   Button& b = buttons_[button];
+  // What was taken for a bounce and stayed was none, also where nobody asked meanwhile.
+  const double settled_s = b.edge_s + kBounceS;
+  if (b.raw != b.down && time_s >= settled_s) edge(button, b.raw, settled_s);
   b.raw = down;
   if (down != b.down && time_s - b.edge_s >= kBounceS) edge(button, down, time_s);
 }

@@ -82,6 +82,24 @@ TEST_F(Buttons, ABounceIsNoSecondPress) {
   EXPECT_THAT(pass(0.3), ElementsAre(finer));
 }
 
+/// As a fast finger does on two presses, while the window is drawn: nobody asks between them.
+TEST_F(Buttons, APressSoonAfterAnotherIsOneOfItsOwn) {
+  buttons_.press(kPlus, true, now_);
+  buttons_.press(kPlus, false, now_ + 0.15);
+  buttons_.press(kPlus, true, now_ + 0.194);
+  buttons_.press(kPlus, false, now_ + 0.345);
+  now_ += 0.35;
+  EXPECT_THAT(pass(0.3), ElementsAre(finer, finer));
+  buttons_.press(kPlus, true, now_);
+  buttons_.press(kPlus, false, now_ + 0.15);
+  buttons_.press(kPlus, true, now_ + 0.155);
+  buttons_.press(kPlus, false, now_ + 0.16);
+  buttons_.press(kPlus, true, now_ + 0.5);
+  buttons_.press(kPlus, false, now_ + 0.65);
+  now_ += 0.66;
+  EXPECT_THAT(pass(0.3), ElementsAre(finer, finer)) << "a bounce between them is none";
+}
+
 TEST_F(Buttons, ThePressOfADeviceThatIsGoneDoesNothingAndTheNextOneDoes) {
   buttons_.press(kCentre, true, now_);
   EXPECT_THAT(pass(1), IsEmpty());
