@@ -10,7 +10,6 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 #include <QUrl>
-#include <QVector>
 #include <utility>
 
 namespace relievo {
@@ -143,14 +142,14 @@ void DesktopRecent::clear() const {
   std::optional<QDomDocument> list = read(list_);
   if (!list) return;
   QDomElement bookmark = list->documentElement().firstChildElement(QStringLiteral("bookmark"));
-  bool is_other = false;
+  bool is_changed = false;
   while (!bookmark.isNull()) {
     const QDomElement next = bookmark.nextSiblingElement(QStringLiteral("bookmark"));
     QDomElement applications =
         metadataOf(bookmark).firstChildElement(QStringLiteral("bookmark:applications"));
     const QDomElement us = usAmong(applications);
     if (!us.isNull()) {
-      is_other = true;
+      is_changed = true;
       applications.removeChild(us);
       if (applications.firstChildElement().isNull()) {
         list->documentElement().removeChild(bookmark);
@@ -158,7 +157,7 @@ void DesktopRecent::clear() const {
     }
     bookmark = next;
   }
-  if (is_other) write(list_, *list);
+  if (is_changed) write(list_, *list);
 }
 
 }  // namespace relievo

@@ -137,7 +137,8 @@ TEST(Manual, TheTableIsWhatHelpPrints) {
 TEST(Manual, PartsOfAVerbAreOnItsPageAndCompleted) {
   const std::string page = pages(line()).at("relievo-devices.1");
   for (const CommandRow& part : verb("devices").parts) {
-    EXPECT_THAT(page, HasSubstr("\n.SS " + part.name + "\n" + part.help.substr(0, 20))) << part.name;
+    EXPECT_THAT(page, HasSubstr("\n.SS " + part.name + "\n" + part.help.substr(0, 20)))
+        << part.name;
     std::vector<std::string> names;
     for (const OptionRow& option : part.options) {
       names.insert(names.end(), option.names.begin(), option.names.end());

@@ -210,7 +210,8 @@ void TiledMapDialog::addNames(const QStringList& names) {
   if (names_->count() > 0 && is_proposed_) {
     const QString first = names_->item(0)->data(kPathRole).toString();
     const QString more = QStringLiteral("-map.relievo.origin.tif");
-    file_->setText(folderFor(first) + '/' + stemOf(first, more) + QLatin1String("-map.relievo.tif"));
+    file_->setText(folderFor(first) + '/' + stemOf(first, more) +
+                   QLatin1String("-map.relievo.tif"));
   }
   follow();
 }
