@@ -16,10 +16,12 @@ QByteArray jsonOf(const QJsonObject& object) {
 
 /// As plugins/voice keeps its settings. No language of its own: the program's, which changes.
 QByteArray voiceState(const ExhibitSpeech& speech) {
-  return jsonOf({{"own_voice", true},
-                 {"words_per_minute", speech.words_per_minute},
-                 {"volume_percent", speech.volume_percent},
-                 {"loudest_percent", speech.loudest_percent}});
+  return jsonOf(
+      {{"own_voice", true},
+       {"words_per_minute", speech.words_per_minute},
+       {"volume_percent", speech.volume_percent},
+       {"loudest_percent", speech.loudest_percent},
+       {"room_loudest_percent", speech.room_loudest_percent.value_or(speech.loudest_percent)}});
 }
 
 /// As plugins/haptics does.

@@ -320,10 +320,19 @@ class Reader {
 
   void readSpeech(const Json& json) {
     constexpr double kLeastVolume = 10, kMostVolume = 100, kSlowest = 100, kFastest = 449;
-    knowsOnly(json, "speech", {"volume_percent", "loudest_percent", "words_per_minute"});
+    knowsOnly(json, "speech",
+              {"volume_percent", "loudest_percent", "room_loudest_percent", "words_per_minute"});
     ExhibitSpeech& speech = check_.exhibit.speech;
     number(json, "speech", "volume_percent", kLeastVolume, kMostVolume, speech.volume_percent);
     number(json, "speech", "loudest_percent", kLeastVolume, kMostVolume, speech.loudest_percent);
+    if (json.contains("room_loudest_percent")) {
+      int& room = speech.room_loudest_percent.emplace(speech.loudest_percent);
+      number(json, "speech", "room_loudest_percent", kLeastVolume, kMostVolume, room);
+      if (room > speech.loudest_percent) {
+        note<MessageId::exhibit_too_loud>("speech.room_loudest_percent", room,
+                                          "speech.loudest_percent", speech.loudest_percent);
+      }
+    }
     number(json, "speech", "words_per_minute", kSlowest, kFastest, speech.words_per_minute);
     if (speech.volume_percent > speech.loudest_percent) {
       note<MessageId::exhibit_too_loud>("speech.volume_percent", speech.volume_percent,

@@ -37,8 +37,11 @@ struct ExhibitTimes {
 /// Of the voice. The volume goes back to `volume_percent` after each visitor (EN 301 549,
 /// 5.1.3.13), and no button raises it above `loudest_percent`.
 struct ExhibitSpeech {
-  int volume_percent = 70;     ///< 10 to loudest_percent.
-  int loudest_percent = 100;   ///< 10 to 100: the largest that the room, or headphones, bear.
+  int volume_percent = 70;    ///< 10 to loudest_percent.
+  int loudest_percent = 100;  ///< 10 to 100: the largest that ears bear, by headphones, too.
+  /// The largest on a loudspeaker, which a volume falls to where headphones are pulled out; 10 to
+  /// loudest_percent. Nothing: the same.
+  std::optional<int> room_loudest_percent = {};
   int words_per_minute = 160;  ///< 100 to 449.
 };
 

@@ -57,6 +57,14 @@ Json objectJson(const ExhibitObject& object, const Exhibit& exhibit) {
   return json;
 }
 
+Json speechJson(const ExhibitSpeech& speech) {
+  Json json{{"volume_percent", speech.volume_percent},
+            {"loudest_percent", speech.loudest_percent},
+            {"words_per_minute", speech.words_per_minute}};
+  if (speech.room_loudest_percent) json["room_loudest_percent"] = *speech.room_loudest_percent;
+  return json;
+}
+
 Json touchJson(const ExhibitTouch& touch) {
   return {{"device", touch.device},
           {"strength_percent", touch.strength_percent},
@@ -76,7 +84,6 @@ std::string exhibitText(const Exhibit& exhibit) {
     objects.push_back(objectJson(object, exhibit));
   }
   const ExhibitTimes& times = exhibit.times;
-  const ExhibitSpeech& speech = exhibit.speech;
   Json json{{"relievo_exhibit", 1},
             {"languages", exhibit.languages},
             {"objects", objects},
@@ -84,10 +91,7 @@ std::string exhibitText(const Exhibit& exhibit) {
              {{"still_there_s", times.still_there_s},
               {"goodbye_s", times.goodbye_s},
               {"chime_s", times.chime_s}}},
-            {"speech",
-             {{"volume_percent", speech.volume_percent},
-              {"loudest_percent", speech.loudest_percent},
-              {"words_per_minute", speech.words_per_minute}}},
+            {"speech", speechJson(exhibit.speech)},
             {"touch", touchJson(exhibit.touch)}};
   if (!exhibit.pin.salt.empty()) {
     json["staff_pin"] = {{"salt", exhibit.pin.salt}, {"sha256", exhibit.pin.sha256}};

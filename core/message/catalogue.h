@@ -50,6 +50,7 @@ struct MessageForm {
       typeOfArgument<Arguments>()...};
   static Message message(MessageId id, Arguments... arguments) {
     Message made{id, {}};
+    made.arguments.reserve(sizeof...(Arguments));
     (made.arguments.emplace_back(std::move(arguments)), ...);
     return made;
   }

@@ -121,6 +121,12 @@ Message suspectWords(const SuspectHeight& suspect) {
                                                    heightText(suspect.value));
 }
 
+Message suspectWordsOfFile(const SuspectHeight& suspect) {
+  return said<MessageId::suspect_heights_in_file>(CountArgument::grouped(suspect.count),
+                                                  CountArgument::grouped(suspect.all),
+                                                  heightText(suspect.value));
+}
+
 Message missingWords(std::uint64_t missing, double value) {
   return said<MessageId::heights_taken_as_missing>(CountArgument::grouped(missing),
                                                    heightText(value));

@@ -43,6 +43,8 @@ bool isUsualNodata(double value);
 
 /// "1 204 of 40 000 heights are -9999, which often stands for a missing one; ..."
 Message suspectWords(const SuspectHeight& suspect);
+/// The same of a file that is only looked at.
+Message suspectWordsOfFile(const SuspectHeight& suspect);
 Message missingWords(std::uint64_t missing, double value);
 
 /// The box of the heights that are not this one, file unit; nothing: there is none.

@@ -161,6 +161,25 @@ bool isHeight(double z, double value, double origin_z) noexcept {
   return std::abs(z - value) <= 1e-6 * std::max({std::abs(value), std::abs(origin_z), 1e-30});
 }
 
+std::vector<Message> strayWordsOfFile(const Strays& strays) {
+  std::vector<Message> words;
+  const auto all = CountArgument::grouped(strays.all);
+  if (strays.points > strays.unused) {
+    words.push_back(
+        said<MessageId::strays_in_file>(CountArgument::grouped(strays.points - strays.unused), all,
+                                        shareWords(strays.share_of_box)));
+  }
+  if (strays.unused > 0) {
+    words.push_back(
+        said<MessageId::unused_vertices_in_file>(CountArgument::grouped(strays.unused)));
+  }
+  if (strays.grouped > 0) {
+    words.push_back(said<MessageId::groups_in_file>(CountArgument::grouped(strays.grouped), all,
+                                                    shareWords(strays.share_of_box_grouped)));
+  }
+  return words;
+}
+
 std::vector<Message> strayWords(const Strays& strays) {
   std::vector<Message> words;
   const auto all = CountArgument::grouped(strays.all);

@@ -39,6 +39,9 @@ struct Strays {
 /// "150 of 20 000 points lie together 90 % of the box away from all others; they were kept, as they
 /// may belong to the object." Empty: none.
 std::vector<Message> strayWords(const Strays& strays);
+/// The same of a file that is only looked at: what surfaces of it are made without.
+/// @param strays  what StrayRule::drop finds
+std::vector<Message> strayWordsOfFile(const Strays& strays);
 
 /// The strays of a scan, along the file's axes. [worker]
 Strays straysOf(const Scan& scan, const Task& task = {});

@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QEvent>
 #include <QKeySequence>
+#include <utility>
 
 #include "core/message/catalogue.h"
 #include "core/region/window.h"
@@ -16,6 +17,7 @@ namespace relievo {
 namespace {
 
 constexpr double kStepDb = 3;
+constexpr int kLookMs = 100;
 
 /// Three decibels louder or softer; both ways of speaking take a percentage of the amplitude.
 int steppedVolume(int percent, bool louder) {
@@ -84,6 +86,7 @@ void VoicePlugin::attach(Host& host) {
           [this](const std::shared_ptr<const RegionWindow>& window) {
             if (window) voice_->setScale(handMapping(*window).objectMmPerHandMm());
           });
+  connect(&look_, &QTimer::timeout, this, &VoicePlugin::watchOutput);
   QCoreApplication::instance()->installEventFilter(this);
   host.messages.setVoice(voice_.get());
   applySettings();
@@ -104,6 +107,9 @@ void VoicePlugin::detach() noexcept {
   if (host_ == nullptr) return;
   QCoreApplication::instance()->removeEventFilter(this);
   host_->messages.setVoice(nullptr);
+  look_.stop();
+  disconnect(&look_, nullptr, this, nullptr);
+  output_.reset();
   disconnect(&host_->view, nullptr, voice_.get(), nullptr);
   voice_->hush();
   voice_.reset();
@@ -121,6 +127,20 @@ void VoicePlugin::restoreState(const QByteArray& state) {
 }
 
 void VoicePlugin::applySettings() {
+  const bool watches =
+      settings_.own_voice && settings_.room_loudest_percent < settings_.loudest_percent;
+  if (!watches) {
+    look_.stop();
+    output_.reset();
+  } else if (!output_) {
+    output_ = std::make_unique<OutputWatch>();
+    sounds_by_ = SoundOutput::unknown;
+    look_.start(kLookMs);
+  }
+  if (settings_.volume_percent > loudestNow()) {
+    lowered_from_ = sounds_by_ == SoundOutput::unknown ? settings_.volume_percent : 0;
+    settings_.volume_percent = loudestNow();
+  }
   voice_->setSettings(settings_);
   // Without a voice of its own the screen reader repeats, if anyone.
   for (QAction* action : {repeat_action_.data(), louder_action_.data(), softer_action_.data()}) {
@@ -133,12 +153,37 @@ void VoicePlugin::repeat() {
   if (!voice_->repeat()) host_->messages.say({said<MessageId::voice_nothing_to_repeat>()});
 }
 
+// Where nobody can tell, a room is taken for one.
+int VoicePlugin::loudestNow() const {
+  const bool in_the_ears = !output_ || sounds_by_ == SoundOutput::headphones;
+  return in_the_ears ? settings_.loudest_percent : settings_.room_loudest_percent;
+}
+
+void VoicePlugin::watchOutput() {
+  const SoundOutput now = output_->output();
+  if (std::exchange(sounds_by_, now) == now) return;
+  const int lowered_from = std::exchange(lowered_from_, 0);
+  if (now == SoundOutput::headphones && lowered_from > 0) {
+    settings_.volume_percent = lowered_from;  // It was not a room after all.
+    applySettings();
+    if (panel_) panel_->setSettings(settings_);
+    return;
+  }
+  if (settings_.volume_percent <= loudestNow()) return;
+  // What is being said goes on as loud as it began; the same words begin anew, softer.
+  const bool was_speaking = voice_->isSpeaking();
+  if (was_speaking) voice_->hush();
+  applySettings();
+  if (panel_) panel_->setSettings(settings_);
+  if (was_speaking) voice_->repeat();
+}
+
 void VoicePlugin::changeVolume(bool louder) {
+  lowered_from_ = 0;
   const int now = settings_.volume_percent;
   // One that the panel has set lower does not become louder by "softer".
   const int least = louder ? kLeastVolume : std::min(now, kLeastVolume);
-  settings_.volume_percent =
-      std::clamp(steppedVolume(now, louder), least, settings_.loudest_percent);
+  settings_.volume_percent = std::clamp(steppedVolume(now, louder), least, loudestNow());
   if (panel_) panel_->setSettings(settings_);
   applySettings();
   host_->messages.say({said<MessageId::voice_volume>(settings_.volume_percent)});

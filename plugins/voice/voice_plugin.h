@@ -5,8 +5,10 @@
 #include <QAction>
 #include <QObject>
 #include <QPointer>
+#include <QTimer>
 
 #include "plugins/api/plugin.h"
+#include "plugins/voice/output_watch.h"
 #include "plugins/voice/own_voice.h"
 #include "plugins/voice/voice_panel.h"
 
@@ -38,6 +40,11 @@ class VoicePlugin : public QObject, public Plugin {
   QAction* addCommand(const Command& command);
   void repeat();
   void changeVolume(bool louder);
+  /// What buttons raise the volume to at most, where the sound comes out now.
+  int loudestNow() const;
+  /// Headphones that are pulled out are followed by a loudspeaker, which is never louder than the
+  /// room bears.
+  void watchOutput();
   /// The screen reader says what the voice could not.
   void handBack(const Speech& speech);
 
@@ -45,6 +52,11 @@ class VoicePlugin : public QObject, public Plugin {
   VoiceSettings settings_;
   std::unique_ptr<OwnVoice> voice_;
   QPointer<VoicePanel> panel_;
+  std::unique_ptr<OutputWatch> output_;  // While a room bears less than headphones.
+  SoundOutput sounds_by_ = SoundOutput::unknown;
+  /// What the volume was lowered from before anybody knew where it sounds; 0: it was not.
+  int lowered_from_ = 0;
+  QTimer look_;
   QPointer<QAction> repeat_action_, louder_action_, softer_action_;
 };
 

@@ -14,7 +14,8 @@ QByteArray jsonOf(const VoiceSettings& settings) {
                                    {"language", settings.language},
                                    {"words_per_minute", settings.words_per_minute},
                                    {"volume_percent", settings.volume_percent},
-                                   {"loudest_percent", settings.loudest_percent}})
+                                   {"loudest_percent", settings.loudest_percent},
+                                   {"room_loudest_percent", settings.room_loudest_percent}})
       .toJson(QJsonDocument::Compact);
 }
 
@@ -30,6 +31,9 @@ VoiceSettings voiceSettingsFromJson(const QByteArray& json) {
       object["words_per_minute"].toInt(settings.words_per_minute), kSlowestSpeech, kFastestSpeech);
   settings.loudest_percent =
       std::clamp(object["loudest_percent"].toInt(settings.loudest_percent), kLeastVolume, 100);
+  settings.room_loudest_percent =
+      std::clamp(object["room_loudest_percent"].toInt(settings.loudest_percent), kLeastVolume,
+                 settings.loudest_percent);
   settings.volume_percent = std::clamp(object["volume_percent"].toInt(settings.volume_percent), 0,
                                        settings.loudest_percent);
   return settings;

@@ -12,7 +12,10 @@ struct VoiceSettings {
   QString language = {};       ///< "en", "de", "hi"; empty: the window's.
   int words_per_minute = 220;  ///< 100 to 449.
   int volume_percent = 100;
-  int loudest_percent = 100;  ///< What commands raise it to at most: an exhibit's room.
+  int loudest_percent = 100;  ///< What commands raise it to at most: an exhibit's.
+  /// The same where everybody hears it, and not one person by headphones; at most
+  /// `loudest_percent`.
+  int room_loudest_percent = 100;
   friend bool operator==(const VoiceSettings&, const VoiceSettings&) = default;
 };
 // By buttons it does not become silent: who does not look could not find the way back.

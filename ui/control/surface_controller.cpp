@@ -48,7 +48,7 @@ void SurfaceController::makeCommands() {
   commands_.on(Command::coarser, this, [this] { stepDetail(false); });
   connect(&detail_, &DetailView::resolutionAsked, this, &SurfaceController::stepDetail);
   commands_.on(Command::whole, this, [this] {
-    if (document_.region().whole()) announce(tr("Whole object"));
+    if (document_.region().whole()) tell(Step::whole, tr("Whole object"));
   });
   commands_.on(Command::move_left, this, [this] { moveWindow(-kMoveStep, 0, tr("Left")); });
   commands_.on(Command::move_right, this, [this] { moveWindow(kMoveStep, 0, tr("Right")); });
@@ -77,9 +77,18 @@ void SurfaceController::stepDetail(bool finer) {
   const bool done =
       finer ? document_.region().finer(touch_.about()) : document_.region().coarser(touch_.about());
   if (done) {
-    announce(tr("Resolution %1 of %2").arg(document_.detail()).arg(document_.details()));
+    tell(finer ? Step::closer : Step::wider,
+         tr("Resolution %1 of %2").arg(document_.detail()).arg(document_.details()));
   } else {
     announce(finer ? tr("This is the finest resolution") : tr("This is the whole object"));
+  }
+}
+
+void SurfaceController::tell(Step step, const QString& words) {
+  if (tell_) {
+    tell_(step);
+  } else {
+    announce(words);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "core/base/failure.h"
 #include "core/describe/hand_place.h"
 #include "core/describe/named_place.h"
+#include "core/describe/sayable.h"
 #include "core/project/project_files.h"
 #include "core/region/hand.h"
 #include "ui/exhibit/visit_words.h"
@@ -63,6 +64,7 @@ ExhibitControl::ExhibitControl(MainWindow& window, Exhibit exhibit, ExhibitWays 
   lock_.setKeys([this](const QKeyEvent& pressed) { return key(pressed); });
   connect(&window_.controllers().touch, &TouchController::readoutShown, this,
           &ExhibitControl::noteReadout);
+  window_.controllers().surface.setTeller([this](SurfaceController::Step step) { tell(step); });
   connect(&window_.messages(), &WindowMessages::errorShown, this,
           [this] { log(window_.message().toStdString()); });
   log("started" + (starts > 0 ? ", again: " + std::to_string(starts) : std::string()));
@@ -75,6 +77,7 @@ ExhibitControl::ExhibitControl(MainWindow& window, Exhibit exhibit, ExhibitWays 
 }
 
 ExhibitControl::~ExhibitControl() {
+  window_.controllers().surface.setTeller({});
   saveCounts();
 }
 
@@ -298,6 +301,16 @@ void ExhibitControl::speak(const std::vector<Message>& sentences) {
   read_until_s_ = ways_.now_s() + kReadWordS * (shown.count(QLatin1Char(' ')) + 1);
   said_ = sentences;
   ways_.say(sentences);
+}
+
+/// In a visitor's words: how much of the relief is under the hand now. Before and after a touch
+/// nobody asked.
+void ExhibitControl::tell(SurfaceController::Step step) {
+  if (isQuiet()) return;
+  if (atWhole()) return speak({said<MessageId::exhibit_whole>()});
+  const Message wide = sayableLength(window_.document().project().region.side_mm);
+  speak({step == SurfaceController::Step::closer ? said<MessageId::exhibit_closer>(wide)
+                                                 : said<MessageId::exhibit_wider>(wide)});
 }
 
 void ExhibitControl::useLanguage(std::size_t index) {

@@ -17,6 +17,7 @@
 #include "core/exhibit/visit_counts.h"
 #include "core/message/message.h"
 #include "core/region/probe.h"
+#include "ui/control/surface_controller.h"
 #include "ui/exhibit/chime.h"
 #include "ui/exhibit/exhibit_caption.h"
 #include "ui/exhibit/exhibit_facts.h"
@@ -91,6 +92,7 @@ class ExhibitControl : public QObject {
   void sayObject(std::vector<Message> words);
   void sayPlace();
   void speak(const std::vector<Message>& sentences);
+  void tell(SurfaceController::Step step);
   void useLanguage(std::size_t index);
   void openObject(std::size_t index);
   void objectOpened();

@@ -3367,6 +3367,18 @@
         <source>Empty: a folder of the account that shows the exhibit</source>
         <translation>Leer: ein Ordner des Kontos, das die Ausstellung zeigt</translation>
     </message>
+    <message>
+        <source>Loudest in the room</source>
+        <translation>Am lautesten im Raum</translation>
+    </message>
+    <message>
+        <source>The same on a loudspeaker; the volume falls to it where headphones are pulled out</source>
+        <translation>Dasselbe über einen Lautsprecher; auf sie fällt die Lautstärke, wenn Kopfhörer herausgezogen werden</translation>
+    </message>
+    <message>
+        <source>The same</source>
+        <translation>Ebenso</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ExportController</name>
@@ -10645,6 +10657,34 @@
     <message>
         <source>%1 is %2, above %3, which is %4.</source>
         <translation>%1 ist %2 und damit mehr als %3, das %4 ist.</translation>
+    </message>
+    <message>
+        <source>Closer. %1 wide.</source>
+        <translation>Näher. %1 breit.</translation>
+    </message>
+    <message>
+        <source>Wider. %1 wide.</source>
+        <translation>Weiter. %1 breit.</translation>
+    </message>
+    <message>
+        <source>The whole relief.</source>
+        <translation>Das ganze Relief.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points {1|lies|lie} %3 of the box away from all others; surfaces are made without {1|it|them}, unless --strays keep is given.</source>
+        <translation>%1 von %2 Punkten {1|liegt|liegen} %3 des Quaders von allen anderen entfernt; Oberflächen entstehen ohne {1|ihn|sie}, wenn nicht --strays keep angegeben ist.</translation>
+    </message>
+    <message>
+        <source>{1|%1 vertex belongs|%1 vertices belong} to no face and {1|lies|lie} outside of the object; surfaces are made without {1|it|them}, unless --strays keep is given.</source>
+        <translation>{1|%1 Eckpunkt gehört|%1 Eckpunkte gehören} zu keiner Fläche und {1|liegt|liegen} außerhalb des Objekts; Oberflächen entstehen ohne {1|ihn|sie}, wenn nicht --strays keep angegeben ist.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie together %3 of the box away from all others; surfaces are made with them, as they may belong to the object, unless --strays drop-groups is given.</source>
+        <translation>%1 von %2 Punkten {1|liegt|liegen} zusammen %3 des Quaders von allen anderen entfernt; Oberflächen entstehen mit {1|ihm|ihnen}, da {1|er|sie} zum Objekt gehören {1|kann|können}, wenn nicht --strays drop-groups angegeben ist.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are %3, which often stands for a missing one; surfaces are made without them, unless --nodata none is given.</source>
+        <translation>%1 von %2 Höhen sind %3, was oft für eine fehlende steht; Oberflächen entstehen ohne sie, wenn nicht --nodata none angegeben ist.</translation>
     </message>
 </context>
 <context>

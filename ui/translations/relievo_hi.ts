@@ -3367,6 +3367,18 @@
         <source>Empty: a folder of the account that shows the exhibit</source>
         <translation>खाली: उस खाते का फ़ोल्डर जो प्रदर्शनी दिखाता है</translation>
     </message>
+    <message>
+        <source>Loudest in the room</source>
+        <translation>कमरे में सबसे ऊँची आवाज़</translation>
+    </message>
+    <message>
+        <source>The same on a loudspeaker; the volume falls to it where headphones are pulled out</source>
+        <translation>लाउडस्पीकर पर वही; हेडफ़ोन निकाले जाने पर आवाज़ इसी तक घट जाती है</translation>
+    </message>
+    <message>
+        <source>The same</source>
+        <translation>वही</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ExportController</name>
@@ -10645,6 +10657,34 @@
     <message>
         <source>%1 is %2, above %3, which is %4.</source>
         <translation>%1 %2 है, जो %3 (%4) से अधिक है।</translation>
+    </message>
+    <message>
+        <source>Closer. %1 wide.</source>
+        <translation>पास। चौड़ाई %1।</translation>
+    </message>
+    <message>
+        <source>Wider. %1 wide.</source>
+        <translation>चौड़ा। चौड़ाई %1।</translation>
+    </message>
+    <message>
+        <source>The whole relief.</source>
+        <translation>पूरा उभार।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points {1|lies|lie} %3 of the box away from all others; surfaces are made without {1|it|them}, unless --strays keep is given.</source>
+        <translation>%2 में से %1 {1|बिंदु बाकी सबसे बॉक्स के %3 दूर है; सतहें उसके|बिंदु बाकी सबसे बॉक्स के %3 दूर हैं; सतहें उनके} बिना बनती हैं, जब तक --strays keep न दिया जाए।</translation>
+    </message>
+    <message>
+        <source>{1|%1 vertex belongs|%1 vertices belong} to no face and {1|lies|lie} outside of the object; surfaces are made without {1|it|them}, unless --strays keep is given.</source>
+        <translation>{1|%1 शीर्ष किसी फलक का नहीं है और वस्तु के बाहर है; सतहें उसके|%1 शीर्ष किसी फलक के नहीं हैं और वस्तु के बाहर हैं; सतहें उनके} बिना बनती हैं, जब तक --strays keep न दिया जाए।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie together %3 of the box away from all others; surfaces are made with them, as they may belong to the object, unless --strays drop-groups is given.</source>
+        <translation>%2 में से %1 बिंदु एक साथ बाकी सबसे बॉक्स के %3 दूर हैं; सतहें उनके साथ बनती हैं, क्योंकि वे वस्तु के हो सकते हैं, जब तक --strays drop-groups न दिया जाए।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are %3, which often stands for a missing one; surfaces are made without them, unless --nodata none is given.</source>
+        <translation>%2 में से %1 ऊँचाइयाँ %3 हैं, जो अक्सर लापता ऊँचाई के लिए लिखा जाता है; सतहें उनके बिना बनती हैं, जब तक --nodata none न दिया जाए।</translation>
     </message>
 </context>
 <context>

@@ -29,35 +29,10 @@
 namespace relievo::batch {
 namespace {
 
-/// Of a file that is only looked at: what surfaces are made with and without.
 std::vector<std::string> strayTexts(const Strays& strays) {
-  const auto replace = [](std::string& words, const std::string& end, const std::string& instead) {
-    if (const auto at = words.find(end); at != std::string::npos) {
-      words.replace(at, end.size(), instead);
-    }
-  };
   std::vector<std::string> texts;
-  for (const Message& message : strayWords(strays)) {
-    std::string words = englishText(message);
-    if (message.id == MessageId::groups_kept) {
-      replace(words, "they were kept, as they may belong to the object.",
-              "surfaces are made with them, as they may belong to the object, unless --strays "
-              "drop-groups is given.");
-    } else if (message.id != MessageId::groups_left_out) {
-      replace(words, "it was left out.",
-              "surfaces are made without it, unless --strays keep is given.");
-      replace(words, "they were left out.",
-              "surfaces are made without them, unless --strays keep is given.");
-    }
-    texts.push_back(words);
-  }
+  for (const Message& message : strayWordsOfFile(strays)) texts.push_back(englishText(message));
   return texts;
-}
-
-std::string suspectText(const SuspectHeight& suspect) {
-  const std::string words = englishText(suspectWords(suspect));
-  return words.substr(0, words.find("they were left out.")) +
-         "surfaces are made without them, unless --nodata none is given.";
 }
 
 Json jsonOf(const FilePoint& p) {
@@ -327,7 +302,9 @@ UnitFacts unitFacts(const FileFacts& found, const std::optional<LengthUnit>& giv
 void tellDoubts(const FileFacts& found, const UnitFacts& unit) {
   for (const std::string& text : englishTexts(found.info.warnings)) tell(text);
   for (const std::string& text : strayTexts(found.strays)) tell(text);
-  if (found.suspect_height) tell(suspectText(*found.suspect_height));
+  if (found.suspect_height) {
+    tell(englishText(suspectWordsOfFile(*found.suspect_height)));
+  }
   const auto words = unitWords(unit.without_strays, {unit.unit, unit.source});
   if (words) tell(englishText(*words));
 }

@@ -51,7 +51,6 @@ bool isOfAStall(const QString& sentence) {
 }  // namespace
 
 Exhibition::Exhibition(std::string name) : Journey(std::move(name)) {
-  qputenv("PULSE_SERVER", "unix:" + path("no_such_server").toUtf8());
   // Its folder is that of the test before, unless ctest gives one for all.
   if (!qEnvironmentVariableIsSet("MESA_SHADER_CACHE_DIR")) {
     qputenv("MESA_SHADER_CACHE_DISABLE", "true");
@@ -73,10 +72,17 @@ Exhibition::~Exhibition() = default;
 void Exhibition::SetUp() {
   if (!emulator::MockUsb::works()) GTEST_SKIP() << "umockdev's library is not preloaded";
   RELIEVO_NEEDS_PROGRAM("speech-dispatcher");
+  RELIEVO_NEEDS_PROGRAM("pulseaudio");
+  RELIEVO_NEEDS_PROGRAM("pactl");
   speech_ = std::make_unique<test::SpeechDispatcher>();
   ASSERT_TRUE(eventually([this] { return speech_->isListening(); }))
       << speech_->log().toStdString();
   qputenv("SPEECHD_ADDRESS", "unix_socket:" + speech_->socket().toUtf8());
+  sound_ = std::make_unique<test::SoundServer>();
+  ASSERT_TRUE(eventually([this] { return sound_->isReady(); })) << sound_->log().toStdString();
+  sound_->sendTo("ears");
+  sound_->record("ears");
+  qputenv("PULSE_SERVER", sound_->address());
   writePrograms();
   const fs::path image = path("image.bin").toStdString();
   const std::vector<std::uint8_t> bytes = test::madeImage();
@@ -155,7 +161,8 @@ void Exhibition::writeExhibit() {
   file.write(R"({"relievo_exhibit": 1, "languages": ["en", "de"], "records": "records",
   "objects": [{"file": "relief.relievo.json", "title": {"en": "A relief", "de": "Ein Relief"}}],
   "idle": {"still_there_s": 30, "goodbye_s": 5, "chime_s": 10},
-  "speech": {"volume_percent": 60, "loudest_percent": 80, "words_per_minute": 160},
+  "speech": {"volume_percent": 60, "loudest_percent": 80, "room_loudest_percent": 50,
+    "words_per_minute": 160},
   "touch": {"device": "falcon", "strength_percent": 40, "limit_n": 4, "introduction": true,
             "guide": true, "sounds_percent": 50},
   "staff_pin": {"salt": "salt", "sha256": ")" +
@@ -188,6 +195,17 @@ bool Exhibition::hears(const QString& language, const QStringList& sentences) {
     return false;
   }
   return true;
+}
+
+bool Exhibition::mayHear(const QString& sentence) {
+  if (!eventually([&] { return heard().size() > read_; })) return false;
+  const bool is_it = heard().at(read_) == language_ + '|' + sentence;
+  if (is_it) ++read_;
+  return is_it;
+}
+
+double Exhibition::volume() const {
+  return speech_->said().isEmpty() ? 0 : speech_->said().last().section('|', 2, 2).toDouble();
 }
 
 void Exhibition::forgetHeard() {
@@ -225,6 +243,11 @@ void Exhibition::gripTo(const DeviceMm& at, double z) {
   depth_ = z;
   tremor_.start();
   falcon_->with([&](FalconEmulator& f) { f.body.pullToward({at.x, at.y, z}); });
+}
+
+void Exhibition::letGripLie() {
+  tremor_.stop();
+  falcon_->with([](FalconEmulator& f) { f.body.hold(f.body.grip()); });
 }
 
 void Exhibition::handTo(double x_mm, double y_mm, double z) {

@@ -15,22 +15,25 @@
 #include "tests/app/journeys/journey.h"
 #include "tests/emulator/mock_usb.h"
 #include "tests/emulator/stall_watch.h"
+#include "tests/plugins/voice/sound_server.h"
 #include "tests/plugins/voice/speech_server.h"
 
 namespace relievo {
 
 /// A visitor who sees nothing at an exhibit of one relief: the program's window with its plugins, a
 /// Falcon emulated behind the real libusb, Debian's speech-dispatcher on a socket of its own with a
-/// module that writes down what it would say, and a program in espeak-ng's place that does the
-/// same. What is heard is read sentence by sentence, in order, and nothing may come between.
+/// module that writes down what it would say, a program in espeak-ng's place that does the same,
+/// and Debian's PulseAudio, of which what sounds is written into a file. What is heard is read
+/// sentence by sentence, in order, and nothing may come between.
 class Exhibition : public Journey {
  protected:
-  static constexpr std::uint8_t kForward = ButtonCommands::kForward,
+  static constexpr std::uint8_t kPlus = ButtonCommands::kPlus, kForward = ButtonCommands::kForward,
                                 kCentre = ButtonCommands::kCentre, kMinus = ButtonCommands::kMinus;
-  static constexpr double kAboveZ = 150, kOnZ = 124;  // Of the grip: over the relief, on a hill.
-  static constexpr double kLimitN = 4;                // Of the exhibit.
-  static constexpr double kMotorStepN = 0.2;          // Rounded counts, and how late the pose is.
-  static constexpr int kPatienceMs = 20'000;          // Then a person tries again.
+  // Of the grip: over the relief, on a hill, in its ground.
+  static constexpr double kAboveZ = 150, kOnZ = 124, kInZ = 116;
+  static constexpr double kLimitN = 4;        // Of the exhibit.
+  static constexpr double kMotorStepN = 0.2;  // Rounded counts, and how late the pose is.
+  static constexpr int kPatienceMs = 20'000;  // Then a person tries again.
 
   /// @param name  what its pictures begin with
   explicit Exhibition(std::string name);
@@ -47,6 +50,12 @@ class Exhibition : public Journey {
   /// Are these the next ones that are heard? One that cannot be heard any more fails the test.
   bool hears(const QString& language, const QStringList& sentences);
   bool hears(const QStringList& sentences) { return hears(language_, sentences); }
+  /// The next one, if it is this one.
+  bool mayHear(const QString& sentence);
+  /// What is said from now on lasts until a press cuts it, or until it is quick again.
+  void speakSlowly(bool slowly) { speech_->speakSlowly(slowly); }
+  /// In percent, of what was heard last.
+  double volume() const;
   /// Everything up to now was heard.
   void forgetHeard();
 
@@ -61,6 +70,8 @@ class Exhibition : public Journey {
   void handTo(double x_mm, double y_mm, double z);
   /// In the device's own millimetres: over a shape of the introduction.
   void gripTo(const DeviceMm& at, double z);
+  /// Nobody holds it, where it is.
+  void letGripLie();
   bool proxyNear(double x_mm, double y_mm, double within_mm);
   bool lit(int lights);
   /// The Falcon waits for its arms, and the exhibit knows that.
@@ -87,6 +98,7 @@ class Exhibition : public Journey {
   std::unique_ptr<ForceWatch> forces_;
   emulator::StallWatch stalls_;
   std::unique_ptr<test::SpeechDispatcher> speech_;
+  std::unique_ptr<test::SoundServer> sound_;
   std::unique_ptr<ExhibitWindow> exhibit_;
   QString language_ = QStringLiteral("en");
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A failure of journey U3, in the middle of a touch: the device is pulled out and comes back. That
-// the program itself ends, and is started again with the words "One moment please.", is
-// app/exhibit/exhibit_program_test.
+// Failures of journey U3: the device is pulled out in the middle of a touch and comes back, no
+// voice speaks any more, headphones are pulled out. That the program itself ends, and is started
+// again with the words "One moment please.", is app/exhibit/exhibit_program_test.
 #include <gmock/gmock.h>
 
 #include <QAction>
+#include <QFile>
 #include <QtTest/QTest>
 
 #include "tests/app/journeys/exhibition.h"
@@ -25,10 +26,10 @@ class JourneyU3Failures : public Exhibition {
                       "RELIEVO_JOURNEY_U3=1 on a quiet one";
     }
     Exhibition::SetUp();
-    if (IsSkipped() || HasFatalFailure()) return;
+  }
+  void beginTouch() {
     begin();
-    if (HasFatalFailure()) return;
-    passOverToTouch();
+    if (!HasFatalFailure()) passOverToTouch();
   }
   int timesHeard(const QString& sentence) const { return heard().filter(sentence).size(); }
   /// Seconds in which a program that repeats itself would have done so.
@@ -37,6 +38,8 @@ class JourneyU3Failures : public Exhibition {
 
 /// U3.x1.
 TEST_F(JourneyU3Failures, ADeviceThatIsPulledOutIsSaidOnceAndIsThereAgainWithoutForce) {
+  beginTouch();
+  ASSERT_FALSE(HasFatalFailure());
   ASSERT_TRUE(touch(kDomeX, kDomeY));
   EXPECT_LE(forces_->takeLargestN(), kLimitN + kMotorStepN);
   usb_.unplug();
@@ -54,6 +57,56 @@ TEST_F(JourneyU3Failures, ADeviceThatIsPulledOutIsSaidOnceAndIsThereAgainWithout
   ASSERT_TRUE(reaches(Visit::State::idle)) << "it is there for the next visitor";
   wait();
   EXPECT_EQ(forces_->takePushes(), 0) << "and pushes nobody";
+}
+
+/// U3.x2.
+TEST_F(JourneyU3Failures, WhereNoVoiceSpeaksAnyMoreTheGripTapsAndTheReliefIsTouchedAllTheSame) {
+  beginTouch();
+  ASSERT_FALSE(HasFatalFailure());
+  ASSERT_TRUE(touch(kDomeX, kDomeY));
+  EXPECT_FALSE(action("feltPatterns")->isChecked());
+  QFile(path("mute")).open(QIODevice::WriteOnly);
+  speech_->stop();
+  press(kCentre);  // Where am I?
+  ASSERT_TRUE(eventually([this] { return action("feltPatterns")->isChecked(); }));
+  EXPECT_THAT(health(), HasSubstr("Speech is not available"));
+  EXPECT_EQ(visit().state(), Visit::State::touching);
+  EXPECT_TRUE(action("forces")->isChecked());
+  EXPECT_TRUE(press(kPlus, [this] { return document().detail() == 2; })) << "still usable";
+  EXPECT_TRUE(exhibit_->control().caption().text().contains("Closer.")) << "and it can be read";
+}
+
+/// U3.x4.
+TEST_F(JourneyU3Failures, HeadphonesThatArePulledOutLeaveARoomThatIsNotTooLoud) {
+  ASSERT_TRUE(waitsForGrip());
+  press(kForward);
+  ASSERT_TRUE(reaches(Visit::State::language));
+  ASSERT_TRUE(eventually([this] { return heard().size() >= 6; })) << "the welcome";
+  for (int i = 0; i < 2; ++i) press(kPlus);
+  ASSERT_TRUE(eventually([this] { return heard().last() == "en|Volume 80 percent."; }));
+  const double by_headphones = volume();
+  speakSlowly(true);
+  press(kPlus);  // As loud as it may be: said again, and lasts.
+  ASSERT_TRUE(eventually([this] { return timesHeard("Volume 80 percent.") >= 2; }));
+  forgetHeard();
+  ASSERT_TRUE(sound_->sendTo("room"));
+  ASSERT_TRUE(hears({"Volume 80 percent."})) << "what was cut begins anew";
+  EXPECT_LT(volume(), by_headphones);
+  speakSlowly(false);
+  press(kPlus);
+  ASSERT_TRUE(hears({"Volume 50 percent."})) << "no button goes above it";
+  ASSERT_TRUE(reaches(Visit::State::idle)) << "nobody chose";
+  forgetHeard();
+  press(kForward);
+  ASSERT_TRUE(hears({"Welcome."}));
+  press(kPlus);
+  ASSERT_TRUE(eventually([this] { return heard().last() == "en|Volume 50 percent."; }))
+      << "nor for the next visitor";
+  ASSERT_TRUE(sound_->sendTo("ears"));
+  QTest::qWait(1000);
+  press(kPlus);
+  EXPECT_TRUE(eventually([this] { return heard().last() == "en|Volume 71 percent."; }))
+      << "with headphones again";
 }
 
 }  // namespace

@@ -28,28 +28,31 @@ class ExhibitTest : public testing::Test {
     std::ofstream(folder_ / "coin.ply") << "ply";
     std::ofstream(folder_ / "panel.ply") << "ply";
     const StaffPin pin = staffPinOf("2580", "salt");
-    whole_ = {
-        {"relievo_exhibit", 1},
-        {"languages", {"en", "de"}},
-        {"objects",
-         {{{"file", "coin.ply"},
-           {"unit", "mm"},
-           {"view", "top"},
-           {"title", {{"en", "A coin"}, {"de", "Eine Münze"}}},
-           {"description", {{"en", "Struck."}, {"de", "Geprägt."}}}},
-          {{"file", "panel.ply"}, {"title", {{"en", "A panel"}, {"de", "Eine Tafel"}}}}}},
-        {"idle", {{"still_there_s", 40}, {"goodbye_s", 10.5}, {"chime_s", 0}}},
-        {"speech", {{"volume_percent", 60}, {"loudest_percent", 80}, {"words_per_minute", 180}}},
-        {"touch",
-         {{"device", "falcon"},
-          {"strength_percent", 30},
-          {"limit_n", 2.5},
-          {"introduction", false},
-          {"guide", false},
-          {"sounds_percent", 0},
-          {"one_button", true}}},
-        {"staff_pin", {{"salt", pin.salt}, {"sha256", pin.sha256}}},
-        {"records", "counted"}};
+    whole_ = {{"relievo_exhibit", 1},
+              {"languages", {"en", "de"}},
+              {"objects",
+               {{{"file", "coin.ply"},
+                 {"unit", "mm"},
+                 {"view", "top"},
+                 {"title", {{"en", "A coin"}, {"de", "Eine Münze"}}},
+                 {"description", {{"en", "Struck."}, {"de", "Geprägt."}}}},
+                {{"file", "panel.ply"}, {"title", {{"en", "A panel"}, {"de", "Eine Tafel"}}}}}},
+              {"idle", {{"still_there_s", 40}, {"goodbye_s", 10.5}, {"chime_s", 0}}},
+              {"speech",
+               {{"volume_percent", 60},
+                {"loudest_percent", 80},
+                {"room_loudest_percent", 55},
+                {"words_per_minute", 180}}},
+              {"touch",
+               {{"device", "falcon"},
+                {"strength_percent", 30},
+                {"limit_n", 2.5},
+                {"introduction", false},
+                {"guide", false},
+                {"sounds_percent", 0},
+                {"one_button", true}}},
+              {"staff_pin", {{"salt", pin.salt}, {"sha256", pin.sha256}}},
+              {"records", "counted"}};
   }
   ~ExhibitTest() override { fs::remove_all(folder_); }
 
@@ -97,6 +100,7 @@ TEST_F(ExhibitTest, ItIsReadAsItIsWritten) {
   EXPECT_EQ(e.times.chime_s, 0);
   EXPECT_EQ(e.speech.volume_percent, 60);
   EXPECT_EQ(e.speech.loudest_percent, 80);
+  EXPECT_EQ(e.speech.room_loudest_percent, 55);
   EXPECT_EQ(e.speech.words_per_minute, 180);
   EXPECT_EQ(e.touch.device, "falcon");
   EXPECT_EQ(e.touch.strength_percent, 30);
@@ -115,6 +119,7 @@ TEST_F(ExhibitTest, WhatMayBeLeftOutHasDefaults) {
   EXPECT_EQ(e.times.still_there_s, 60);
   EXPECT_EQ(e.times.goodbye_s, 15);
   EXPECT_EQ(e.times.chime_s, 45);
+  EXPECT_FALSE(e.speech.room_loudest_percent);
   EXPECT_EQ(e.touch.strength_percent, 40);
   EXPECT_EQ(e.touch.limit_n, 4);
   EXPECT_TRUE(e.touch.introduction);
@@ -186,6 +191,9 @@ TEST_F(ExhibitTest, EachFaultIsOneSentenceThatNamesItsPlace) {
        "idle.goodbye_s must be a number."},
       {"a volume that is not whole", [](Json& j) { j["speech"]["volume_percent"] = 50.5; },
        "speech.volume_percent must be a whole number."},
+      {"a room that bears more than ears",
+       [](Json& j) { j["speech"]["room_loudest_percent"] = 90; },
+       "speech.room_loudest_percent is 90, above speech.loudest_percent, which is 80."},
       {"louder than the loudest", [](Json& j) { j["speech"]["volume_percent"] = 90; },
        "speech.volume_percent is 90, above speech.loudest_percent, which is 80."},
       {"no strength", [](Json& j) { j["touch"]["strength_percent"] = 0; },

@@ -161,6 +161,25 @@ TEST(SurfaceNotes, OfStrays) {
   EXPECT_TRUE(strayWords({.all = 20'000}).empty());
 }
 
+TEST(SurfaceNotes, OfAFileThatIsOnlyLookedAt) {
+  EXPECT_EQ(englishText(strayWordsOfFile({.points = 3, .all = 99, .share_of_box = 0.5})),
+            "3 of 99 points lie 50 % of the box away from all others; surfaces are made without "
+            "them, unless --strays keep is given.");
+  EXPECT_EQ(
+      englishText(strayWordsOfFile({.points = 2, .all = 99, .share_of_box = 0.5, .unused = 1})),
+      "1 of 99 points lies 50 % of the box away from all others; surfaces are made without "
+      "it, unless --strays keep is given. 1 vertex belongs to no face and lies outside of "
+      "the object; surfaces are made without it, unless --strays keep is given.");
+  EXPECT_EQ(englishText(strayWordsOfFile(
+                {.all = 20'000, .grouped = 150, .share_of_box_grouped = 0.9, .groups_kept = true})),
+            "150 of 20 000 points lie together 90 % of the box away from all others; surfaces are "
+            "made with them, as they may belong to the object, unless --strays drop-groups is "
+            "given.");
+  EXPECT_EQ(englishText(suspectWordsOfFile({.value = -9999, .count = 4, .all = 12})),
+            "4 of 12 heights are -9999, which often stands for a missing one; surfaces are made "
+            "without them, unless --nodata none is given.");
+}
+
 TEST(SurfaceNotes, OfVerticesThatNoFaceUses) {
   EXPECT_EQ(englishText(strayWords({.points = 1, .all = 99, .share_of_box = 0.5, .unused = 1})),
             "1 vertex belongs to no face and lies outside of the object; it was left out.");

@@ -11,6 +11,7 @@
 
 #include "core/message/catalogue.h"
 #include "tests/plugins/plugin_fixture.h"
+#include "tests/plugins/voice/sound_server.h"
 #include "tests/plugins/voice/speech_server.h"
 
 namespace relievo {
@@ -95,6 +96,49 @@ TEST_F(VoicePluginTest, LouderAndSofterHoldFromTheNextWordsOnAndAreSaid) {
   EXPECT_EQ(inPanel<QSpinBox>("voiceVolume")->value(), 10) << "who hears nothing finds no way back";
   for (int i = 0; i < 20; ++i) host_.actions.at("louderSpeech")->trigger();
   EXPECT_EQ(inPanel<QSpinBox>("voiceVolume")->value(), 100);
+}
+
+TEST_F(VoicePluginTest, IsNeverLouderInARoomThanTheRoomBears) {
+  RELIEVO_NEEDS_PROGRAM("speech-dispatcher");
+  RELIEVO_NEEDS_PROGRAM("pulseaudio");
+  RELIEVO_NEEDS_PROGRAM("pactl");
+  test::SoundServer sound;
+  ASSERT_TRUE(eventually([&] { return sound.isReady(); })) << sound.log().toStdString();
+  qputenv("PULSE_SERVER", sound.address());
+  ASSERT_TRUE(sound.sendTo("ears"));
+  test::SpeechDispatcher server;
+  ASSERT_TRUE(eventually([&] { return server.isListening(); })) << server.log().toStdString();
+  qputenv("SPEECHD_ADDRESS", "unix_socket:" + server.socket().toUtf8());
+  load();
+  const QByteArray state =
+      R"({"own_voice":true,"volume_percent":70,"loudest_percent":80,"room_loudest_percent":40})";
+  plugin_->restoreState(state);
+  auto* volume = inPanel<QSpinBox>("voiceVolume");
+  EXPECT_EQ(volume->value(), 40) << "nobody knows yet where it sounds";
+  EXPECT_TRUE(eventually([&] { return volume->value() == 70; })) << "by headphones";
+  host_.actions.at("louderSpeech")->trigger();
+  EXPECT_EQ(volume->value(), 80);
+  host_.actions.at("softerSpeech")->trigger();
+  ASSERT_EQ(volume->value(), 57);
+  server.speakSlowly(true);
+  host_.voice->speak(QStringLiteral("A long story."), SaidBecause::asked);
+  const auto told = [&] { return server.said().filter("A long story."); };
+  ASSERT_TRUE(eventually([&] { return told().size() == 1; })) << server.log().toStdString();
+  ASSERT_TRUE(sound.sendTo("room"));
+  ASSERT_TRUE(eventually([&] { return told().size() == 2; })) << "it begins anew";
+  EXPECT_EQ(volume->value(), 40);
+  EXPECT_NE(told().at(0), told().at(1)) << "softer";
+  server.speakSlowly(false);
+  host_.actions.at("louderSpeech")->trigger();
+  EXPECT_EQ(volume->value(), 40);
+  plugin_->restoreState(state);
+  EXPECT_EQ(volume->value(), 40) << "for the next visitor, too";
+  ASSERT_TRUE(sound.sendTo("ears"));
+  EXPECT_TRUE(eventually([&] {
+    host_.actions.at("louderSpeech")->trigger();
+    return volume->value() == 80;
+  })) << "a louder voice is somebody's wish";
+  qunsetenv("PULSE_SERVER");
 }
 
 TEST_F(VoicePluginTest, AnyKeyCutsWhatIsBeingSaid) {

@@ -74,6 +74,8 @@ TEST_F(ExhibitDialogTest, MakesAnExhibitThatIsReadAsItWasMade) {
   part<QDoubleSpinBox>("exhibit_chime").setValue(0);
   part<QSpinBox>("exhibit_volume").setValue(60);
   part<QSpinBox>("exhibit_loudest").setValue(80);
+  EXPECT_EQ(part<QSpinBox>("exhibit_room_loudest").text(), "The same");
+  part<QSpinBox>("exhibit_room_loudest").setValue(65);
   part<QComboBox>("exhibit_device").setEditText("falcon");
   part<QDoubleSpinBox>("exhibit_limit").setValue(2.5);
   part<QCheckBox>("exhibit_guide").click();
@@ -99,6 +101,7 @@ TEST_F(ExhibitDialogTest, MakesAnExhibitThatIsReadAsItWasMade) {
   EXPECT_EQ(made.times.chime_s, 0);
   EXPECT_EQ(made.speech.volume_percent, 60);
   EXPECT_EQ(made.speech.loudest_percent, 80);
+  EXPECT_EQ(made.speech.room_loudest_percent, 65);
   EXPECT_EQ(made.touch.device, "falcon");
   EXPECT_EQ(made.touch.limit_n, 2.5);
   EXPECT_FALSE(made.touch.guide);

@@ -138,6 +138,28 @@ TEST_F(ExhibitControlTest, TheSameGoesByKeys) {
   EXPECT_EQ(control_->visit().state(), Visit::State::list);
 }
 
+TEST_F(ExhibitControlTest, HowMuchIsUnderTheHandIsSaidInAVisitorsWords) {
+  begin();
+  press("whereAmI");
+  press("whereAmI");
+  press("whereAmI");
+  ASSERT_TRUE(touches());
+  key(Qt::Key_Plus);
+  ASSERT_EQ(document().detail(), 2);
+  EXPECT_EQ(caption(), "Closer. 10 centimetres wide.");
+  key(Qt::Key_Plus);
+  ASSERT_EQ(document().detail(), 3);
+  key(Qt::Key_Minus);
+  EXPECT_EQ(caption(), "Wider. 10 centimetres wide.");
+  key(Qt::Key_Minus);
+  ASSERT_EQ(document().detail(), 1);
+  EXPECT_EQ(caption(), "The whole relief.");
+  key(Qt::Key_Plus);
+  key(Qt::Key_Home);
+  ASSERT_EQ(document().detail(), 1);
+  EXPECT_EQ(caption(), "The whole relief.");
+}
+
 TEST_F(ExhibitControlTest, NothingOfTheMenusCanBeReached) {
   begin();
   openRelief();  // Commands that need an open map would be enabled now.

@@ -32,6 +32,9 @@ QFormLayout* formIn(QWidget* box) {
   return form;
 }
 
+// Below the least volume: nothing was said for the room.
+constexpr int kLeastVolume = 10, kTheSame = kLeastVolume - 1;
+
 QString percent() {
   return QStringLiteral(" %");
 }
@@ -54,6 +57,10 @@ ExhibitVisitPage::ExhibitVisitPage(QWidget* parent)
       loudest_(whole("exhibit_loudest", tr("Loudest"),
                      tr("No button goes above it; how loud it is depends on the loudspeaker"), 10,
                      100, percent())),
+      room_loudest_(whole("exhibit_room_loudest", tr("Loudest in the room"),
+                          tr("The same on a loudspeaker; the volume falls to it where headphones "
+                             "are pulled out"),
+                          kTheSame, 100, percent())),
       words_(whole("exhibit_words", tr("Words a minute"), tr("How fast the voice speaks"), 100, 449,
                    QString())),
       device_(namedField(new QComboBox, "exhibit_device", tr("Device"),
@@ -156,6 +163,8 @@ QGroupBox* ExhibitVisitPage::voiceBox() {
   auto* form = formIn(box);
   form->addRow(tr("Volume of a new visitor"), volume_);
   form->addRow(tr("Loudest"), loudest_);
+  room_loudest_->setSpecialValueText(tr("The same"));
+  form->addRow(tr("Loudest in the room"), room_loudest_);
   form->addRow(tr("Words a minute"), words_);
   return box;
 }
@@ -206,6 +215,7 @@ void ExhibitVisitPage::setExhibit(const Exhibit& exhibit) {
   chime_->setValue(exhibit.times.chime_s);
   volume_->setValue(exhibit.speech.volume_percent);
   loudest_->setValue(exhibit.speech.loudest_percent);
+  room_loudest_->setValue(exhibit.speech.room_loudest_percent.value_or(kTheSame));
   words_->setValue(exhibit.speech.words_per_minute);
   device_->setCurrentText(QString::fromStdString(exhibit.touch.device));
   strength_->setValue(exhibit.touch.strength_percent);
@@ -225,7 +235,12 @@ void ExhibitVisitPage::setExhibit(const Exhibit& exhibit) {
 void ExhibitVisitPage::fill(Exhibit& exhibit) const {
   exhibit.languages = languages_;
   exhibit.times = {still_there_->value(), goodbye_->value(), chime_->value()};
-  exhibit.speech = {volume_->value(), loudest_->value(), words_->value()};
+  exhibit.speech = {.volume_percent = volume_->value(),
+                    .loudest_percent = loudest_->value(),
+                    .words_per_minute = words_->value()};
+  if (room_loudest_->value() > kTheSame) {
+    exhibit.speech.room_loudest_percent = room_loudest_->value();
+  }
   exhibit.touch = {.device = device_->currentText().trimmed().toStdString(),
                    .strength_percent = strength_->value(),
                    .limit_n = limit_->value(),
@@ -239,13 +254,14 @@ void ExhibitVisitPage::fill(Exhibit& exhibit) const {
 }
 
 QWidget* ExhibitVisitPage::fieldOf(const QString& place) const {
-  const std::array<std::pair<const char*, QWidget*>, 17> fields{
+  const std::array<std::pair<const char*, QWidget*>, 18> fields{
       {{"languages", findChild<QWidget*>(QStringLiteral("exhibit_languages"))},
        {"idle.still_there_s", still_there_},
        {"idle.goodbye_s", goodbye_},
        {"idle.chime_s", chime_},
        {"speech.volume_percent", volume_},
        {"speech.loudest_percent", loudest_},
+       {"speech.room_loudest_percent", room_loudest_},
        {"speech.words_per_minute", words_},
        {"touch.device", device_},
        {"touch.strength_percent", strength_},

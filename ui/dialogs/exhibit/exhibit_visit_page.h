@@ -57,7 +57,7 @@ class ExhibitVisitPage : public QWidget {
   std::vector<QCheckBox*> spoken_;
   QComboBox* first_;
   QDoubleSpinBox *still_there_, *goodbye_, *chime_;
-  QSpinBox *volume_, *loudest_, *words_;
+  QSpinBox *volume_, *loudest_, *room_loudest_, *words_;
   QComboBox* device_;
   QSpinBox *strength_, *sounds_;
   QDoubleSpinBox* limit_;
