@@ -87,19 +87,7 @@ SoundOutput outputOf(const pa_sink_info& sink) {
 /// One connection, until it fails.
 class OutputWatch::Server {
  public:
-  Server() {
-    if (!pulse().is_there) return fail();
-    loop_ = pulse().threaded_mainloop_new();
-    if (loop_ == nullptr) return fail();
-    context_ = pulse().context_new(pulse().threaded_mainloop_get_api(loop_), "relievo");
-    if (context_ == nullptr) return fail();
-    pulse().context_set_state_callback(context_, &Server::contextChanged, this);
-    if (pulse().context_connect(context_, nullptr, PA_CONTEXT_NOAUTOSPAWN, nullptr) < 0) {
-      return fail();
-    }
-    if (pulse().threaded_mainloop_start(loop_) < 0) return fail();
-    is_running_ = true;
-  }
+  Server() { open(); }
   ~Server() {
     if (loop_ == nullptr) return;
     if (is_running_) pulse().threaded_mainloop_stop(loop_);  // Joins: nobody calls from here on.
@@ -121,6 +109,19 @@ class OutputWatch::Server {
   }
 
  private:
+  void open() {
+    if (!pulse().is_there) return fail();
+    loop_ = pulse().threaded_mainloop_new();
+    if (loop_ == nullptr) return fail();
+    context_ = pulse().context_new(pulse().threaded_mainloop_get_api(loop_), "relievo");
+    if (context_ == nullptr) return fail();
+    pulse().context_set_state_callback(context_, &Server::contextChanged, this);
+    if (pulse().context_connect(context_, nullptr, PA_CONTEXT_NOAUTOSPAWN, nullptr) < 0) {
+      return fail();
+    }
+    if (pulse().threaded_mainloop_start(loop_) < 0) return fail();
+    is_running_ = true;
+  }
   void fail() {
     output_.store(SoundOutput::unknown, std::memory_order_release);
     is_gone_.store(true, std::memory_order_release);

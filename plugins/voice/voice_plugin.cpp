@@ -140,6 +140,7 @@ void VoicePlugin::applySettings() {
   if (settings_.volume_percent > loudestNow()) {
     lowered_from_ = sounds_by_ == SoundOutput::unknown ? settings_.volume_percent : 0;
     settings_.volume_percent = loudestNow();
+    if (panel_) panel_->setSettings(settings_);
   }
   voice_->setSettings(settings_);
   // Without a voice of its own the screen reader repeats, if anyone.
@@ -174,7 +175,6 @@ void VoicePlugin::watchOutput() {
   const bool was_speaking = voice_->isSpeaking();
   if (was_speaking) voice_->hush();
   applySettings();
-  if (panel_) panel_->setSettings(settings_);
   if (was_speaking) voice_->repeat();
 }
 

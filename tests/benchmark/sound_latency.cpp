@@ -278,8 +278,8 @@ class BusyCores {
     for (unsigned i = 0; i < 2 * std::thread::hardware_concurrency(); ++i) {
       const pid_t child = fork();
       if (child == 0) {
-        for (volatile unsigned long n = 0;; n = n + 1) {
-        }
+        std::atomic<unsigned> count{0};
+        while (true) ++count;
       }
       children_.push_back(child);
     }

@@ -258,11 +258,15 @@ void Exhibition::handTo(double x_mm, double y_mm, double z) {
 
 bool Exhibition::proxyNear(double x_mm, double y_mm, double within_mm) {
   constexpr int kRestMs = 1500;  // The hand's spring has settled long before.
+  constexpr int kStaysMs = 600;
   for (int tries = 0; tries < 20; ++tries) {
     const auto is_near = [&] {
       return probe() && std::hypot(x_mm - probe()->proxy.x, y_mm - probe()->proxy.y) < within_mm;
     };
-    if (QTest::qWaitFor(is_near, kRestMs)) return true;
+    if (QTest::qWaitFor(is_near, kRestMs)) {
+      QTest::qWait(kStaysMs);  // It does not only pass.
+      if (is_near()) return true;
+    }
     if (!probe() || probe()->window_id != document().window()->id) continue;
     const double scale = handMapping(*document().window()).device_per_view;
     aside_.x += scale * (x_mm - probe()->proxy.x);
@@ -325,14 +329,21 @@ bool Exhibition::touch(double x_mm, double y_mm, double z) {
     return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.2; }) && probe() &&
            probe()->touching;
   };
+  constexpr double kNearMm = 5, kStepMm = 1;
+  constexpr int kStepMs = 100;
   return stalls_.repeatAfterStalls(5, [&] {
     handTo(x_mm, y_mm, kAboveZ);
     if (!action("forces")->isChecked()) press(kCentre, 1800);
     if (!QTest::qWaitFor([this] { return probe() && probe()->forces_on; }, kPatienceMs)) {
       return false;
     }
-    handTo(x_mm, y_mm, z);
-    return QTest::qWaitFor(pushed, kPatienceMs) && proxyNear(x_mm, y_mm, 5);
+    if (!proxyNear(x_mm, y_mm, kNearMm)) return false;  // Over it ...
+    // ... and down only until it is felt: who presses hard slides off a hill.
+    for (double depth = kAboveZ; depth >= z && !pushed(); depth -= kStepMm) {
+      handTo(x_mm, y_mm, depth);
+      QTest::qWait(kStepMs);
+    }
+    return QTest::qWaitFor(pushed, kPatienceMs) && proxyNear(x_mm, y_mm, kNearMm);
   });
 }
 

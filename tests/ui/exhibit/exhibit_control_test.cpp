@@ -146,11 +146,11 @@ TEST_F(ExhibitControlTest, HowMuchIsUnderTheHandIsSaidInAVisitorsWords) {
   ASSERT_TRUE(touches());
   key(Qt::Key_Plus);
   ASSERT_EQ(document().detail(), 2);
-  EXPECT_EQ(caption(), "Closer. 10 centimetres wide.");
+  EXPECT_EQ(caption().toStdString(), "Closer. 20 centimetres wide.");
   key(Qt::Key_Plus);
   ASSERT_EQ(document().detail(), 3);
   key(Qt::Key_Minus);
-  EXPECT_EQ(caption(), "Wider. 10 centimetres wide.");
+  EXPECT_EQ(caption().toStdString(), "Wider. 20 centimetres wide.");
   key(Qt::Key_Minus);
   ASSERT_EQ(document().detail(), 1);
   EXPECT_EQ(caption(), "The whole relief.");
