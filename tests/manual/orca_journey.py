@@ -269,7 +269,7 @@ def walk(listener, scan, home):
         step("Undo", ["ctrl+z"], "Undone: ")
     for _ in range(3):
         step("Redo", ["ctrl+y"], "Done again: ")
-    find("Hillshade, four lights", "hillshade four", "four lights", "four lights.*|hillshade")
+    find("Hillshade, four lights", "hillshade four", "four lights", "four lights")
     step("Turn the light", ["alt+shift+Left"], r"Light from \d+ degrees")
     step("Lift the light", ["alt+shift+Up"], r"\d+ degrees high")
     find("Profile", "heights along", "Profile", "place 1 of 2")
@@ -291,10 +291,17 @@ def walk(listener, scan, home):
     step("Slower", ["2 Down"], "0.25")
     step("Close the replay", ["Escape"], "Replay closed")
     step("Ask for a figure", ["ctrl+e"], "Figure dialog", "File")
-    name_file("Name it", home / "figure.png", "figure.png is saved")
+    name_file("Name it, and Enter", home / "figure.png", "figure.png is saved")
+    if step("Is the dialog gone? Where am I?", ["ctrl+i"], "Touching|In the air") is False:
+        step("Save the figure by its button", ["alt+s"], "saved")
+        step("Where am I?", ["ctrl+i"], "Touching|In the air")
+        if "not" in listener.rows[-1][3] or listener.rows[-1][3] == "silent":
+            step("Leave the dialog", ["Escape"], "relievo frame")
     step("Preferences", ["ctrl+comma"], "Preferences")
-    step("Search them for the text size", ["type text size"], "Text size")
+    step("Search them for the text size", ["type text size", "Tab"], "Text size|Appearance")
     step("Close them", ["Escape"], "relievo frame")
+    step("Save the project", ["ctrl+s"], "Save|File name")
+    name_file("Name it", home / "work.relievo.json", "work.relievo.json is saved")
     step("Ask for the wrong file", ["ctrl+o"], "Open dialog", "File name")
     name_file("Name the file that is cut short", short, "Cannot read cut_short.ply", "Nothing was loaded",
               "Ctrl\\+Return")
@@ -302,11 +309,12 @@ def walk(listener, scan, home):
     detail_view()
     step("Go back to the message", ["3 shift+F6"], "Cannot read cut_short.ply")
     step("Its button", ["Tab"], "Load what is there push button")
-    step("Close it", ["Escape"], ".")
+    step("Close it", ["Escape"], "closed|Detail view|Overview")
+    step("Drop a marker, so that something is unsaved", ["ctrl+b"], "set|removed")
     step("All keys", ["F1"], "Keys")
     step("Close them", ["Escape"], "relievo frame")
     step("Quit with unsaved work", ["ctrl+q"], "Save|Discard")
-    step("Stay", ["Escape"], "stays open|relievo frame")
+    step("Stay", ["Escape"], "relievo frame")
 
 
 def versions(relievo):

@@ -20,13 +20,6 @@ constexpr double kDomeX = 90, kDomeY = 100;  // Of relief F, mm.
 class JourneyU3Failures : public Exhibition {
  protected:
   JourneyU3Failures() : Exhibition("u3_failures") {}
-  void SetUp() override {
-    if (!qEnvironmentVariableIsSet("RELIEVO_JOURNEY_U3")) {
-      GTEST_SKIP() << "a visit is timed by the clock, and ends where the computer stalls: set "
-                      "RELIEVO_JOURNEY_U3=1 on a quiet one";
-    }
-    Exhibition::SetUp();
-  }
   void beginTouch() {
     begin();
     if (!HasFatalFailure()) passOverToTouch();
@@ -90,11 +83,11 @@ TEST_F(JourneyU3Failures, HeadphonesThatArePulledOutLeaveARoomThatIsNotTooLoud) 
   ASSERT_TRUE(eventually([this] { return timesHeard("Volume 80 percent.") >= 2; }));
   forgetHeard();
   ASSERT_TRUE(sound_->sendTo("room"));
-  ASSERT_TRUE(hears({"Volume 80 percent."})) << "what was cut begins anew";
+  ASSERT_TRUE(hears({"Welcome."})) << "speech goes on: what was said last but the volume";
   EXPECT_LT(volume(), by_headphones);
-  speakSlowly(false);
   press(kPlus);
   ASSERT_TRUE(hears({"Volume 50 percent."})) << "no button goes above it";
+  speakSlowly(false);
   ASSERT_TRUE(reaches(Visit::State::idle)) << "nobody chose";
   forgetHeard();
   press(kForward);

@@ -155,12 +155,14 @@ void JourneyU3::hearOfObject() {
                           "Its heights span 3 centimetres.", "Highest place: middle left.",
                           "You feel all of it now.",
                           "One centimetre of hand: nearly 4 centimetres of relief."};
+  speakSlowly(true);  // Else it may be over before a busy computer has pressed the button.
   press(kMinus);
   mayHear("Minus: wider.");
-  mayHear("Minus held: the whole relief.");
-  ASSERT_TRUE(hears(words));
+  ASSERT_TRUE(hears({words.first()}));
   press(kCentre);
-  ASSERT_TRUE(hears(words)) << "the middle button says it again";
+  ASSERT_TRUE(hears({words.first()})) << "the middle button says it again";
+  speakSlowly(false);
+  ASSERT_TRUE(hears(words.mid(1)));
 }
 
 /// U3.7 Led along the outline by no more than 2 N ...
