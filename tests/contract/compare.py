@@ -3,12 +3,16 @@
 """Do two programs keep the same contract? Runs the same commands with both, on the same files, and lists
 every difference of exit codes, reports, messages and files.
 
-    tests/contract/compare.py OLD NEW [FILE...]
+    tests/contract/compare.py [--kept] OLD NEW [FILE...]
 
 OLD and NEW: the programs `relievo`, each with its own programs and libraries beside it. FILE: scans, maps; the samples if none is given. What tells a run from
 another is left out: seconds, the commit, checksums made of it, times and compressed bytes. Exit code 1: there
 are differences.
+
+With --kept only what OLD has is asked of NEW, as a program of a later version may tell more: keys of its reports, columns of its tables,
+pixels of its maps and pictures, lines of its other texts, and its files. A command that OLD does not know is left out.
 """
+import itertools
 import json
 import re
 import struct
@@ -152,7 +156,95 @@ def run(program, words, scan, folder):
     return done.returncode, report, masked(done.stderr)
 
 
-def differences(old, new, scans, commands=COMMANDS, say=print):
+def lost(old, new, place=""):
+    """What of a report is gone or another: its places, and both values."""
+    if isinstance(old, dict) and isinstance(new, dict):
+        return [entry for key, value in old.items()
+                for entry in (lost(value, new[key], f"{place}.{key}") if key in new else [f"{place}.{key} is gone"])]
+    if isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
+        return [entry for i, value in enumerate(old) for entry in lost(value, new[i], f"{place}[{i}]")]
+    return [] if old == new else [f"{place} was {str(old)[:90]}, is {str(new)[:90]}"]
+
+
+def columns(data):
+    """Columns of a table of relievo by their names; None: it is none."""
+    lines = [line for line in data.decode("utf-8", "replace").splitlines() if line and not line.startswith("#")]
+    if not lines or "," not in lines[0]:
+        return None
+    names, rows = lines[0].split(","), [line.split(",") for line in lines[1:]]
+    return {name: [row[i] if i < len(row) else None for row in rows] for i, name in enumerate(names)}
+
+
+def values(page):
+    """The bytes of a directory's values, row by row, however they are cut into blocks and made small to be packed."""
+    tags, blocks = page
+
+    def number(tag, otherwise):
+        return struct.unpack_from({3: "<H", 4: "<I"}[tags[tag][0]], tags[tag][1])[0] if tag in tags else otherwise
+
+    width, height, samples, predictor = number(256, 0), number(257, 0), number(277, 1), number(317, 1)
+    size = number(258, 8) // 8
+    if size == 0:  # Bits of a mask are not packed by differences.
+        return width, height, b"".join(blocks)
+    across, down = number(322, width), number(323, number(278, height))
+    columns_of_blocks = -(-width // across)
+    whole = bytearray(width * height * samples * size)
+    for i, block in enumerate(blocks):
+        left, top = i % columns_of_blocks * across, i // columns_of_blocks * down
+        for row in range(min(down, height - top, len(block) // (across * samples * size))):
+            line = unpredicted(block[row * across * samples * size:(row + 1) * across * samples * size], predictor, samples, size)
+            taken = min(across, width - left) * samples * size
+            at = ((top + row) * width + left) * samples * size
+            whole[at:at + taken] = line[:taken]
+    return width, height, bytes(whole)
+
+
+def unpredicted(line, predictor, samples, size):
+    if predictor == 2:  # Each value as its difference from the one before.
+        most = 1 << 8 * size
+        numbers = [int.from_bytes(line[at:at + size], "little") for at in range(0, len(line), size)]
+        for first in range(samples):
+            numbers[first::samples] = itertools.accumulate(numbers[first::samples], lambda a, b: (a + b) % most)
+        return b"".join(number.to_bytes(size, "little") for number in numbers)
+    if predictor == 3:  # Planes of bytes, the highest first, each as its difference from the one before.
+        summed = bytearray(line)
+        for first in range(samples):
+            summed[first::samples] = bytes(itertools.accumulate(line[first::samples], lambda a, b: (a + b) & 255))
+        plane = len(line) // size
+        whole = bytearray(len(line))
+        for byte in range(size):
+            whole[byte::size] = summed[(size - 1 - byte) * plane:(size - byte) * plane]
+        return bytes(whole)
+    return line
+
+
+def kept(old, new):
+    """Is what a file had in the other one, too? Both as content() gives them."""
+    if isinstance(old, list) and isinstance(new, list):  # TIFF
+        return len(old) <= len(new) and all(values(a) == values(b) for a, b in zip(old, new))
+    if isinstance(old, tuple) and isinstance(new, tuple):  # PNG
+        return old[0] == new[0]
+    if not isinstance(old, bytes) or not isinstance(new, bytes):
+        return False
+    a, b = columns(old), columns(new)
+    if a is not None and b is not None:
+        return all(b.get(name) == values for name, values in a.items())
+    lines = set(new.splitlines())
+    return all(line in lines for line in old.splitlines() if not line.startswith(b"#"))
+
+
+def only_kept(results, outputs):
+    """What differs of a run, of what the first program had."""
+    (code, report, _), (new_code, new_report, _) = results
+    wrong = [] if code == new_code else [f"exit code {code}, {new_code}"]
+    if isinstance(report, bytes) and isinstance(new_report, bytes):
+        wrong += [] if report == new_report else ["report"]
+    else:
+        wrong += lost(report, new_report, "report")
+    return wrong + [name for name, old in outputs[0].items() if name not in outputs[1] or not kept(old, outputs[1][name])]
+
+
+def differences(old, new, scans, commands=COMMANDS, say=print, only=False):
     """How many; each is said. Also how many commands and files were compared."""
     found = commands_run = files = 0
     for scan in scans:
@@ -164,6 +256,14 @@ def differences(old, new, scans, commands=COMMANDS, say=print):
                     results.append(run(program, words, scan, folder))
                     outputs.append({f.name: content(f) for f in (folder / "out").iterdir()})
                 commands_run += 1
+                if only:
+                    unknown = results[0][0] == 1 and b"neither a verb nor a file" in results[0][2] and results[1][0] == 0
+                    files += len(outputs[0])
+                    wrong = [] if unknown else only_kept(results, outputs)
+                    for what in wrong:
+                        say(f"{scan.name}: {name}: {what}")
+                    found += len(wrong)
+                    continue
                 wrong = [what for what, a, b in zip(("exit code", "report", "messages"), *results) if a != b]
                 names = sorted(set(outputs[0]) | set(outputs[1]))
                 files += len(names)
@@ -178,10 +278,11 @@ def differences(old, new, scans, commands=COMMANDS, say=print):
 
 
 def main():
-    old, new = (Path(p).resolve() for p in sys.argv[1:3])
+    words = [word for word in sys.argv[1:] if word != "--kept"]
+    old, new = (Path(p).resolve() for p in words[:2])
     samples = sorted(p for p in (ROOT / "data/samples").iterdir() if p.suffix in (".ply", ".tif"))
-    scans = [Path(p).resolve() for p in sys.argv[3:]] or samples
-    found, commands, files = differences(old, new, scans)
+    scans = [Path(p).resolve() for p in words[2:]] or samples
+    found, commands, files = differences(old, new, scans, only="--kept" in sys.argv)
     print(f"{len(scans)} scans, {commands} commands with each program, {files} files: {found} differences")
     sys.exit(1 if found else 0)
 

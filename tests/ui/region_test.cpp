@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
+
 #include <cmath>
 #include <QAction>
 #include <QComboBox>
@@ -20,11 +22,16 @@
 namespace relievo {
 namespace {
 
+using testing::HasSubstr;
+
 class RegionTest : public GuiTest {
  protected:
   void SetUp() override { openRelief(); }
   ReferenceView& view() { return window().referenceView(); }
   const Region& region() { return document().project().region; }
+  std::string announced() {
+    return window().findChild<QLabel*>(QStringLiteral("status_message"))->text().toStdString();
+  }
   QPointF point(double x_mm, double y_mm) { return view().pointOf(x_mm, y_mm); }
   /// One pixel of the view, in mm: as exact as a pointer can be.
   double pixelMm() {
@@ -213,6 +220,7 @@ TEST_F(RegionTest, TheReferenceViewHasItsOwnKeys) {
   const Region before = region();
   QTest::keyClick(&view(), Qt::Key_Right);
   EXPECT_NEAR(region().x_mm, before.x_mm + 0.05 * before.side_mm, 1e-9);
+  EXPECT_THAT(announced(), HasSubstr("Resolution 3 of")) << "for who does not see it";
   QTest::keyClick(&view(), Qt::Key_Left, Qt::ShiftModifier);
   EXPECT_LT(region().side_mm, before.side_mm);
 }
@@ -221,12 +229,15 @@ TEST_F(RegionTest, SpaceArrowsAndEnterDrawAWindowAsADragDoes) {
   view().setFocus();
   const double step = 0.02 * 250;  // Of the map's longer side.
   QTest::keyClick(&view(), Qt::Key_Space);
+  EXPECT_THAT(announced(), HasSubstr("Drawing a window from x 125 mm"));
   for (int i = 0; i < 4; ++i) {
     QTest::keyClick(&view(), Qt::Key_Right);
     QTest::keyClick(&view(), Qt::Key_Up);
   }
+  EXPECT_THAT(announced(), HasSubstr("window 20 mm wide"));
   QTest::keyClick(&view(), Qt::Key_Left, Qt::ShiftModifier);
   QTest::keyClick(&view(), Qt::Key_Return);
+  EXPECT_THAT(announced(), HasSubstr("window 20 mm wide, lower left corner at x 120 mm"));
   EXPECT_NEAR(region().side_mm, 4 * step, 1e-6);
   EXPECT_NEAR(region().x_mm, 125 - step, 1e-6);
   EXPECT_NEAR(region().y_mm, 100, 1e-6);

@@ -10,6 +10,7 @@
 #include "core/session/colours/surface_colours.h"
 #include "core/session/map_facts.h"
 #include "ui/panels/view_panel.h"
+#include "ui/style/mnemonic.h"
 #include "ui/style/text.h"
 #include "ui/views/detail_view.h"
 #include "ui/views/overlays/light_ball.h"
@@ -70,7 +71,8 @@ void LookController::makeCommands() {
   for (std::size_t i = 0; i < kReliefKindNames.size(); ++i) {
     const auto kind = static_cast<ReliefKind>(i);
     const Command command = commandAfter(Command::relief_lit, i);
-    commands_.on(command, this, [this, kind] {
+    commands_.on(command, this, [this, kind, command] {
+      announce(withoutMnemonic(commands_[command].text()));
       choose(tr("Relief image"), [kind](ReliefLook& look) {
         look.kind = kind;
         look.range.reset();  // They were values of another kind.
@@ -86,7 +88,8 @@ void LookController::makeCommands() {
   for (std::size_t i = 0; i < kColourMapNames.size(); ++i) {
     const auto map = static_cast<ColourMap>(i);
     const Command command = commandAfter(Command::colours_grey, i);
-    commands_.on(command, this, [this, map] {
+    commands_.on(command, this, [this, map, command] {
+      announce(withoutMnemonic(commands_[command].text()));
       choose(tr("Relief image"), [map](ReliefLook& look) { look.colours = map; });
     });
     commands_[command].setChecked(map == ReliefLook{}.colours);

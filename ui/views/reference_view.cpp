@@ -146,10 +146,15 @@ void ReferenceView::showWindow() {
   const Region& r = document_.project().region;
   setPink(RectMm{r.x_mm, r.y_mm, r.side_mm, r.side_mm});
   placePink();
-  setWhereAmI(tr("Resolution %1 of %2, window %3 wide, lower left corner at x %4, y %5")
-                  .arg(document_.detail())
-                  .arg(document_.details())
-                  .arg(lengthText(r.side_mm), lengthText(r.x_mm), lengthText(r.y_mm)));
+  setWhereAmI(windowText());
+}
+
+QString ReferenceView::windowText() const {
+  const Region& r = document_.project().region;
+  return tr("Resolution %1 of %2, window %3 wide, lower left corner at x %4, y %5")
+      .arg(document_.detail())
+      .arg(document_.details())
+      .arg(lengthText(r.side_mm), lengthText(r.x_mm), lengthText(r.y_mm));
 }
 
 QPointF ReferenceView::pointOf(double x_mm, double y_mm) const {
@@ -241,12 +246,14 @@ bool ReferenceView::drawByKey(int key, bool both_corners) {
     setWhereAmI(tr("Drawing a window from x %1, y %2. Arrows carry the other corner, Enter ends, "
                    "Escape returns")
                     .arg(lengthText(r.centreX()), lengthText(r.centreY())));
+    Q_EMIT said(whereAmI());
     return true;
   }
   if (!key_draw_) return false;
   if (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter) {
     document_.region().commit(nameOf(PinkPart::outside));
     key_draw_.reset();
+    Q_EMIT said(windowText());
     return true;
   }
   const DetailLadder& map = document_.surface()->ladder;
@@ -261,6 +268,7 @@ bool ReferenceView::drawByKey(int key, bool both_corners) {
     key_draw_->y_mm += dy;
   }
   previewDrawn(key_draw_->x_mm, key_draw_->y_mm, key_draw_->to_x_mm, key_draw_->to_y_mm);
+  Q_EMIT said(windowText());
   return true;
 }
 
@@ -308,6 +316,7 @@ void ReferenceView::keyPressEvent(QKeyEvent* event) {
       document_.region().revert();
       drag_.reset();
       key_draw_.reset();
+      Q_EMIT said(windowText());
     } else {
       Q_EMIT left();
     }
@@ -341,7 +350,9 @@ void ReferenceView::keyPressEvent(QKeyEvent* event) {
       break;
     default:
       SurfaceView::keyPressEvent(event);
+      return;
   }
+  Q_EMIT said(windowText());
 }
 
 }  // namespace relievo

@@ -29,6 +29,8 @@ class ReferenceView : public SurfaceView {
 
  Q_SIGNALS:
   void left();  ///< Escape with nothing to return from.
+  /// What a key did, for who does not see it.
+  void said(const QString& words);
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
@@ -55,6 +57,7 @@ class ReferenceView : public SurfaceView {
 
   void showSurface();
   void showWindow();
+  QString windowText() const;  ///< Of the region of now, whether it is cut already or not.
   void placePink();
   void dragTo(const QPointF& point);
   void showCursor(const QPointF& point);

@@ -192,6 +192,7 @@ void MainWindow::connectParts() {
   connect(&area_->scan(), &ScanView::left, &detail, [&detail] { detail.setFocus(); });
   connect(&area_->scan(), &ScanView::reliefAsked, heard,
           [this] { commands_[Command::relief_from_scan].trigger(); });
+  connect(&area_->reference(), &ReferenceView::said, messages_.get(), &WindowMessages::announce);
   connect(&area_->reference(), &ReferenceView::left, &detail, [&detail] { detail.setFocus(); });
   connect(&document_, &Document::windowChanged, heard, [this] {
     if (const auto window = document_.window()) Q_EMIT windowShown(window);
