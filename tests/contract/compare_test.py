@@ -16,7 +16,7 @@ FAULTS = {
     "message": '"$R" "$@"; e=$?; echo more >&2; exit $e',
     "heights": 'case $1 in depthmap) "$R" "$@" --unit cm;; *) "$R" "$@";; esac',
     "a file more": '"$R" "$@"; e=$?; [ -d out ] && touch out/more; exit $e',
-    "log": '"$R" "$@"; e=$?; [ -f out/log.csv ] && sed -i "$ s/0/1/" out/log.csv; exit $e',
+    "log": '"$R" "$@"; e=$?; [ -f out/log.csv ] && sed -i "/^[0-9]/ s/0/1/" out/log.csv; exit $e',
     "pixels": 'case $1 in render) "$R" "$@" --colour viridis;; *) "$R" "$@";; esac',
 }
 

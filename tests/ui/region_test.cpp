@@ -229,15 +229,15 @@ TEST_F(RegionTest, SpaceArrowsAndEnterDrawAWindowAsADragDoes) {
   view().setFocus();
   const double step = 0.02 * 250;  // Of the map's longer side.
   QTest::keyClick(&view(), Qt::Key_Space);
-  EXPECT_THAT(announced(), HasSubstr("Drawing a window from x 125 mm"));
+  EXPECT_THAT(announced(), HasSubstr("Drawing a window from x 125.0 mm"));
   for (int i = 0; i < 4; ++i) {
     QTest::keyClick(&view(), Qt::Key_Right);
     QTest::keyClick(&view(), Qt::Key_Up);
   }
-  EXPECT_THAT(announced(), HasSubstr("window 20 mm wide"));
+  EXPECT_THAT(announced(), HasSubstr("window 20.00 mm wide"));
   QTest::keyClick(&view(), Qt::Key_Left, Qt::ShiftModifier);
   QTest::keyClick(&view(), Qt::Key_Return);
-  EXPECT_THAT(announced(), HasSubstr("window 20 mm wide, lower left corner at x 120 mm"));
+  EXPECT_THAT(announced(), HasSubstr("window 20.00 mm wide, lower left corner at x 120.0 mm"));
   EXPECT_NEAR(region().side_mm, 4 * step, 1e-6);
   EXPECT_NEAR(region().x_mm, 125 - step, 1e-6);
   EXPECT_NEAR(region().y_mm, 100, 1e-6);

@@ -408,6 +408,28 @@ TEST_F(FigureDialogTest, ItRefusesWithTheSentencesOfTheCommandLine) {
   EXPECT_FALSE(QFile::exists(path("f.png")));
 }
 
+TEST_F(FigureDialogTest, WhyNothingWasSavedStaysWhateverIsDrawnMeanwhileAndIsAnnounced) {
+  FigureDialog& dialog = openDialog();
+  auto& file = the<QLineEdit>("figure_file");
+  EXPECT_EQ(file.selectedText(), file.text()) << "a name that is typed takes its place";
+  auto& preview = the<FigurePreview>("figure_preview");
+  const auto shown = [&] { return preview.pixmap(Qt::ReturnByValue).toImage(); };
+  ASSERT_TRUE(waitFor([&] { return !shown().isNull(); }));
+  type("figure_file", path("no/such/f.png"));
+  QTest::keyClick(&file, Qt::Key_Return);
+  const QString why = problem();
+  EXPECT_TRUE(why.startsWith("There is no folder")) << why.toStdString();
+  EXPECT_EQ(child<QLabel>("status_message")->text(), why);
+  const qint64 before = shown().cacheKey();
+  dialog.resize(1560, 1100);
+  ASSERT_TRUE(waitFor([&] { return preview.longestPx() > 950; }));
+  waitFor([&] { return shown().width() > 950 && shown().cacheKey() != before; });
+  QTest::qWait(500);  // The finer picture has been drawn.
+  EXPECT_EQ(problem(), why);
+  type("figure_file", path("f.png"));
+  EXPECT_TRUE(waitFor([&] { return problem().isEmpty(); })) << "another name, another try";
+}
+
 TEST_F(FigureDialogTest, FilesBesideTheFigureFollowItsNameAndAreNotReplacedUnasked) {
   openDialog();
   type("figure_dpi", "60");

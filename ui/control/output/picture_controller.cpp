@@ -155,6 +155,7 @@ void PictureController::chooseFigure() {
             });
             figure_view_ = document_.project().look;
           });
+  connect(dialog, &FigureDialog::refused, this, [this](const QString& why) { announce(why); });
   connect(dialog, &FigureDialog::written, this, [this](const QString& file) {
     noteFigure(file);
     const QFileInfo saved(file);

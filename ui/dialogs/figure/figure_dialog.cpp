@@ -68,6 +68,13 @@ FigureDialog::FigureDialog(std::shared_ptr<const Surface> surface, Project proje
   connect(picture_, &FigurePreview::resized, this, &FigureDialog::previewLarger);
   connect(&worker_, &LatestWorker::busyChanged, this, &FigureDialog::showBusy);
   showBusy(false);
+  for (const QLineEdit* field : form_->findChildren<QLineEdit*>()) {
+    connect(field, &QLineEdit::textEdited, this, [this] {
+      if (!refusal_.isEmpty()) showRefusal({});  // Another try.
+    });
+  }
+  // Who types a name types all of it.
+  form_->findChild<QLineEdit*>(QStringLiteral("figure_file"))->selectAll();
   preview();
 }
 
@@ -178,6 +185,7 @@ QString FigureDialog::file() const {
 }
 
 void FigureDialog::changed() {
+  refusal_.clear();
   Q_EMIT requestChanged(request());
   delay_->start();
 }
@@ -195,7 +203,7 @@ void FigureDialog::preview() {
         drawn->error = errorOf([&] { drawn->figure = previewFigure(*surface, project, px, task); });
       },
       [this, drawn] {
-        showProblem(drawn->error);
+        showProblem(drawn->error.isEmpty() ? refusal_ : drawn->error);
         save_->setEnabled(drawn->error.isEmpty());
         const RgbaImage& image = drawn->figure.image;
         if (image.rgba.empty()) return;
@@ -231,6 +239,12 @@ void FigureDialog::showFacts(const FigureFacts& facts) {
 void FigureDialog::showProblem(const QString& problem) {
   problem_->setText(problem);
   problem_->setVisible(!problem.isEmpty());
+}
+
+void FigureDialog::showRefusal(const QString& why) {
+  refusal_ = why;
+  showProblem(why);
+  if (!why.isEmpty()) Q_EMIT refused(why);
 }
 
 void FigureDialog::done(int result) {

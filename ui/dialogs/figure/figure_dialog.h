@@ -40,6 +40,7 @@ class FigureDialog : public QDialog {
  Q_SIGNALS:
   void written(const QString& file);
   void requestChanged(const relievo::FigureRequest& request);
+  void refused(const QString& why);  ///< Nothing was saved, or not all.
 
  private:
   QWidget* formColumn();
@@ -50,6 +51,8 @@ class FigureDialog : public QDialog {
   void previewLarger();
   void showFacts(const FigureFacts& facts);
   void showProblem(const QString& problem);
+  /// Of saving: it stays until something is changed, whatever is drawn meanwhile. Empty: none.
+  void showRefusal(const QString& why);
   void showBusy(bool busy);
   Project wanted() const;
 
@@ -65,6 +68,7 @@ class FigureDialog : public QDialog {
   FigureForm* form_;
   FigurePreview* picture_ = nullptr;
   QLabel *facts_ = nullptr, *problem_ = nullptr;
+  QString refusal_;
   QPlainTextEdit* caption_ = nullptr;
   QProgressBar* bar_ = nullptr;
   QPushButton *save_ = nullptr, *stop_ = nullptr;

@@ -28,7 +28,7 @@ QStringList shownNames(const FigureFiles& files) {
 void FigureDialog::save() {
   const QString wrong = errorOf([this] { check(files()); });
   if (!wrong.isEmpty()) {
-    showProblem(wrong);
+    showRefusal(wrong);
     return;
   }
   QStringList there;
@@ -37,7 +37,7 @@ void FigureDialog::save() {
     const QString folder = target.absolutePath();
     if (folder == own_folder_) QDir().mkpath(folder);
     if (!QFileInfo(folder).isDir()) {
-      showProblem(tr("There is no folder %1. Nothing was written. Choose another, or make it.")
+      showRefusal(tr("There is no folder %1. Nothing was written. Choose another, or make it.")
                       .arg(shownPath(folder)));
       return;
     }
@@ -94,7 +94,7 @@ void FigureDialog::write() {
         });
       },
       [this, result, there, target = file()] {
-        showProblem(result->error);
+        showRefusal(result->error);
         if (*there > 0) Q_EMIT written(target);
         if (result->all) accept();
       });
@@ -105,7 +105,7 @@ void FigureDialog::stop() {
     const std::size_t count = *there_;
     QStringList names;
     for (const QString& name : targets_) names += shownName(name);
-    showProblem(count == 0 ? tr("Stopped. Nothing was written.")
+    showRefusal(count == 0 ? tr("Stopped. Nothing was written.")
                            : tr("Stopped. Only this was written: %1.")
                                  .arg(names.mid(0, static_cast<int>(count)).join(", ")));
     if (count > 0) Q_EMIT written(targets_.front());
