@@ -245,7 +245,7 @@ def walk(listener, scan, home):
 
     step("The start page", [], "relievo", "Open push button")
     step("Ask for a file", ["ctrl+o"], "Open dialog", "File name")
-    name_file("Name the scan", scan, name, "Detail view")
+    name_file("Name the scan", scan, name, "Detail view", "is open")
     step("Where am I?", ["ctrl+i"], "In the air")
     step("Move the hand, and ask", ["3 Right", "2 shift+Up", "ctrl+i"], "In the air|Touching", "middle|top")
     step("Forces on", ["F5"], "Forces on")
