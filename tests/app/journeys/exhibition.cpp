@@ -13,6 +13,7 @@
 #include <QtTest/QTest>
 #include <thread>
 
+#include "core/describe/sayable.h"
 #include "core/exhibit/staff_pin.h"
 #include "core/project/project.h"
 #include "haptics/device/falcon/firmware.h"
@@ -197,6 +198,22 @@ bool Exhibition::hears(const QString& language, const QStringList& sentences) {
   return true;
 }
 
+bool Exhibition::hearsLength(double mm, double within_mm, const QString& rest) {
+  if (!eventually([&] { return heard().size() > read_; })) {
+    ADD_FAILURE() << "never heard: a length" << rest.toStdString();
+    return false;
+  }
+  const QString got = heard().at(read_++);
+  constexpr double kStepMm = 0.1;  // Finer than the steps of what is said.
+  for (double off_mm = -within_mm; off_mm <= within_mm; off_mm += kStepMm) {
+    const std::string length = englishText(sayableLength(mm + off_mm));
+    if (got == language_ + '|' + QString::fromStdString(length) + rest) return true;
+  }
+  ADD_FAILURE() << "heard: " << got.toStdString() << "\ninstead of about " << mm << " mm"
+                << rest.toStdString();
+  return false;
+}
+
 bool Exhibition::mayHear(const QString& sentence) {
   if (!eventually([&] { return heard().size() > read_; })) return false;
   const bool is_it = heard().at(read_) == language_ + '|' + sentence;
@@ -329,7 +346,7 @@ bool Exhibition::touch(double x_mm, double y_mm, double z) {
     return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.2; }) && probe() &&
            probe()->touching;
   };
-  constexpr double kNearMm = 5, kStepMm = 1;
+  constexpr double kStepMm = 1;
   constexpr int kStepMs = 100;
   return stalls_.repeatAfterStalls(5, [&] {
     handTo(x_mm, y_mm, kAboveZ);

@@ -33,6 +33,7 @@ class Exhibition : public Journey {
   static constexpr double kAboveZ = 150, kOnZ = 124, kInZ = 116;
   static constexpr double kLimitN = 4;        // Of the exhibit.
   static constexpr double kMotorStepN = 0.2;  // Rounded counts, and how late the pose is.
+  static constexpr double kNearMm = 5;        // Of where a hand was to touch.
   static constexpr int kPatienceMs = 20'000;  // Then a person tries again.
 
   /// @param name  what its pictures begin with
@@ -50,6 +51,9 @@ class Exhibition : public Journey {
   /// Are these the next ones that are heard? One that cannot be heard any more fails the test.
   bool hears(const QString& language, const QStringList& sentences);
   bool hears(const QStringList& sentences) { return hears(language_, sentences); }
+  /// Is the next one a length, as one says it, and `rest`? The hand lives, and a number jumps from
+  /// "nearly 9" to "9": every length within `within_mm` of `mm` is right.
+  bool hearsLength(double mm, double within_mm, const QString& rest);
   /// The next one, if it is this one.
   bool mayHear(const QString& sentence);
   /// What is said from now on lasts until a press cuts it, or until it is quick again.
