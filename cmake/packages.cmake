@@ -75,6 +75,18 @@ example of each as a project of its own.")
   set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "relievo (= ${PROJECT_VERSION}), qtbase5-dev")
 endif()
 
+# What makes maps by several processes, where MPI is there (docs/adr/0232).
+if(RELIEVO_CLUSTER)
+  list(APPEND CPACK_COMPONENTS_ALL tiles)
+  set(CPACK_DEBIAN_TILES_PACKAGE_NAME relievo-tiles)
+  set(CPACK_COMPONENT_TILES_DESCRIPTION "depth maps of large sites by several processes
+A scan of a site becomes a depth map and its Gaussian pyramid by tiles, within
+a limit of memory, made by several processes of one machine or of a cluster
+that MPI or a scheduler starts. The files are those of the command line
+relievo, to the last bit; work that was stopped goes on.")
+  set(CPACK_DEBIAN_TILES_PACKAGE_DEPENDS "relievo-cli (= ${PROJECT_VERSION}), openmpi-bin")
+endif()
+
 # The Python package, where it is built (docs/adr/0148).
 if(RELIEVO_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)

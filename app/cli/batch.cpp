@@ -10,6 +10,7 @@
 #include <iostream>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -20,12 +21,14 @@
 #include "app/cli/options/map_option_use.h"
 #include "app/cli/options/number_option.h"
 #include "app/cli/other_program.h"
+#include "app/cli/processes.h"
 #include "app/cli/refusal_text.h"
 #include "app/cli/state.h"
 #include "app/cli/verb.h"
 #include "app/cli/verbs/declare_verbs.h"
 #include "core/depth/rules/rasterize.h"
 #include "core/io/raster/raster.h"
+#include "core/message/catalogue.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
 #include "core/session/colours/surface_colours.h"
@@ -225,6 +228,26 @@ std::string withCode(const std::exception& error) {
   return known->code + ": " + sentence;
 }
 
+/// Says why it came to nothing. Of several processes all end with the reason of one of them.
+/// @return  exit code
+int refuse(const std::exception& error) {
+  Exchange& all = batch::processes();
+  int exit_code = batch::exitCodeOf(error);
+  std::string sentence = withCode(error);
+  if (dynamic_cast<const OtherProcessStopped*>(&error) == nullptr) all.stop(exit_code, sentence);
+  if (const std::optional<Exchange::Stopped>& stopped = all.stopped()) {
+    exit_code = stopped->exit_code;
+    sentence = stopped->sentence;
+    if (stopped->rank > 0) {
+      sentence = englishText(
+          said<MessageId::process_stopped>(NumberArgument{.value = stopped->rank + 1.0},
+                                           NumberArgument{.value = 1.0 * all.ranks()}, sentence));
+    }
+  }
+  batch::tell(sentence);
+  return exit_code;
+}
+
 }  // namespace
 
 namespace {
@@ -351,8 +374,7 @@ int runBatch(int argc, char** argv) {
       if (app.got_subcommand(verb.name)) return runOrGoOn(verb, format, argv);
     }
   } catch (const std::exception& error) {
-    batch::tell(withCode(error));
-    return batch::exitCodeOf(error);
+    return refuse(error);
   }
   return 1;
 }

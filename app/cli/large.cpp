@@ -13,6 +13,7 @@
 #include "app/cli/map_report.h"
 #include "app/cli/options/map_option_use.h"
 #include "app/cli/options/number_option.h"
+#include "app/cli/processes.h"
 #include "core/base/failure.h"
 #include "core/base/time_left.h"
 #include "core/io/raster/colour_raster.h"
@@ -110,6 +111,7 @@ Json reportOf(const LargeMap& map, double factor) {
   json["taken_over"] = map.taken_over ? Json{{"points", map.taken_over->points},
                                              {"point_parts", map.taken_over->parts},
                                              {"rows_of_tiles", map.taken_over->rows},
+                                             {"filled_rows_of_tiles", map.taken_over->filled},
                                              {"damaged", map.taken_over->damaged}}
                                       : Json(nullptr);
   json["view"] = map.view_name;
@@ -164,6 +166,9 @@ void addTileOptions(CLI::App& verb, TileArguments& tiles) {
 }
 
 bool areGiven(const TileArguments& tiles) {
+  if (!processes().isAlone() && (!tiles.memory_mb || tiles.job.empty())) {
+    throw failure<MessageId::processes_need_folder>();
+  }
   if (tiles.threads && !tiles.memory_mb) {
     throw failure<MessageId::option_needs_other>("--threads", "--memory");
   }
@@ -199,6 +204,7 @@ CommandResult runByTiles(const MapArguments& arguments, const TileArguments& til
                  .memory_bytes = static_cast<std::uint64_t>(memory_mb * 1e6),
                  .threads = tiles.threads.value_or(0),
                  .job_folder = tiles.job,
+                 .processes = &processes(),
                  .on_view = [&](const Surface& view) {
                    line.clear();
                    sayView(view);
@@ -208,7 +214,9 @@ CommandResult runByTiles(const MapArguments& arguments, const TileArguments& til
   for (const Message& message : map.messages) tell(englishText(message));
   for (const Message& left : map.not_done) tell(englishText(left));
   tellUnusedMapOptions(arguments, map);
-  const Json json = reportOf(map, arguments.factor);
+  Json json = reportOf(map, arguments.factor);
+  json["processes"] = processes().ranks();
+  json["exchanged_bytes"] = processes().sentBytes();
   CommandResult outcome{.json = reportText(json), .lines = {}};
   for (const Json& level : json["levels"]) {
     outcome.lines.push_back(level["file"].get<std::string>() + ": " + level["cells"][0].dump() +

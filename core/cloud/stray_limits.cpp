@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <limits>
 
@@ -293,6 +294,45 @@ void StrayCounts::add(const StrayCounts& other) {
 }
 
 /// A cube that holds fewer is no part of a surface; single strays must not join up to one.
+std::string StrayCounts::bytes() const {
+  std::string bytes;
+  const auto put = [&bytes](const auto& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  std::vector<NearCube> near;
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    if (near_[i] > 0) near.push_back({.index = static_cast<std::uint32_t>(i), .points = near_[i]});
+  }
+  put(points_);
+  put(is_too_wide_);
+  put(near.size());
+  for (const NearCube& cube : near) put(cube);
+  for (const auto& [cube, count] : far_) put(FarCube{.cube = cube, .points = count});
+  return bytes;
+}
+
+void StrayCounts::add(std::string_view bytes) {
+  StrayCounts other(grid_);
+  const auto take = [&bytes](auto& value) {
+    std::memcpy(&value, bytes.data(), sizeof(value));
+    bytes.remove_prefix(sizeof(value));
+  };
+  std::size_t near = 0;
+  take(other.points_);
+  take(other.is_too_wide_);
+  for (take(near); near > 0; --near) {
+    NearCube cube;
+    take(cube);
+    other.near_[cube.index] = cube.points;
+  }
+  while (!bytes.empty()) {
+    FarCube cube;
+    take(cube);
+    other.far_[cube.cube] = cube.points;
+  }
+  add(other);
+}
+
 std::uint64_t StrayCounts::leastInSolid() const {
   double squares = 0;
   const auto add = [&squares](std::uint64_t count) {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -57,6 +59,9 @@ class StrayCounts {
   explicit StrayCounts(const StrayGrid& grid);
   void add(const Coordinates& p);
   void add(const StrayCounts& other);  ///< @pre the same grid
+  /// For another process of this program, which adds them to its own of the same grid.
+  std::string bytes() const;
+  void add(std::string_view bytes);
   std::uint64_t points() const noexcept { return points_; }
   /// The boxes outside of which only strays and groups lie, if their number allows it (`areFew`).
   /// @param all  around every point
@@ -64,6 +69,13 @@ class StrayCounts {
 
  private:
   using Cube = std::array<double, 3>;  // Whole numbers; those of 1e38 do not fit in integers.
+  struct NearCube {
+    std::uint32_t index = 0, points = 0;
+  };
+  struct FarCube {
+    Cube cube;
+    std::uint64_t points = 0;
+  };
   struct Hash {
     std::size_t operator()(const Cube& cube) const noexcept;
   };

@@ -8,6 +8,7 @@
 #include "core/provenance/program.h"
 #include "core/provenance/provenance.h"
 #include "core/session/input_names.h"
+#include "core/tiles/job/plain_bytes.h"
 
 namespace relievo {
 namespace {
@@ -20,12 +21,37 @@ struct ReadFiles {
   std::vector<InputFile> files = {};  ///< As Provenance::files.
 };
 
-ReadFiles readFilesOf(const TiledWork& work, const std::vector<fs::path>& files, const Task& task) {
+/// Each with its checksum; several processes read some of them each.
+std::vector<InputFile> inputFiles(const std::vector<fs::path>& files, const fs::path& folder,
+                                  Exchange& processes, const Task& task) {
+  const auto ranks = static_cast<std::size_t>(processes.ranks());
+  std::string mine;
+  for (auto i = static_cast<std::size_t>(processes.rank()); i < files.size(); i += ranks) {
+    const InputFile file = inputFile(files[i], folder, task);
+    mine.append(plainBytes(file.bytes)).append(plainBytes(file.file.size())).append(file.file);
+    mine.append(file.sha256);
+  }
+  const std::vector<std::string> told = processes.share(mine);
+  std::vector<PlainBytes> bytes(told.begin(), told.end());
+  std::vector<InputFile> all(files.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    constexpr std::size_t kSha256Digits = 64;
+    std::size_t name = 0;
+    bytes[i % ranks].take(all[i].bytes);
+    bytes[i % ranks].take(name);
+    bytes[i % ranks].take(all[i].file, name);
+    bytes[i % ranks].take(all[i].sha256, kSha256Digits);
+  }
+  return all;
+}
+
+ReadFiles readFilesOf(const TiledWork& work, const std::vector<fs::path>& files,
+                      Exchange& processes, const Task& task) {
   const fs::path parent = work.out.parent_path();
   const fs::path folder = parent.empty() ? fs::path(".") : parent;
   if (files.size() == 1) return {.input = inputFile(files.front(), folder, task)};
   ReadFiles read;
-  for (const fs::path& file : files) read.files.push_back(inputFile(file, folder, task));
+  read.files = inputFiles(files, folder, processes, task);
   // One name may stand for all; of several it is where the first is.
   const fs::path& name = work.names.front();
   const fs::path together = fs::is_directory(name) ? name : files.front().parent_path();
@@ -63,6 +89,7 @@ std::string stateOf(const TiledWork& work, const LargeMap& map, const ReadFiles&
 LargeMap makeTiledMap(const TiledWork& work, const Task& task) {
   const std::vector<fs::path> files = filesNamed(work.names);
   std::optional<ReadFiles> read;
+  Alone alone;
   LargeMapOptions large{.file = work.out,
                         .memory_bytes = work.memory_bytes,
                         .threads = work.threads,
@@ -71,12 +98,13 @@ LargeMap makeTiledMap(const TiledWork& work, const Task& task) {
                         .state =
                             [&](const LargeMap& map) {
                               // Its progress would be that of another step.
-                              if (!read) read = readFilesOf(work, files, {task.stop, {}});
+                              if (!read) read = readFilesOf(work, files, alone, {task.stop, {}});
                               return stateOf(work, map, *read);
                             },
-                        .job = {}};
+                        .job = {},
+                        .processes = work.processes};
   if (!work.job_folder.empty()) {
-    read = readFilesOf(work, files, task);
+    read = readFilesOf(work, files, work.processes != nullptr ? *work.processes : alone, task);
     large.job = {.folder = work.job_folder, .facts = jobFacts(work, *read)};
   }
   return makeLargeMap(files, work.options, large, work.import, task);

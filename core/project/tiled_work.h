@@ -21,6 +21,7 @@ struct TiledWork {
   std::uint64_t memory_bytes = 2'000'000'000;  ///< For all but the program itself.
   int threads = 0;                             ///< 0: as many as there are usable cores.
   std::filesystem::path job_folder = {};       ///< What is finished is kept there; empty: nowhere.
+  Exchange* processes = nullptr;               ///< As LargeMapOptions::processes.
   std::function<void(const Surface& view)> on_view = {};  ///< As LargeMapOptions::on_view. [worker]
   std::function<void(const ReadyMap& ready)> on_ready = {};  ///< Likewise.
 };
@@ -28,7 +29,8 @@ struct TiledWork {
 /// Makes the map with all its levels; each file says where it comes from, with the checksum of
 /// every file that was read. What is in the folder of the job is taken over if the files, the
 /// options and the program are the same. [worker]
-/// @throw FileError, ArgumentError, WriteError, Cancelled  as filesNamed and makeLargeMap
+/// @throw FileError, ArgumentError, WriteError, Cancelled, OtherProcessStopped  as filesNamed and
+/// makeLargeMap
 LargeMap makeTiledMap(const TiledWork& work, const Task& task = {});
 
 }  // namespace relievo

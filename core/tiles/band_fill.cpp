@@ -2,14 +2,17 @@
 #include "core/tiles/band_fill.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 #include "core/base/failure.h"
 #include "core/depth/fill/mask.h"
 #include "core/depth/fill/push_pull.h"
 #include "core/depth/layers/hidden_points.h"
+#include "core/tiles/job/plain_bytes.h"
 #include "core/tiles/points/lowest_values.h"
 #include "core/tiles/threads.h"
 #include "core/tiles/tile_layout.h"
@@ -24,6 +27,23 @@ constexpr int kPullRows = 1 << kPull;
 
 bool isMeasured(float depth) {
   return !std::isnan(depth);
+}
+
+/// Eight cells to a byte.
+std::string packed(std::span<const std::uint8_t> mask) {
+  std::string bits((mask.size() + 7) / 8, '\0');
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    bits[i / 8] = static_cast<char>(static_cast<unsigned char>(bits[i / 8]) | mask[i] << i % 8);
+  }
+  return bits;
+}
+
+Mask unpacked(std::string_view bits, std::size_t cells) {
+  Mask mask(cells);
+  for (std::size_t i = 0; i < cells; ++i) {
+    mask[i] = static_cast<unsigned char>(bits[i / 8]) >> i % 8 & 1U;
+  }
+  return mask;
 }
 
 /// Layers 0 ... kPull of a band, pulled only.
@@ -68,6 +88,10 @@ int BandFill::bandCount() const noexcept {
   return TileLayout{frame_.size}.down();
 }
 
+std::size_t BandFill::cellsOf(const Band& band) const noexcept {
+  return static_cast<std::size_t>(band.rows) * static_cast<std::size_t>(frame_.size.cols);
+}
+
 std::vector<float> BandFill::read(const RowsOf& rows, const Band& band) const {
   const int count = band.to - band.from;
   std::vector<float> values(static_cast<std::size_t>(count) *
@@ -80,6 +104,7 @@ BandFill::BandFill(BandDepths depths, const GridFrame& frame, const FillSource& 
                    const HoleChoice& choice, const BandOptions& options, const Task& task)
     : given_(std::move(depths)),
       depths_(given_.front),
+      processes_(options.processes != nullptr ? *options.processes : alone_),
       frame_(frame),
       source_(source),
       choice_(choice),
@@ -101,23 +126,53 @@ BandFill::BandFill(BandDepths depths, const GridFrame& frame, const FillSource& 
   pullAll(task);
 }
 
-void BandFill::markMeasured(const Task& task) {
-  std::vector<std::vector<float>> bands(static_cast<std::size_t>(threads_));
+void BandFill::forBands(const Step& step, const Task& task, const MakeBand& make,
+                        const TakeBand& take) {
+  const auto [first, end] = processes_.partOf(bandCount());
+  std::vector<std::string> made(static_cast<std::size_t>(threads_));
+  std::string mine;
   orderedPipeline(
-      bandCount(), threads_,
+      end - first, threads_,
       [&](int place, int number) {
         task.check();
-        bands[static_cast<std::size_t>(place)] = read(depths_, bandOf(number, 0, 1));
+        made[static_cast<std::size_t>(place)] = make(first + number);
       },
       [&](int place, int number) {
-        task.report("Looking for gaps", static_cast<double>(number) / bandCount());
-        const float* depth = bands[static_cast<std::size_t>(place)].data();
-        const Band band = bandOf(number, 0, 1);
-        for (int row = band.first; row < band.first + band.rows; ++row) {
-          for (int col = 0; col < frame_.size.cols; ++col) {
-            if (isMeasured(*depth++)) measured_.set({.col = col, .row = row});
-          }
+        task.report(step.words, step.from + (step.to - step.from) * number / (end - first));
+        const std::string& found = made[static_cast<std::size_t>(place)];
+        if (processes_.isAlone()) {
+          take(number, found);
+        } else {
+          const std::uint64_t size = found.size();
+          mine.append(plainBytes(size)).append(found);
         }
+      });
+  if (processes_.isAlone()) return;
+  const std::vector<std::string> told = processes_.share(mine);
+  int number = 0;
+  for (const std::string& one : told) {
+    std::string_view rest = one;
+    while (!rest.empty()) {
+      std::uint64_t size = 0;
+      PlainBytes(rest).take(size);
+      take(number++, rest.substr(sizeof(size), size));
+      rest.remove_prefix(sizeof(size) + size);
+    }
+  }
+}
+
+void BandFill::markMeasured(const Task& task) {
+  forBands(
+      {.words = "Looking for gaps", .from = 0, .to = 0.5}, task,
+      [&](int number) {
+        const std::vector<float> depths = read(depths_, bandOf(number, 0, 1));
+        Mask mask(depths.size());
+        for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = isMeasured(depths[i]) ? 1 : 0;
+        return packed(mask);
+      },
+      [&](int number, std::string_view found) {
+        const Band band = bandOf(number, 0, 1);
+        measured_.setRows(band.first, unpacked(found, cellsOf(band)));
       });
 }
 
@@ -143,39 +198,45 @@ int BandFill::gapRadius() const {
 }
 
 void BandFill::dropSeenThroughBands(int radius, const Task& task) {
-  kept_ = std::make_unique<RowStore>(frame_.size, options_.memory_bytes / 2, options_.spill_folder);
-  std::vector<std::vector<float>> bands(static_cast<std::size_t>(threads_));
-  orderedPipeline(
-      bandCount(), threads_,
-      [&](int place, int number) {
-        task.check();
+  dropped_.emplace(frame_.size);
+  forBands(
+      {.words = "Looking through gaps"}, task,
+      [&](int number) {
         const Band band = bandOf(number, seeThroughReach(radius), 1);
-        FrontDepths depths = read(depths_, band);
+        const FrontDepths before = read(depths_, band);
+        FrontDepths depths = before;
         GridFrame frame = frame_;
         frame.size.rows = band.to - band.from;
         dropSeenThrough(depths, frame, radius, task);
-        bands[static_cast<std::size_t>(place)] = std::move(depths);
+        const std::size_t start = frame_.size.index({.col = 0, .row = band.first - band.from});
+        Mask mask(cellsOf(band));
+        for (std::size_t i = 0; i < mask.size(); ++i) {
+          mask[i] = isMeasured(before[start + i]) && !isMeasured(depths[start + i]) ? 1 : 0;
+        }
+        return packed(mask);
       },
-      [&](int place, int number) {
-        task.report("Looking through gaps", static_cast<double>(number) / bandCount());
-        const Band band = bandOf(number, seeThroughReach(radius), 1);
-        const float* depth = bands[static_cast<std::size_t>(place)].data() +
-                             frame_.size.index({.col = 0, .row = band.first - band.from});
-        kept_->write(band.first, band.rows, depth);
-        for (int row = band.first; row < band.first + band.rows; ++row) {
-          countSeenThrough(row, depth);
-          depth += frame_.size.cols;
+      [&](int number, std::string_view found) {
+        const Band band = bandOf(number, 0, 1);
+        const Mask mask = unpacked(found, cellsOf(band));
+        dropped_->setRows(band.first, mask);
+        for (int row = 0; row < band.rows; ++row) {
+          countSeenThrough(band.first + row, &mask[frame_.size.index({.col = 0, .row = row})]);
         }
       });
-  depths_ = [this](int first, int rows, float* out) { kept_->read(first, rows, out); };
+  depths_ = [this](int first, int rows, float* out) {
+    given_.front(first, rows, out);
+    const Mask dropped = dropped_->bytes(first, rows);
+    for (std::size_t i = 0; i < dropped.size(); ++i) {
+      if (dropped[i] != 0) out[i] = std::numeric_limits<float>::quiet_NaN();
+    }
+  };
 }
 
-void BandFill::countSeenThrough(int row, const float* depths) {
+void BandFill::countSeenThrough(int row, const std::uint8_t* dropped) {
   std::vector<float> points;  // Read only where it is asked for.
   for (int col = 0; col < frame_.size.cols; ++col) {
-    const Cell cell{.col = col, .row = row};
-    if (isMeasured(depths[col]) || !measured_.at(cell)) continue;
-    measured_.clear(cell);
+    if (dropped[col] == 0) continue;
+    measured_.clear({.col = col, .row = row});
     ++seen_through_;
     if (!given_.points) continue;
     if (points.empty()) {
@@ -193,31 +254,39 @@ void BandFill::pullAll(const Task& task) {
   const int coarse_rows = (size.rows + kPullRows - 1) / kPullRows;
   PushPullLayer coarse{
       .size = {.cols = coarse_cols, .rows = coarse_rows}, .values = {}, .weights = {}};
-  struct Pulled {
-    std::vector<float> depths, filled;
-    PushPullLayer top;
-  };
-  std::vector<Pulled> bands(static_cast<std::size_t>(threads_));
-  orderedPipeline(
-      bandCount(), threads_,
-      [&](int place, int number) {
-        task.check();
+  std::mutex adds_lowest;
+  forBands(
+      {.words = "Filling gaps", .from = 0, .to = 0.5}, task,
+      [&](int number) {
         const Band band = bandOf(number, 0, 1);
-        Pulled& made = bands[static_cast<std::size_t>(place)];
-        made.depths = read(depths_, band);
-        made.filled = made.depths;
-        addBetween(band, made.filled);
-        made.top =
-            std::move(pulledLayers(made.filled, {.cols = size.cols, .rows = band.rows}).back());
+        std::vector<float> depths = read(depths_, band);
+        {
+          const std::lock_guard one_at_a_time(adds_lowest);  // In any order: values are counted.
+          lowest.add(depths);
+        }
+        addBetween(band, depths);
+        const PushPullLayer top =
+            pulledLayers(depths, {.cols = size.cols, .rows = band.rows}).back();
+        return std::string(plainBytes(top.values)).append(plainBytes(top.weights));
       },
-      [&](int place, int number) {
-        task.report("Filling gaps", 0.5 * number / bandCount());
-        const Pulled& made = bands[static_cast<std::size_t>(place)];
-        lowest.add(made.depths);
-        coarse.values.insert(coarse.values.end(), made.top.values.begin(), made.top.values.end());
-        coarse.weights.insert(coarse.weights.end(), made.top.weights.begin(),
-                              made.top.weights.end());
+      [&](int, std::string_view found) {
+        const std::size_t count = found.size() / 2 / sizeof(float);
+        PlainBytes bytes(found);
+        std::vector<float> values, weights;
+        bytes.take(values, count);
+        bytes.take(weights, count);
+        coarse.values.insert(coarse.values.end(), values.begin(), values.end());
+        coarse.weights.insert(coarse.weights.end(), weights.begin(), weights.end());
       });
+  if (!processes_.isAlone()) {
+    const std::vector<std::string> told = processes_.share(plainBytes(lowest.kept()));
+    for (int rank = 0; rank < processes_.ranks(); ++rank) {
+      const std::string& one = told[static_cast<std::size_t>(rank)];
+      std::vector<float> values;
+      PlainBytes(one).take(values, one.size() / sizeof(float));
+      if (rank != processes_.rank()) lowest.add(values);
+    }
+  }
   base_z_mm_ = source_.base_z_mm.value_or(lowest.quantile());
   std::vector<PushPullLayer> layers;
   layers.push_back(std::move(coarse));
@@ -233,24 +302,24 @@ void BandFill::pullAll(const Task& task) {
 }
 
 void BandFill::findHoles(int radius, const Task& task) {
-  std::vector<Mask> bands(static_cast<std::size_t>(threads_));
-  orderedPipeline(
-      bandCount(), threads_,
-      [&](int place, int number) {
-        task.check();
+  forBands(
+      {.words = "Looking for gaps", .from = 0.5, .to = 1}, task,
+      [&](int number) {
         const Band band = bandOf(number, 2 * radius, 1);
         const GridSize size{.cols = frame_.size.cols, .rows = band.to - band.from};
         Mask mask = measured_.bytes(band.from, size.rows);
         if (source_.gaps_are_known && given_.between) {
           mask = withBetween(std::move(mask), read(given_.between, band));
         }
-        bands[static_cast<std::size_t>(place)] = closed(mask, size, radius);
+        mask = closed(mask, size, radius);
+        const std::size_t start = frame_.size.index({.col = 0, .row = band.first - band.from});
+        return packed(std::span(mask).subspan(start, cellsOf(band)));
       },
-      [&](int place, int number) {
-        const Band band = bandOf(number, 2 * radius, 1);
-        const Mask& mask = bands[static_cast<std::size_t>(place)];
-        for (int row = band.first; row < band.first + band.rows; ++row) {
-          empty_.addRow(&mask[frame_.size.index({.col = 0, .row = row - band.from})]);
+      [&](int number, std::string_view found) {
+        const Band band = bandOf(number, 0, 1);
+        const Mask mask = unpacked(found, cellsOf(band));
+        for (int row = 0; row < band.rows; ++row) {
+          empty_.addRow(&mask[frame_.size.index({.col = 0, .row = row})]);
         }
         if (empty_.bytes() > options_.memory_bytes) {
           throw failure<MessageId::map_areas_too_ragged>();
@@ -287,10 +356,10 @@ void BandFill::placeOrigins(const Band& band, std::vector<CellStatus>& origins) 
 void BandFill::addBetween(const Band& band, std::vector<float>& depths) const {
   if (!given_.between) return;
   std::vector<float> between = read(given_.between, band);
-  if (kept_) {
-    const std::vector<float> front = read(given_.front, band);
-    for (std::size_t i = 0; i < front.size(); ++i) {
-      if (isMeasured(front[i])) between[i] = std::numeric_limits<float>::quiet_NaN();
+  if (dropped_) {
+    const Mask dropped = dropped_->bytes(band.from, band.to - band.from);
+    for (std::size_t i = 0; i < dropped.size(); ++i) {
+      if (dropped[i] != 0) between[i] = std::numeric_limits<float>::quiet_NaN();
     }
   }
   for (int row = band.from; row < band.to; ++row) {
@@ -342,8 +411,10 @@ Mask BandFill::gapsOf(const Band& band, const Mask& known) const {
   return gaps;
 }
 
-void BandFill::fillBand(const Band& band, std::vector<float>& heights,
-                        std::vector<CellStatus>& origins) const {
+FilledBand BandFill::filledBand(int number) const {
+  // Push-pull is off by one coarse row at a band's border; beyond it neighbours must be right.
+  static_assert(kNeighbourRounds <= kPullRows);
+  const Band band = bandOf(number, 2 * kPullRows, kPullRows);
   const GridSize size{.cols = frame_.size.cols, .rows = band.to - band.from};
   std::vector<float> depths = read(depths_, band);
   addBetween(band, depths);
@@ -354,46 +425,76 @@ void BandFill::fillBand(const Band& band, std::vector<float>& heights,
   for (std::size_t i = 0; i < depths.size(); ++i) known[i] = isMeasured(depths[i]) ? 1 : 0;
   keepWithinNeighbours(layers[0].values, known, gapsOf(band, known), size);
 
-  const std::size_t count =
-      static_cast<std::size_t>(band.rows) * static_cast<std::size_t>(size.cols);
-  origins.assign(count, CellStatus::interpolated);
-  placeOrigins(band, origins);
-  markSteep(band, origins);
-  heights.assign(count, 0.0F);
+  const std::size_t count = cellsOf(band);
+  FilledBand made;
+  made.origins.assign(count, CellStatus::interpolated);
+  placeOrigins(band, made.origins);
+  markSteep(band, made.origins);
+  made.heights_mm.assign(count, 0.0F);
   const float* filled = &layers[0].values[size.index({.col = 0, .row = band.first - band.from})];
   for (std::size_t i = 0; i < count; ++i) {
-    if (origins[i] != CellStatus::base_plane && origins[i] != CellStatus::outside) {
-      heights[i] = static_cast<float>(static_cast<double>(filled[i]) - base_z_mm_);
+    if (made.origins[i] != CellStatus::base_plane && made.origins[i] != CellStatus::outside) {
+      made.heights_mm[i] = static_cast<float>(static_cast<double>(filled[i]) - base_z_mm_);
     }
   }
+  return made;
 }
 
-void BandFill::write(const TakeRow& take, const Task& task) const {
-  struct Filled {
-    std::vector<float> heights;
-    std::vector<CellStatus> origins;
-  };
-  std::vector<Filled> bands(static_cast<std::size_t>(threads_));
+bool BandFill::isKept(int number, FilledBand& band) const {
+  return options_.job != nullptr &&
+         loadBand(*options_.job, number, cellsOf(bandOf(number, 0, 1)), band);
+}
+
+int BandFill::fillIntoFolder(const Task& task) {
+  const auto [first, end] = processes_.partOf(bandCount());
+  std::atomic<int> there = 0;
+  orderedPipeline(
+      end - first, threads_,
+      [&](int, int number) {
+        task.check();
+        FilledBand band;
+        if (isKept(first + number, band)) {
+          ++there;
+        } else {
+          keepBand(*options_.job, first + number, filledBand(first + number));
+        }
+      },
+      [&](int, int number) { task.report("Filling gaps", 0.5 + 0.5 * number / (end - first)); });
+  int all_there = 0;
+  for (const std::string& one : processes_.share(plainBytes(there.load()))) {
+    int of_one = 0;
+    PlainBytes(one).take(of_one);
+    all_there += of_one;
+  }
+  return all_there;
+}
+
+void BandFill::write(const TakeRow& take, const Task& task) {
+  std::vector<FilledBand> bands(static_cast<std::size_t>(threads_));
+  std::atomic<int> there = 0;
   orderedPipeline(
       bandCount(), threads_,
       [&](int place, int number) {
         task.check();
-        Filled& filled = bands[static_cast<std::size_t>(place)];
-        // Push-pull is off by one coarse row at a band's border; beyond it neighbours must be
-        // right.
-        static_assert(kNeighbourRounds <= kPullRows);
-        fillBand(bandOf(number, 2 * kPullRows, kPullRows), filled.heights, filled.origins);
+        FilledBand& band = bands[static_cast<std::size_t>(place)];
+        if (isKept(number, band)) {
+          ++there;
+          return;
+        }
+        band = filledBand(number);
+        if (options_.job != nullptr) keepBand(*options_.job, number, band);
       },
       [&](int place, int number) {
         task.report("Writing levels", static_cast<double>(number) / bandCount());
-        const Filled& filled = bands[static_cast<std::size_t>(place)];
+        const FilledBand& filled = bands[static_cast<std::size_t>(place)];
         const Band band = bandOf(number, 0, 1);
         for (int row = 0; row < band.rows; ++row) {
           if (row % 16 == 0) task.check();
           const std::size_t start = frame_.size.index({.col = 0, .row = row});
-          take(band.first + row, &filled.heights[start], &filled.origins[start]);
+          take(band.first + row, &filled.heights_mm[start], &filled.origins[start]);
         }
       });
+  bands_there_ = there;
 }
 
 }  // namespace relievo

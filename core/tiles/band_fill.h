@@ -6,6 +6,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/grid.h"
@@ -13,14 +15,17 @@
 #include "core/depth/fill/fill.h"
 #include "core/depth/fill/mask.h"
 #include "core/tiles/empty_runs.h"
+#include "core/tiles/job/exchange.h"
+#include "core/tiles/job/job_parts.h"
 #include "core/tiles/row_store.h"
 
 namespace relievo {
 
 struct BandOptions {
-  std::size_t memory_bytes = std::size_t{512} << 20U;  ///< For depths that are kept in between.
-  std::filesystem::path spill_folder = ".";
-  int threads = 0;  ///< 0: as many as there are cores, at most 4.
+  std::size_t memory_bytes = std::size_t{512} << 20U;  ///< For empty cells that touch each other.
+  int threads = 0;                ///< 0: as many as there are cores, at most 4.
+  Exchange* processes = nullptr;  ///< Of which each fills some bands; null: this one alone.
+  JobFolder* job = nullptr;  ///< Where filled bands are kept; null: nowhere. @pre several: some
 };
 
 /// CapturedDepths by rows; each must stay valid and may be called on any thread.
@@ -37,7 +42,7 @@ struct BandDepths {
 /// to rounding). Memory: bands, one bit per cell, the runs of empty cells.
 class BandFill {
  public:
-  /// Finds gaps, holes and the base plane. [worker]
+  /// Finds gaps, holes and the base plane; several processes find them together. [worker]
   /// @throw ArgumentError  no cell was hit, or membranes are asked for. WriteError, Cancelled
   BandFill(BandDepths depths, const GridFrame& frame, const FillSource& source,
            const HoleChoice& choice, const BandOptions& options, const Task& task);
@@ -48,10 +53,17 @@ class BandFill {
   /// Points in these cells, if they are known.
   std::size_t seenThroughPoints() const noexcept { return seen_through_points_; }
 
+  /// Each of several processes fills its bands into the folder, and waits for the others. [worker]
+  /// @return  how many bands of all were there before @throw WriteError, Cancelled,
+  /// OtherProcessStopped
+  int fillIntoFolder(const Task& task);
+
   /// Gives the finished rows, lowest first: heights above the base plane and origins, `cols` each.
   /// [worker] @throw WriteError, Cancelled and what `take` throws
   using TakeRow = std::function<void(int row, const float* heights_mm, const CellStatus* origins)>;
-  void write(const TakeRow& take, const Task& task) const;
+  void write(const TakeRow& take, const Task& task);
+  /// How many bands of these `write` found in the folder.
+  int bandsThere() const noexcept { return bands_there_; }
 
  private:
   struct Band {
@@ -60,30 +72,44 @@ class BandFill {
   };
   Band bandOf(int number, int margin, int align) const noexcept;
   int bandCount() const noexcept;
+  std::size_t cellsOf(const Band& band) const noexcept;  ///< Of the result.
   std::vector<float> read(const RowsOf& rows, const Band& band) const;
+
+  /// Where the work is and how far: a step's words and the part of them that this is.
+  struct Step {
+    const char* words;
+    double from = 0, to = 1;
+  };
+  using MakeBand = std::function<std::string(int number)>;                   ///< [any thread]
+  using TakeBand = std::function<void(int number, std::string_view found)>;  ///< In order.
+  /// All bands, each made by the process that has it, taken by all.
+  void forBands(const Step& step, const Task& task, const MakeBand& make, const TakeBand& take);
 
   void markMeasured(const Task& task);
   int gapRadius() const;
   void dropSeenThroughBands(int radius, const Task& task);
-  void countSeenThrough(int row, const float* depths);
+  void countSeenThrough(int row, const std::uint8_t* dropped);
   void pullAll(const Task& task);
   void findHoles(int radius, const Task& task);
   void addBetween(const Band& band, std::vector<float>& depths) const;
   void markSteep(const Band& band, std::vector<CellStatus>& origins) const;
   Mask gapsOf(const Band& band, const Mask& known) const;
-  void fillBand(const Band& band, std::vector<float>& heights,
-                std::vector<CellStatus>& origins) const;
+  FilledBand filledBand(int number) const;
+  bool isKept(int number, FilledBand& band) const;
   void placeOrigins(const Band& band, std::vector<CellStatus>& origins) const;
 
   BandDepths given_;
   RowsOf depths_;  ///< given_.front; later without what was seen through gaps.
+  Alone alone_;
+  Exchange& processes_;
   GridFrame frame_;
   FillSource source_;
   HoleChoice choice_;
   BandOptions options_;
   int threads_ = 1;
   BitRows measured_;
-  std::unique_ptr<RowStore> kept_;  ///< Behind depths_, if anything was dropped.
+  std::optional<BitRows> dropped_;  ///< Seen through gaps, if they were looked for.
+  int bands_there_ = 0;
   double base_z_mm_ = 0;
   std::size_t seen_through_ = 0, seen_through_points_ = 0;
   EmptyRuns empty_;

@@ -10686,6 +10686,18 @@
         <source>%1 of %2 heights are %3, which often stands for a missing one; surfaces are made without them, unless --nodata none is given.</source>
         <translation>%1 von %2 Höhen sind %3, was oft für eine fehlende steht; Oberflächen entstehen ohne sie, wenn nicht --nodata none angegeben ist.</translation>
     </message>
+    <message>
+        <source>Several processes make one map by tiles only, and through a folder that all of them see. Nothing was made. Give --memory and --job as well.</source>
+        <translation>Mehrere Prozesse machen zusammen nur Karten in Kacheln, und zwar über einen Ordner, den alle sehen. Es wurde nichts gemacht. Geben Sie auch --memory und --job an.</translation>
+    </message>
+    <message>
+        <source>Process %1 of %2 has other work than the first: %3 differs. Nothing was made. Start all of them with the same command and version, where all see the same files.</source>
+        <translation>Prozess %1 von %2 hat eine andere Arbeit als der erste: %3 ist anders. Es wurde nichts gemacht. Starten Sie alle mit demselben Befehl und derselben Version, wo alle dieselben Dateien sehen.</translation>
+    </message>
+    <message>
+        <source>Process %1 of %2: %3</source>
+        <translation>Prozess %1 von %2: %3</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

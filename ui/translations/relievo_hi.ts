@@ -10686,6 +10686,18 @@
         <source>%1 of %2 heights are %3, which often stands for a missing one; surfaces are made without them, unless --nodata none is given.</source>
         <translation>%2 में से %1 ऊँचाइयाँ %3 हैं, जो अक्सर लापता ऊँचाई के लिए लिखा जाता है; सतहें उनके बिना बनती हैं, जब तक --nodata none न दिया जाए।</translation>
     </message>
+    <message>
+        <source>Several processes make one map by tiles only, and through a folder that all of them see. Nothing was made. Give --memory and --job as well.</source>
+        <translation>कई प्रक्रियाएँ मिलकर केवल टाइलों में नक़्शा बनाती हैं, और ऐसे फ़ोल्डर के द्वारा जिसे वे सब देखती हैं। कुछ नहीं बनाया गया। --memory और --job भी दें।</translation>
+    </message>
+    <message>
+        <source>Process %1 of %2 has other work than the first: %3 differs. Nothing was made. Start all of them with the same command and version, where all see the same files.</source>
+        <translation>प्रक्रिया %1, कुल %2 में से, का काम पहली से अलग है: %3 अलग है। कुछ नहीं बनाया गया। सबको एक ही आदेश और एक ही संस्करण से वहाँ शुरू करें जहाँ सबको एक ही फ़ाइलें दिखती हैं।</translation>
+    </message>
+    <message>
+        <source>Process %1 of %2: %3</source>
+        <translation>प्रक्रिया %1, कुल %2 में से: %3</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

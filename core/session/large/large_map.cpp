@@ -32,6 +32,7 @@
 #include "core/tiles/band_fill.h"
 #include "core/tiles/colours/colour_files.h"
 #include "core/tiles/job/job_parts.h"
+#include "core/tiles/job/plain_bytes.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/points/scatter.h"
 
@@ -189,20 +190,28 @@ void sayLosses(LargeMap& map, const DepthSource& source, const BandFill& fill,
 
 /// From depths to files: what both kinds of input have in common.
 /// @param view  gives the matrix for the base plane that was found
+/// @param job   where finished parts lie; null: nowhere
 void fillAndWrite(LargeMap& map, const DepthSource& source, const SurfaceOptions& options,
-                  const LargeMapOptions& large, const MemoryPlan& plan,
+                  const LargeMapOptions& large, const MemoryPlan& plan, JobFolder* job,
                   const std::function<ViewFromFile(double base_z_mm)>& view, const Task& task) {
   const auto start = Clock::now();
   std::optional<BandFill> fill(std::in_place, source.depths, source.frame, source.fill,
                                options.holes,
                                BandOptions{.memory_bytes = plan.depths_bytes,
-                                           .spill_folder = spillFolder(large),
-                                           .threads = large.threads},
+                                           .threads = large.threads,
+                                           .processes = large.processes,
+                                           .job = job},
                                task);
+  TakenOver& taken_over = map.taken_over ? *map.taken_over : map.taken_over.emplace();
+  if (!large.processes->isAlone()) taken_over.filled = fill->fillIntoFolder(task);
   map.seconds.fill = secondsSince(start);
   map.view_from_file = view(fill->baseZMm());
   map.holes = fill->holes();
   say(map.not_done, holesLeft(map.holes, options.holes));
+  if (!large.processes->isFirst()) {
+    map.frames = PyramidRows::frames(source.frame, options.pyramid);
+    return;
+  }
   std::optional<CloudColours> colours;
   if (source.values != nullptr) {
     colours.emplace(map, source.frame, *source.values, source.keeps, large, plan.values_bytes,
@@ -218,6 +227,7 @@ void fillAndWrite(LargeMap& map, const DepthSource& source, const SurfaceOptions
         if (colours) colours->add(heights, origins, task);
       },
       task);
+  if (large.processes->isAlone()) taken_over.filled = fill->bandsThere();
   finest.into(map);
   sayLosses(map, source, *fill, finest.counts(), options.rule);
   map.frames = files.frames();
@@ -251,9 +261,13 @@ MemoryPlan planWork(const GridFrame& frame, const SurfaceOptions& options, Large
   std::error_code unknown;
   const auto space = std::filesystem::space(folder, unknown);
   MemoryPlan of_disk = plan;
-  if (!large.job.folder.empty()) of_disk.points_bytes = 0;  // They all lie there.
-  requireDisk(frame, folder,
-              diskBytes(PyramidRows::frames(frame, options.pyramid), points, of_disk),
+  const std::vector<GridFrame> frames = PyramidRows::frames(frame, options.pyramid);
+  std::uint64_t needed = 0;
+  if (!large.job.folder.empty()) {
+    of_disk.points_bytes = 0;                               // They all lie there ...
+    needed = (2 * sizeof(float) + 1) * frame.size.count();  // ... and the cells twice.
+  }
+  requireDisk(frame, folder, needed + diskBytes(frames, points, of_disk),
               unknown ? std::nullopt : std::optional<std::uint64_t>(space.available));
   return plan;
 }
@@ -273,16 +287,37 @@ TakeDepthRows readyTeller(const Placed& placed, const Surface& sample,
   };
 }
 
+/// Where finished parts lie; null: nowhere.
+std::unique_ptr<JobFolder> folderFor(const LargeMapOptions& large) {
+  if (large.job.folder.empty()) return nullptr;
+  return std::make_unique<JobFolder>(large.job.folder, large.job.facts, large.processes);
+}
+
+/// The map is there; the folder goes.
+void endWork(LargeMap& map, JobFolder* job, const LargeMapOptions& large) {
+  if (job == nullptr) {
+    map.taken_over.reset();
+    return;
+  }
+  TakenOver& taken_over = map.taken_over ? *map.taken_over : map.taken_over.emplace();
+  for (const std::string& one : large.processes->share(plainBytes(job->damaged()))) {
+    int of_one = 0;
+    PlainBytes(one).take(of_one);
+    taken_over.damaged += of_one;
+  }
+  if (taken_over.damaged > 0) {
+    map.messages.push_back(said<MessageId::damaged_work_made_anew>(taken_over.damaged));
+  }
+  if (large.processes->isFirst()) job->finish();
+}
+
 LargeMap fromPoints(const std::vector<std::filesystem::path>& inputs, const SurfaceOptions& options,
                     const LargeMapOptions& asked, const ImportOptions& import, const Task& task) {
   const auto start = Clock::now();
   if (options.engine != "cpu") {
     throw failure<MessageId::tiles_by_cpu_only>();
   }
-  std::unique_ptr<JobFolder> job;
-  if (!asked.job.folder.empty()) {
-    job = std::make_unique<JobFolder>(asked.job.folder, asked.job.facts);
-  }
+  const std::unique_ptr<JobFolder> job = folderFor(asked);
   const PointFiles stream(inputs, import, task);
   LargeMap map;
   if (asked.on_view) {
@@ -324,7 +359,7 @@ LargeMap fromPoints(const std::vector<std::filesystem::path>& inputs, const Surf
   const auto depths =
       gridPoints(map, stream, placed, options, large, plan, job.get(), on_rows, task);
   // All heights are there: the points are not needed again.
-  if (job) job->remove("points");
+  if (job && large.processes->isFirst()) job->remove("points");
   map.seconds.grid = secondsSince(grid_start);
   fillAndWrite(
       map,
@@ -337,14 +372,14 @@ LargeMap fromPoints(const std::vector<std::filesystem::path>& inputs, const Surf
        .outliers = depths->outliers,
        .values = with_values ? &values : nullptr,
        .keeps = placed.points.keeps},
-      options, large, plan,
+      options, large, plan, job.get(),
       [&](double base_z_mm) {
         ViewFromFile view = placed.view_from_file;
         view.m[11] = -placed.lowest_mm - base_z_mm;
         return view;
       },
       task);
-  if (job) job->finish();
+  endWork(map, job.get(), large);
   return map;
 }
 
@@ -383,8 +418,8 @@ GridFrame frameOf(GridSize size, double spacing_mm) {
 
 /// A raster from elsewhere: its samples stay, the lowest lies on the base plane.
 void writeForeign(LargeMap& map, Surface& facts, const RasterRows& rows,
-                  const SurfaceOptions& options, LargeMapOptions& large, Clock::time_point start,
-                  const Task& task) {
+                  const SurfaceOptions& options, LargeMapOptions& large, JobFolder* job,
+                  Clock::time_point start, const Task& task) {
   const RasterHead& raster = rows.head();
   if (options.view && options.view->name != "top" && options.view->name != "auto" &&
       options.view->name != kEarlierAutomatic) {
@@ -409,7 +444,7 @@ void writeForeign(LargeMap& map, Surface& facts, const RasterRows& rows,
                 .base_quantile = 0,
                 .base_z_mm = scale.baseAbove(lowest)},
        .left_out = {}},
-      options, large, plan,
+      options, large, plan, job,
       [&](double base_z_mm) {
         const double mm = scale.pixel_mm / raster.pixel;
         ViewFromFile view = viewFromFile(
@@ -425,6 +460,7 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
                     const LargeMapOptions& asked, const ImportOptions& import, const Task& task) {
   const auto start = Clock::now();
   LargeMapOptions large = asked;
+  const std::unique_ptr<JobFolder> job = folderFor(large);
   const RasterRows rows = importRasterRows(file, spillFolder(large), import, task);
   const RasterHead& raster = rows.head();
   LargeMap map;
@@ -444,7 +480,8 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
   map.engine = raster.is_own_map ? "as stored" : "raster";
   map.rule = "as stored";
   if (!raster.is_own_map) {
-    writeForeign(map, facts, rows, options, large, start, task);
+    writeForeign(map, facts, rows, options, large, job.get(), start, task);
+    endWork(map, job.get(), large);
     return map;
   }
   copyFacts(facts, map);
@@ -453,15 +490,24 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
   frame.first_y_mm = raster.first.y;
   planWork(frame, options, large, std::nullopt, {});
   map.seconds.read = secondsSince(start);
-  writeOwnMap(map, rows, frame, options, large, task);
+  if (large.processes->isFirst()) writeOwnMap(map, rows, frame, options, large, task);
+  map.frames = PyramidRows::frames(frame, options.pyramid);
+  endWork(map, job.get(), large);
   return map;
 }
 
 }  // namespace
 
 LargeMap makeLargeMap(const std::vector<std::filesystem::path>& inputs,
-                      const SurfaceOptions& options, const LargeMapOptions& large,
+                      const SurfaceOptions& options, const LargeMapOptions& asked,
                       const ImportOptions& import, const Task& task) {
+  Alone alone;
+  LargeMapOptions large = asked;
+  if (large.processes == nullptr) large.processes = &alone;
+  if (!large.processes->isAlone() && large.job.folder.empty()) {
+    throw failure<MessageId::processes_need_folder>();
+  }
+  if (!large.processes->isFirst()) large.on_view = {};  // Who looks sees the first's.
   // Of several each must be a cloud; of one it may be a raster.
   const bool are_several = inputs.size() > 1;
   bool is_raster = false;
@@ -475,6 +521,7 @@ LargeMap makeLargeMap(const std::vector<std::filesystem::path>& inputs,
   LargeMap map = is_raster ? fromRaster(inputs.front(), options, large, import, task)
                            : fromPoints(inputs, options, large, import, task);
   map.file = large.file;
+  large.processes->finish();
   return map;
 }
 

@@ -13,6 +13,7 @@
 #include "core/base/task.h"
 #include "core/io/import.h"
 #include "core/session/surface.h"
+#include "core/tiles/job/exchange.h"
 #include "core/tiles/job/job_folder.h"
 
 namespace relievo {
@@ -41,19 +42,23 @@ struct LargeMapOptions {
   /// What every level's file says inside of where it comes from (ASCII); asked once, when all but
   /// the files is there. Null: nothing. [worker]
   std::function<std::string(const LargeMap& map)> state = {};
-  /// Where what is finished of a cloud's map is kept, for who makes the same map after this process
-  /// was stopped; no folder: nowhere. When the map is made the folder goes.
+  /// Where what is finished of a map is kept, for who makes the same map after this process was
+  /// stopped; no folder: nowhere. When the map is made the folder goes.
   struct Job {
     std::filesystem::path folder = {};
     JobFacts facts = {};                                  ///< Those of the same map are the same.
     std::uint64_t part_points = std::uint64_t{1} << 19U;  ///< Read and kept together.
   } job = {};
+  /// That make the map together, each by this function with the same options; the first writes it.
+  /// Null: this one alone. @pre several: a folder of the job that all of them see
+  Exchange* processes = nullptr;
 };
 
 /// What an earlier process had finished.
 struct TakenOver {
   std::uint64_t points = 0, parts = 0;  ///< Sorted into tiles, and in how many files.
   int rows = 0;                         ///< Of tiles that had their heights.
+  int filled = 0;                       ///< Of these rows, whose gaps were filled, too.
   int damaged = 0;                      ///< Files that were not whole and were made anew.
 };
 
@@ -84,9 +89,10 @@ struct LargeMap {
 /// Makes the map of LAS, LAZ or binary PLY clouds, which are one scan in several files, or of one
 /// raster by tiles, within a memory budget, and writes all levels (core/tiles/level_files.h): grid,
 /// rule, holes, base plane and levels as makeSurface chooses them, for any budget the same bytes.
-/// [worker]
+/// Of several processes each returns what it knows when all are done; only the first's map names
+/// files, shares and messages in full. [worker]
 /// @param inputs  in the order in which their points are counted (filesNamed); at least one
-/// @throw FileError  also for meshes and files that cannot be read in blocks
+/// @throw FileError  also for meshes and files that cannot be read in blocks; OtherProcessStopped
 /// @throw ArgumentError  E102 if the budget is too small for this map; WriteError, Cancelled
 LargeMap makeLargeMap(const std::vector<std::filesystem::path>& inputs,
                       const SurfaceOptions& options, const LargeMapOptions& large,

@@ -2,10 +2,13 @@
 #include "core/session/large/large_points.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <utility>
 
+#include "core/base/failure.h"
 #include "core/depth/rules/point_rule.h"
 #include "core/io/file_check.h"
 #include "core/message/catalogue.h"
@@ -15,6 +18,7 @@
 #include "core/session/large/large_memory.h"
 #include "core/session/loss_report.h"
 #include "core/tiles/job/job_parts.h"
+#include "core/tiles/job/plain_bytes.h"
 #include "core/tiles/tile_layout.h"
 
 namespace relievo {
@@ -83,7 +87,7 @@ Placed place(Surface& facts, const PointFiles& stream, const Scan& sample,
   const double mm = mmPer(facts.unit);
   const ViewFromFile turned = viewFromFile(placed.rotation.rotation, mm, 0, 0, 0);
   placed.points = sourceInUse(sourceOf(stream), sample, placed.rotation.rotation, turned, options,
-                              large.threads, task);
+                              large.threads, task, large.processes);
   const SourceBounds& bounds = placed.points.bounds;
   facts.info.finite_points = bounds.finite_points;
   facts.info.bounds = bounds.file;
@@ -156,8 +160,31 @@ class GriddedPoints {
   const KnownParts& known() const noexcept { return known_; }
   std::uint64_t spilledBytes() const noexcept { return store_ ? store_->spilledBytes() : 0; }
 
+  /// Puts all points into tiles; several processes do it together.
+  void sort(const Task& task) {
+    if (store_) return;
+    store_.emplace(placed_.frame.size,
+                   TileStoreOptions{.merges = merges_,
+                                    .memory_bytes = plan_.points_bytes,
+                                    .spill_folder = spillFolder(large_),
+                                    .sum_unit_mm = sumUnit(points_, placed_.range_mm),
+                                    .edge_cells = kRuleReach,
+                                    .threads = large_.threads});
+    const FrontSurface* front = placed_.front ? &*placed_.front : nullptr;
+    if (job_ == nullptr) {
+      left_out_ = scatterIntoTiles(placed_.points.source, placed_.view_from_file, placed_.frame,
+                                   *store_, task, front);
+      return;
+    }
+    known_ = {};
+    left_out_ =
+        scatterByParts(placed_.points.source, placed_.view_from_file, placed_.frame, *store_, *job_,
+                       large_.job.part_points, known_, task, front, large_.processes);
+  }
+
   PointDecisions decide(const Task& task) {
-    PointDecisions decided{.rule = {}, .left_out = sort(task)};
+    sort(task);
+    PointDecisions decided{.rule = {}, .left_out = left_out_};
     if (options_.rule) {
       decided.rule = {.rule = *options_.rule, .reason = said<MessageId::rule_as_chosen>()};
       return decided;
@@ -169,7 +196,7 @@ class GriddedPoints {
 
   const DepthRows& row(int tile_row, PointRule rule, const Task& task) {
     if (!maker_) {
-      if (!store_) sort(task);
+      sort(task);
       GriddingRoom room;
       if (!merges_) {
         const GriddingMemory memory = griddingMemory(
@@ -182,25 +209,28 @@ class GriddedPoints {
     return maker_->row(tile_row, task);
   }
 
- private:
-  LeftOut sort(const Task& task) {
-    store_.emplace(placed_.frame.size,
-                   TileStoreOptions{.merges = merges_,
-                                    .memory_bytes = plan_.points_bytes,
-                                    .spill_folder = spillFolder(large_),
-                                    .sum_unit_mm = sumUnit(points_, placed_.range_mm),
-                                    .edge_cells = kRuleReach,
-                                    .threads = large_.threads});
-    const FrontSurface* front = placed_.front ? &*placed_.front : nullptr;
-    if (job_ == nullptr) {
-      return scatterIntoTiles(placed_.points.source, placed_.view_from_file, placed_.frame, *store_,
-                              task, front);
+  /// Those of `rows` that this process makes: for each about as much work. @pre sorted
+  std::vector<int> ownOf(const std::vector<int>& rows) const {
+    const TileLayout layout{placed_.frame.size};
+    std::vector<double> before{0};  // Work, in points.
+    for (const int y : rows) {
+      constexpr double kOfTile = 0.3 * kTileSide * kTileSide;
+      double work = 0;
+      for (int x = 0; x < layout.across(); ++x) {
+        work += kOfTile + static_cast<double>(store_->pointsIn(y * layout.across() + x));
+      }
+      before.push_back(before.back() + work);
     }
-    known_ = {};
-    return scatterByParts(placed_.points.source, placed_.view_from_file, placed_.frame, *store_,
-                          *job_, large_.job.part_points, known_, task, front);
+    std::vector<int> own;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double middle = (before[i] + before[i + 1]) / 2 / before.back();
+      const int rank = static_cast<int>(middle * large_.processes->ranks());
+      if (rank == large_.processes->rank()) own.push_back(rows[i]);
+    }
+    return own;
   }
 
+ private:
   const Placed& placed_;
   const SurfaceOptions& options_;
   const LargeMapOptions& large_;
@@ -209,18 +239,164 @@ class GriddedPoints {
   bool merges_;
   std::uint64_t points_;
   std::optional<TileStore> store_;
+  LeftOut left_out_;
   std::optional<DepthMaker> maker_;
   KnownParts known_;
 };
 
-void sayTakenOver(LargeMap& map, const KnownParts& known, int rows, int all_rows, int damaged) {
-  map.taken_over = {.points = known.points, .parts = known.parts, .rows = rows, .damaged = damaged};
+/// What follows from all points: as it was left, else decided by the first process.
+PointDecisions decisionsFor(GriddedPoints& points, JobFolder* job, Exchange& processes,
+                            const Task& task) {
+  std::optional<PointDecisions> known =
+      job != nullptr && processes.isFirst() ? loadDecisions(*job) : std::nullopt;
+  const std::string told = processes.share(known ? bytesOfDecisions(*known) : "").front();
+  if (!told.empty()) return *decisionsFrom(told);
+  points.sort(task);
+  std::string mine;
+  if (processes.isFirst()) {
+    const PointDecisions decided = points.decide(task);
+    if (job != nullptr) keepDecisions(*job, decided);
+    mine = bytesOfDecisions(decided);
+  }
+  return *decisionsFrom(processes.share(mine).front());
+}
+
+/// Rows of tiles with the heights that the points alone have.
+class RowsMaker {
+ public:
+  RowsMaker(GriddedPoints& points, PointRule rule, GridSize size, JobFolder* job)
+      : points_(points), rule_(rule), size_(size), job_(job) {}
+
+  int count() const { return TileLayout{size_}.down(); }
+  int known() const noexcept { return known_; }
+
+  /// As it was left.
+  std::optional<DepthRows> left(int tile_row) {
+    std::optional<DepthRows> rows =
+        job_ != nullptr ? loadRows(*job_, tile_row, size_) : std::optional<DepthRows>();
+    known_ += rows ? 1 : 0;
+    return rows;
+  }
+  const DepthRows& make(int tile_row, const Task& task) {
+    task.check();
+    const DepthRows& rows = points_.row(tile_row, rule_, task);
+    if (job_ != nullptr) keepRows(*job_, tile_row, rows);
+    return rows;
+  }
+
+  /// All rows, made by the processes together or left from before, lowest first; they lie in the
+  /// folder.
+  std::vector<RowsHead> together(Exchange& processes, const Task& task);
+
+ private:
+  GriddedPoints& points_;
+  PointRule rule_;
+  GridSize size_;
+  JobFolder* job_;
+  int known_ = 0;
+};
+
+std::vector<RowsHead> RowsMaker::together(Exchange& processes, const Task& task) {
+  const auto [first, end] = processes.partOf(count());
+  std::vector<RowsHead> mine;
+  std::vector<int> missing;
+  for (int y = first; y < end; ++y) {
+    task.check();
+    if (const std::optional<DepthRows> rows = left(y)) {
+      mine.push_back(headOf(*rows));
+    } else {
+      missing.push_back(y);
+    }
+  }
+  std::vector<int> all_missing;
+  for (const std::string& one : processes.share(plainBytes(missing))) {
+    std::vector<int> of_one;
+    PlainBytes(one).take(of_one, one.size() / sizeof(int));
+    all_missing.insert(all_missing.end(), of_one.begin(), of_one.end());
+  }
+  if (!all_missing.empty()) {
+    points_.sort(task);
+    for (const int y : points_.ownOf(all_missing)) mine.push_back(headOf(make(y, task)));
+  }
+  std::vector<RowsHead> heads;
+  for (const std::string& one : processes.share(plainBytes(mine))) {
+    std::vector<RowsHead> of_one;
+    PlainBytes(one).take(of_one, one.size() / sizeof(RowsHead));
+    heads.insert(heads.end(), of_one.begin(), of_one.end());
+  }
+  known_ = count() - static_cast<int>(all_missing.size());
+  std::sort(heads.begin(), heads.end(),
+            [](const RowsHead& a, const RowsHead& b) { return a.first_row < b.first_row; });
+  return heads;
+}
+
+}  // namespace
+
+StoredDepths::StoredDepths(GridSize size, std::filesystem::path spill_folder)
+    : size_(size),
+      spill_folder_(std::move(spill_folder)),
+      front_(size, 0, spill_folder_),
+      steep_(size) {}
+
+/// Where there are any; the first ones decide.
+void StoredDepths::keepIn(std::unique_ptr<RowStore>& store, const DepthRows& rows,
+                          const std::vector<float>& values) const {
+  if (values.empty()) return;
+  if (!store) store = std::make_unique<RowStore>(size_, 0, spill_folder_);
+  store->write(rows.first_row, rows.rows, values.data());
+}
+
+void StoredDepths::keep(const DepthRows& rows) {
+  front_.write(rows.first_row, rows.rows, rows.front.data());
+  keepIn(between_, rows, rows.between);
+  // What shows through gaps is looked for in clouds of several layers only.
+  if (!one_layer) keepIn(points_, rows, rows.points);
+  steep_.setRows(rows.first_row, rows.steep);
+}
+
+void StoredDepths::comeFrom(std::function<DepthRows(int tile_row)> row, bool has_between,
+                            bool has_points) {
+  row_ = std::move(row);
+  is_here_.resize(static_cast<std::size_t>(TileLayout{size_}.down()));
+  if (has_between) between_ = std::make_unique<RowStore>(size_, 0, spill_folder_);
+  if (has_points && !one_layer) points_ = std::make_unique<RowStore>(size_, 0, spill_folder_);
+}
+
+void StoredDepths::require(int first_row, int rows) {
+  for (int y = first_row / kTileSide; y * kTileSide < first_row + rows; ++y) {
+    if (is_here_[static_cast<std::size_t>(y)]) continue;
+    keep(row_(y));
+    is_here_[static_cast<std::size_t>(y)] = true;
+  }
+}
+
+RowsOf StoredDepths::of(const RowStore& store) {
+  return [this, &store](int first, int rows, float* out) {
+    if (!row_) {
+      store.read(first, rows, out);
+      return;
+    }
+    const std::lock_guard one_at_a_time(asks_);
+    require(first, rows);
+    store.read(first, rows, out);
+  };
+}
+
+BandDepths StoredDepths::rows() {
+  return {.front = of(front_),
+          .between = between_ ? of(*between_) : RowsOf{},
+          .steep = &steep_,
+          .one_layer = one_layer,
+          .points = points_ ? of(*points_) : RowsOf{}};
+}
+
+namespace {
+
+void sayTakenOver(LargeMap& map, const KnownParts& known, int rows, int all_rows) {
+  map.taken_over = TakenOver{.points = known.points, .parts = known.parts, .rows = rows};
   if (known.parts > 0 || rows > 0) {
     map.messages.push_back(said<MessageId::went_on_with_earlier_work>(
         CountArgument::grouped(known.points), rows, all_rows));
-  }
-  if (damaged > 0) {
-    map.messages.push_back(said<MessageId::damaged_work_made_anew>(damaged));
   }
 }
 
@@ -231,54 +407,57 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointFiles& stream
                                          const LargeMapOptions& large, const MemoryPlan& plan,
                                          JobFolder* job, const TakeDepthRows& on_rows,
                                          const Task& task) {
-  GriddedPoints points(stream, placed, options, large, plan, job);
-  const FrontSurface* front = placed.front ? &*placed.front : nullptr;
-  std::optional<PointDecisions> decided = job != nullptr ? loadDecisions(*job) : std::nullopt;
-  if (!decided) {
-    decided = points.decide(task);
-    if (job != nullptr) keepDecisions(*job, *decided);
-  }
-  const RuleProposal& rule = decided->rule;
-  const LeftOut& left_out = decided->left_out;
-  sayRule(map, rule, points.merges());
-  // The store has its memory; depths go to the disk.
+  Exchange& processes = *large.processes;
   const GridSize size = placed.frame.size;
-  std::unique_ptr<StoredDepths> depths(new StoredDepths{.front = {size, 0, spillFolder(large)},
-                                                        .between = {},
-                                                        .points = {},
-                                                        .steep = BitRows(size),
-                                                        .hidden = {},
-                                                        .left_out = {}});
-  depths->one_layer = !options.rule && isForOneLayer(rule.rule);
-  int known_rows = 0;
-  const int tile_rows = TileLayout{size}.down();
-  for (int y = 0; y < tile_rows; ++y) {
-    task.check();
-    std::optional<DepthRows> known =
-        job != nullptr ? loadRows(*job, y, size) : std::optional<DepthRows>();
-    known_rows += known ? 1 : 0;
-    const DepthRows& found = known ? *known : points.row(y, rule.rule, task);
-    if (job != nullptr && !known) keepRows(*job, y, found);
-    const DepthRows seen = front != nullptr ? withFront(*front, placed.frame, found) : DepthRows{};
-    const DepthRows& rows = front != nullptr ? seen : found;
-    depths->front.write(rows.first_row, rows.rows, rows.front.data());
-    StoredDepths::keep(depths->between, rows, rows.between, size, spillFolder(large));
-    // What shows through gaps is looked for in clouds of several layers only.
-    if (!depths->one_layer) {
-      StoredDepths::keep(depths->points, rows, rows.points, size, spillFolder(large));
+  GriddedPoints points(stream, placed, options, large, plan, job);
+  const PointDecisions decided = decisionsFor(points, job, processes, task);
+  sayRule(map, decided.rule, points.merges());
+  // The store has its memory; depths go to the disk.
+  auto depths = std::make_unique<StoredDepths>(size, spillFolder(large));
+  depths->one_layer = !options.rule && isForOneLayer(decided.rule.rule);
+  const auto count = [&depths](const RowsHead& head) {
+    if (const auto hidden = hiddenOf(head)) {
+      depths->hidden = depths->hidden.value_or(HiddenSurface{}) + *hidden;
     }
-    if (rows.hidden) depths->hidden = depths->hidden.value_or(HiddenSurface{}) + *rows.hidden;
-    depths->outliers += rows.outliers;
-    depths->steep.setRows(rows.first_row, rows.steep);
-    if (on_rows) on_rows(rows);
+    depths->outliers += head.outliers;
+  };
+  const FrontSurface* front = placed.front ? &*placed.front : nullptr;
+  RowsMaker maker(points, decided.rule.rule, size, job);
+  if (processes.isAlone()) {
+    for (int y = 0; y < maker.count(); ++y) {
+      const std::optional<DepthRows> left = maker.left(y);
+      const DepthRows& found = left ? *left : maker.make(y, task);
+      count(headOf(found));
+      const DepthRows seen =
+          front != nullptr ? withFront(*front, placed.frame, found) : DepthRows{};
+      const DepthRows& rows = front != nullptr ? seen : found;
+      depths->keep(rows);
+      if (on_rows) on_rows(rows);
+    }
+  } else {
+    bool has_between = front != nullptr, has_points = false;
+    for (const RowsHead& head : maker.together(processes, task)) {
+      count(head);
+      has_between = has_between || head.has_between != 0;
+      has_points = has_points || head.has_points != 0;
+    }
+    const auto from_folder = [front, frame = placed.frame, job](int tile_row) {
+      std::optional<DepthRows> rows = loadRows(*job, tile_row, frame.size);
+      if (!rows) {  // It was there just now.
+        throw failure<MessageId::spill_not_kept>(job->fileOf("heights"), std::strerror(EIO));
+      }
+      return front != nullptr ? withFront(*front, frame, *std::move(rows)) : *std::move(rows);
+    };
+    depths->comeFrom(from_folder, has_between, has_points);
   }
   map.spilled_bytes = points.spilledBytes();
-  if (job != nullptr) sayTakenOver(map, points.known(), known_rows, tile_rows, job->damaged());
-  depths->left_out = left_out;
-  depths->outliers += left_out.strays;
+  if (job != nullptr) sayTakenOver(map, points.known(), maker.known(), maker.count());
+  depths->left_out = decided.left_out;
+  depths->outliers += decided.left_out.strays;
   // Where points are merged as they come, what is behind was never put in.
   if (front != nullptr && points.merges()) {
-    depths->hidden = HiddenSurface{.hidden = 0, .all = static_cast<double>(left_out.on_front)};
+    depths->hidden =
+        HiddenSurface{.hidden = 0, .all = static_cast<double>(decided.left_out.on_front)};
   }
   return depths;
 }

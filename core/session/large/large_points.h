@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -46,41 +47,44 @@ Placed place(Surface& facts, const PointFiles& stream, const Scan& sample,
 void sayLeftOut(Surface& facts, const SourceInUse& points, const SurfaceOptions& options);
 
 /// Depths of all cells, on disk.
-struct StoredDepths {
-  RowStore front;
-  std::unique_ptr<RowStore> between, points;
-  BitRows steep;
+class StoredDepths {
+ public:
+  StoredDepths(GridSize size, std::filesystem::path spill_folder);
+
+  void keep(const DepthRows& rows);
+  /// From now on rows of tiles that were not kept come from `row`, when they are asked for first.
+  /// @param has_between, has_points  what they have [any thread]
+  void comeFrom(std::function<DepthRows(int tile_row)> row, bool has_between, bool has_points);
+  /// As long as this lives and is not moved. [any thread, after the last `keep`]
+  BandDepths rows();
+
   bool one_layer = false;
   std::optional<HiddenSurface> hidden;
   std::size_t outliers = 0;
   LeftOut left_out;
 
-  /// Writes rows where there are any; the first ones decide.
-  static void keep(std::unique_ptr<RowStore>& store, const DepthRows& rows,
-                   const std::vector<float>& values, GridSize size,
-                   const std::filesystem::path& folder) {
-    if (values.empty()) return;
-    if (!store) store = std::make_unique<RowStore>(size, 0, folder);
-    store->write(rows.first_row, rows.rows, values.data());
-  }
+ private:
+  void keepIn(std::unique_ptr<RowStore>& store, const DepthRows& rows,
+              const std::vector<float>& values) const;
+  RowsOf of(const RowStore& store);
+  void require(int first_row, int rows);
 
-  BandDepths rows() const {
-    const auto of = [](const RowStore& store) {
-      return [&store](int first, int rows, float* out) { store.read(first, rows, out); };
-    };
-    return {.front = of(front),
-            .between = between ? of(*between) : RowsOf{},
-            .steep = &steep,
-            .one_layer = one_layer,
-            .points = points ? of(*points) : RowsOf{}};
-  }
+  GridSize size_;
+  std::filesystem::path spill_folder_;
+  RowStore front_;
+  std::unique_ptr<RowStore> between_, points_;
+  BitRows steep_;
+  std::function<DepthRows(int tile_row)> row_;
+  std::vector<bool> is_here_;  ///< Rows of tiles.
+  std::mutex asks_;            ///< For rows that come from `row_`.
 };
 
 using TakeDepthRows = std::function<void(const DepthRows& rows)>;
 
 /// @param job  where finished parts lie; null: nowhere
 /// @param on_rows  called with each row of tiles, from the lowest on; null: nobody looks [worker]
-/// @throw FileError, WriteError, Cancelled; ArgumentError  E102 where points lie too dense
+/// @throw FileError, WriteError, Cancelled, OtherProcessStopped; ArgumentError  E102 where points
+/// lie too dense
 std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointFiles& stream,
                                          const Placed& placed, const SurfaceOptions& options,
                                          const LargeMapOptions& large, const MemoryPlan& plan,

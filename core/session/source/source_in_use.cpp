@@ -60,11 +60,12 @@ std::optional<SuspectHeight> suspectIn(const PointSource& source, const SourceBo
 
 SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rotation,
                         const ViewFromFile& view_from_file, const SurfaceOptions& options,
-                        int threads, const Task& task) {
+                        int threads, const Task& task, Exchange* processes) {
   SourceInUse in_use{.source = std::move(all), .keeps = {}, .bounds = {}, .strays = {}};
   const auto look = [&] {
     return boundsAndCountsOf(in_use.source, view_from_file,
-                             gridInView(sample, rotation, view_from_file), threads, task);
+                             gridInView(sample, rotation, view_from_file), threads, task,
+                             processes);
   };
   BoundsAndCounts found = look();
   const std::uint64_t finite = found.bounds.finite_points;
@@ -95,7 +96,7 @@ SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rot
     const std::optional<AxisBox>& box = are_groups ? limits.groups : limits.strays;
     if (!box) continue;
     const PointSource kept = filtered(in_use.source, insideOf(*box, view_from_file));
-    const SourceBounds rest = boundsOf(kept, view_from_file, threads, task);
+    const SourceBounds rest = boundsOf(kept, view_from_file, threads, task, processes);
     if (rest.finite_points >= left ||
         !areFew(bounds.finite_points - rest.finite_points, bounds.finite_points)) {
       continue;

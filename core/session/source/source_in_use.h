@@ -28,9 +28,10 @@ struct SourceInUse {
 /// axes; where there are some it takes another look at the file. [worker]
 /// @param sample          points of the file without strays: where its middle is
 /// @param view_from_file  rotation and scale
+/// @param processes       that ask for the same; null: this one alone
 /// @throw FileError  nothing is left; Cancelled
 SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rotation,
                         const ViewFromFile& view_from_file, const SurfaceOptions& options,
-                        int threads, const Task& task);
+                        int threads, const Task& task, Exchange* processes = nullptr);
 
 }  // namespace relievo

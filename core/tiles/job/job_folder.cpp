@@ -15,6 +15,7 @@
 #include "core/base/failure.h"
 #include "core/file/atomic_file.h"
 #include "core/hash/sha256.h"
+#include "core/tiles/job/exchange.h"
 
 namespace relievo {
 namespace {
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kHead = "relievo work 1\n";
 constexpr const char* kFacts = "work.txt";
 constexpr const char* kLock = "lock";
-constexpr std::array kParts{"points", "heights"};  // Folders of parts.
+constexpr std::array kParts{"points", "heights", "filled"};  // Folders of parts.
 constexpr std::string_view kMagic = "RLVPART1";
 constexpr std::size_t kFooterBytes = 8 + 64;  // kMagic and the checksum.
 
@@ -52,8 +53,15 @@ void write(const fs::path& file, std::initializer_list<std::string_view> pieces)
 
 }  // namespace
 
-JobFolder::JobFolder(fs::path folder, const JobFacts& facts)
+JobFolder::JobFolder(fs::path folder, const JobFacts& facts, Exchange* processes)
     : folder_(std::move(folder)), sum_(sha256OfText(textOf(facts))) {
+  if (processes == nullptr || processes->isFirst()) begin(facts);
+  if (processes == nullptr) return;
+  processes->wait();
+  if (!processes->isFirst()) join(facts, *processes);
+}
+
+void JobFolder::begin(const JobFacts& facts) {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) throw failure<MessageId::job_unit_not_kept>(folder_, error.message());
@@ -65,7 +73,8 @@ JobFolder::JobFolder(fs::path folder, const JobFacts& facts)
   }
   takeLock();
   if (fs::exists(known)) {
-    compare(facts);
+    const std::string other = differing(facts);
+    if (!other.empty()) throw failure<MessageId::job_of_other_work>(folder_, other);
   } else {
     write(known, {textOf(facts)});
   }
@@ -73,6 +82,16 @@ JobFolder::JobFolder(fs::path folder, const JobFacts& facts)
     fs::create_directories(folder_ / parts, error);
     if (error) throw failure<MessageId::job_unit_not_kept>(folder_ / parts, error.message());
   }
+}
+
+/// The first of the processes has it, and the others do the same work.
+void JobFolder::join(const JobFacts& facts, const Exchange& processes) {
+  std::string other = "the folder of --job";
+  if (fs::exists(folder_ / kFacts)) other = differing(facts);
+  if (other.empty()) return;
+  throw failure<MessageId::processes_differ>(
+      NumberArgument{.value = static_cast<double>(processes.rank() + 1)},
+      NumberArgument{.value = static_cast<double>(processes.ranks())}, other);
 }
 
 void JobFolder::takeLock() {
@@ -86,16 +105,17 @@ void JobFolder::takeLock() {
   }
 }
 
-void JobFolder::compare(const JobFacts& facts) {
+std::string JobFolder::differing(const JobFacts& facts) const {
   const std::string there = contentOf(folder_ / kFacts);
   if (!std::string_view(there).starts_with(kHead)) {
     throw failure<MessageId::job_not_ours>(folder_);
   }
   for (const auto& [name, what] : facts) {
     if (there.find(name + '\t' + sha256OfText(what) + '\n') == std::string::npos) {
-      throw failure<MessageId::job_of_other_work>(folder_, name);
+      return name;
     }
   }
+  return {};
 }
 
 std::string JobFolder::sumOf(std::string_view part,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -15,6 +16,8 @@
 
 namespace relievo {
 
+class Exchange;
+
 /// What makes a piece of work the same: names for people ("an option"), and what each is.
 using JobFacts = std::vector<std::pair<std::string, std::string>>;
 
@@ -22,23 +25,25 @@ using JobFacts = std::vector<std::pair<std::string, std::string>>;
 /// it was stopped. A part is there whole or not at all: it is written beside its place, brought to
 /// the disk and renamed. It ends in a checksum of its content, its name and the facts of the work,
 /// so that what was damaged or belongs elsewhere is found and made anew. One process at a time has
-/// the folder. [one thread, but for `readPart`]
+/// the folder, or several that make the work together. [one thread, but for `load`, `keep` and
+/// `readPart`]
 class JobFolder {
  public:
   /// Makes the folder, or takes over what is in it.
-  /// @throw ArgumentError  it holds other work or other files, or another process has it;
-  /// WriteError
-  JobFolder(std::filesystem::path folder, const JobFacts& facts);
+  /// @param processes  that make the work together; null: this one alone
+  /// @throw ArgumentError  it holds other work or other files, or another process has it, or the
+  ///                       processes do not do the same; WriteError, OtherProcessStopped
+  JobFolder(std::filesystem::path folder, const JobFacts& facts, Exchange* processes = nullptr);
   JobFolder(const JobFolder&) = delete;
   JobFolder& operator=(const JobFolder&) = delete;
 
-  /// A part's content; nothing: it is not there, or not whole (then it is counted).
+  /// A part's content; nothing: it is not there, or not whole (then it is counted). [any thread]
   std::optional<std::string> load(const std::string& part);
-  /// Its bytes one after the other. @throw WriteError
+  /// Its bytes one after the other. [any thread] @throw WriteError
   void keep(const std::string& part, std::initializer_list<std::string_view> content);
   std::filesystem::path fileOf(const std::string& part) const { return folder_ / part; }
 
-  int damaged() const noexcept { return damaged_; }
+  int damaged() const noexcept { return damaged_; }  ///< Found by this process.
 
   /// Removes these parts of this and earlier processes: a folder's name.
   void remove(const std::string& parts);
@@ -47,13 +52,16 @@ class JobFolder {
 
  private:
   std::string sumOf(std::string_view part, std::initializer_list<std::string_view> content) const;
+  void begin(const JobFacts& facts);
+  void join(const JobFacts& facts, const Exchange& processes);
   void takeLock();
-  void compare(const JobFacts& facts);
+  /// What of the facts is another than in the folder; empty: nothing.
+  std::string differing(const JobFacts& facts) const;
 
   std::filesystem::path folder_;
   std::string sum_;  ///< Of the facts.
   OwnedFd lock_;
-  int damaged_ = 0;
+  std::atomic<int> damaged_ = 0;
 };
 
 /// Bytes of a part that was loaded or kept. [any thread] @throw WriteError  the disk failed

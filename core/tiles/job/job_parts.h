@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/task.h"
@@ -14,7 +15,7 @@
 namespace relievo {
 
 // What of a map is kept in a JobFolder: points sorted into tiles, rows of tiles with their heights,
-// and what was decided between the two.
+// what was decided between the two, and the same rows with gaps and holes filled.
 
 /// What follows from all points.
 struct PointDecisions {
@@ -24,11 +25,34 @@ struct PointDecisions {
 std::optional<PointDecisions> loadDecisions(JobFolder& job);
 /// @throw WriteError
 void keepDecisions(JobFolder& job, const PointDecisions& decisions);
+/// The same for another process.
+std::string bytesOfDecisions(const PointDecisions& decisions);
+std::optional<PointDecisions> decisionsFrom(std::string_view bytes);
+
+/// What is known of a row of tiles beside the heights.
+struct RowsHead {
+  std::int32_t first_row = 0, rows = 0;
+  std::uint64_t outliers = 0, cells = 0, cells_in_layers = 0;
+  double hidden = 0, all = 0;
+  std::uint16_t has_between = 0, has_steep = 0, has_points = 0, has_hidden = 0;
+};
+RowsHead headOf(const DepthRows& rows);
+std::optional<HiddenSurface> hiddenOf(const RowsHead& head);
 
 /// @param tile_row  number of the row of tiles, @param map  size of the map
 std::optional<DepthRows> loadRows(JobFolder& job, int tile_row, GridSize map);
 /// @throw WriteError
 void keepRows(JobFolder& job, int tile_row, const DepthRows& rows);
+
+/// A row of tiles as the finest level has it.
+struct FilledBand {
+  std::vector<float> heights_mm;
+  std::vector<CellStatus> origins;
+};
+/// @param cells  that it has @return  whether it is there [any thread]
+bool loadBand(JobFolder& job, int tile_row, std::size_t cells, FilledBand& band);
+/// [any thread] @throw WriteError
+void keepBand(JobFolder& job, int tile_row, const FilledBand& band);
 
 /// Points and files that were there already.
 struct KnownParts {
@@ -36,10 +60,11 @@ struct KnownParts {
 };
 /// scatterIntoTiles, so many points of the source at a time: each part becomes a file in the
 /// folder, or is there from before; the store reads them from there. [worker]
-/// @throw Cancelled, FileError, WriteError
+/// @param processes  of which each makes some of the parts; null: this one alone
+/// @throw Cancelled, FileError, WriteError, OtherProcessStopped
 LeftOut scatterByParts(const PointSource& source, const ViewFromFile& view_from_file,
                        const GridFrame& frame, TileStore& store, JobFolder& job,
                        std::uint64_t part_points, KnownParts& known, const Task& task,
-                       const FrontSurface* front = nullptr);
+                       const FrontSurface* front = nullptr, Exchange* processes = nullptr);
 
 }  // namespace relievo

@@ -18,6 +18,9 @@ class LowestValues {
   /// NaN are left out.
   void add(const std::vector<float>& values);
 
+  /// What is known of those added so far: for who adds it to others of the same count.
+  const std::vector<float>& kept() const noexcept { return lowest_; }
+
   /// After all `count` values were added.
   double quantile();
 

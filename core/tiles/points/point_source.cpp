@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "core/tiles/job/exchange.h"
+#include "core/tiles/job/plain_bytes.h"
 #include "core/tiles/threads.h"
 
 namespace relievo {
@@ -29,7 +32,30 @@ struct Found {
   std::uint64_t finite = 0;
   Box<ViewMm> view;
   Box<FilePoint> file;
+
+  void add(const Found& other) noexcept {
+    finite += other.finite;
+    if (other.finite == 0) return;
+    file.add(other.file.min);
+    file.add(other.file.max);
+    view.add(other.view.min);
+    view.add(other.view.max);
+  }
 };
+
+/// The points that this process looks at.
+struct Part {
+  std::uint64_t first = 0, end = 0;
+};
+Part partOf(std::uint64_t count, const Exchange* processes) {
+  if (processes == nullptr) return {.first = 0, .end = count};
+  const auto ranks = static_cast<std::uint64_t>(processes->ranks());
+  const auto before = [&](std::uint64_t rank) {
+    return count / ranks * rank + count % ranks * rank / ranks;
+  };
+  const auto rank = static_cast<std::uint64_t>(processes->rank());
+  return {.first = before(rank), .end = before(rank + 1)};
+}
 
 }  // namespace
 
@@ -48,39 +74,42 @@ void forEachBlock(const PointSource& source, std::uint64_t first, std::uint64_t 
 
 namespace {
 
-/// Reads everything once. @param also(part, view point)  of every finite point, on any thread
+/// Reads its part once. @param also(part, view point)  of every finite point, on any thread
 template <class Also>
 SourceBounds measure(const PointSource& source, const ViewFromFile& view_from_file, int workers,
-                     const Task& task, const Also& also) {
+                     const Task& task, Exchange* processes, const Also& also) {
   std::vector<Found> found(static_cast<std::size_t>(workers));
-  for (std::uint64_t start = 0; start < source.count; start += kStep) {
+  const Part mine = partOf(source.count, processes);
+  for (std::uint64_t start = mine.first; start < mine.end; start += kStep) {
     task.check();
-    task.report("Measuring the scan",
-                static_cast<double>(start) / static_cast<double>(source.count));
-    const std::uint64_t end = std::min(start + kStep, source.count);
+    task.report("Measuring the scan", static_cast<double>(start - mine.first) /
+                                          static_cast<double>(mine.end - mine.first));
+    const std::uint64_t end = std::min(start + kStep, mine.end);
     inParts(start, end, workers, [&](int part, std::uint64_t first, std::uint64_t last) {
       const auto index = static_cast<std::size_t>(part);
-      Found& mine = found[index];
+      Found& of_part = found[index];
       forEachBlock(source, first, last, [&](std::span<const FilePoint> block) {
         for (const FilePoint& p : block) {
           if (!isFinite(p)) continue;
-          ++mine.finite;
-          mine.file.add(p);
+          ++of_part.finite;
+          of_part.file.add(p);
           const ViewMm seen = view_from_file(p);
-          mine.view.add(seen);
+          of_part.view.add(seen);
           also(index, seen);
         }
       });
     });
   }
   Found all;
-  for (const Found& part : found) {
-    all.finite += part.finite;
-    if (part.finite == 0) continue;
-    all.file.add(part.file.min);
-    all.file.add(part.file.max);
-    all.view.add(part.view.min);
-    all.view.add(part.view.max);
+  for (const Found& part : found) all.add(part);
+  if (processes != nullptr) {
+    const std::vector<std::string> told = processes->share(plainBytes(all));
+    all = {};
+    for (const std::string& one : told) {
+      Found part;
+      PlainBytes(one).take(part);
+      all.add(part);
+    }
   }
   return {.finite_points = all.finite,
           .min = all.view.min,
@@ -91,20 +120,26 @@ SourceBounds measure(const PointSource& source, const ViewFromFile& view_from_fi
 }  // namespace
 
 SourceBounds boundsOf(const PointSource& source, const ViewFromFile& view_from_file, int threads,
-                      const Task& task) {
-  return measure(source, view_from_file, threadCount(threads), task,
+                      const Task& task, Exchange* processes) {
+  return measure(source, view_from_file, threadCount(threads), task, processes,
                  [](std::size_t, const ViewMm&) {});
 }
 
 BoundsAndCounts boundsAndCountsOf(const PointSource& source, const ViewFromFile& view_from_file,
-                                  const StrayGrid& grid, int threads, const Task& task) {
+                                  const StrayGrid& grid, int threads, const Task& task,
+                                  Exchange* processes) {
   const int workers = threadCount(threads);
   std::vector<StrayCounts> counts(static_cast<std::size_t>(workers), StrayCounts(grid));
-  const SourceBounds bounds =
-      measure(source, view_from_file, workers, task, [&counts](std::size_t part, const ViewMm& p) {
-        counts[part].add({p.x, p.y, p.z});
-      });
+  const SourceBounds bounds = measure(source, view_from_file, workers, task, processes,
+                                      [&counts](std::size_t part, const ViewMm& p) {
+                                        counts[part].add({p.x, p.y, p.z});
+                                      });
   for (std::size_t part = 1; part < counts.size(); ++part) counts[0].add(counts[part]);
+  if (processes != nullptr && !processes->isAlone()) {
+    const std::vector<std::string> told = processes->share(counts[0].bytes());
+    counts[0] = StrayCounts(grid);
+    for (const std::string& one : told) counts[0].add(std::string_view(one));
+  }
   return {.bounds = bounds, .counts = std::move(counts[0])};
 }
 

@@ -13,6 +13,8 @@
 
 namespace relievo {
 
+class Exchange;  // core/tiles/job/exchange.h
+
 /// Points that can be had block by block, by their number, on any thread: PointStream of core/io,
 /// or points in memory.
 struct PointSource {
@@ -46,10 +48,12 @@ struct SourceBounds {
   FileBounds file;  ///< In file coordinates, likewise.
 };
 
-/// Reads everything once. @param threads  0: as many as there are usable cores [worker]
+/// Reads everything once, each of several processes a part. [worker]
+/// @param threads  0: as many as there are usable cores
+/// @param processes  that ask for the same; null: this one alone
 /// @throw Cancelled, FileError
 SourceBounds boundsOf(const PointSource& source, const ViewFromFile& view_from_file, int threads,
-                      const Task& task);
+                      const Task& task, Exchange* processes = nullptr);
 
 /// The same, and how the points lie in the cubes of `grid`, which is meant in view coordinates. One
 /// look at the file for both. [worker] @throw Cancelled, FileError
@@ -58,7 +62,8 @@ struct BoundsAndCounts {
   StrayCounts counts;
 };
 BoundsAndCounts boundsAndCountsOf(const PointSource& source, const ViewFromFile& view_from_file,
-                                  const StrayGrid& grid, int threads, const Task& task);
+                                  const StrayGrid& grid, int threads, const Task& task,
+                                  Exchange* processes = nullptr);
 
 /// The source with points that `keeps` says no to made not finite.
 PointSource filtered(PointSource source, std::function<bool(const FilePoint&)> keeps);

@@ -26,13 +26,11 @@ struct Case {
 };
 
 void expectSameAsWholeMap(const Case& c, const FrontDepths& depths) {
-  const test::TileFolder folder;
   const GridFrame frame{.size = c.size, .spacing_mm = 0.5, .first_x_mm = 0.25, .first_y_mm = 0.25};
   const FillSource source{.has_sampling_gaps = c.has_sampling_gaps};
   const FilledMap whole = fillDepths(depths, frame, source, c.holes);
-  const BandFill bands(
-      {.front = rowsOf(depths, c.size), .between = {}}, frame, source, c.holes,
-      {.memory_bytes = c.memory_bytes, .spill_folder = folder.path(), .threads = c.threads}, {});
+  BandFill bands({.front = rowsOf(depths, c.size), .between = {}}, frame, source, c.holes,
+                 {.memory_bytes = c.memory_bytes, .threads = c.threads}, {});
 
   EXPECT_EQ(bands.baseZMm(), whole.base_z_mm);
   EXPECT_EQ(bands.seenThrough(), whole.seen_through);
@@ -120,11 +118,10 @@ TEST(BandFill, AWallAlongABandsBorderIsSteepOnBothSidesOfIt) {
   }
   expectSameAsWholeMap({.size = size, .hit_share = 1, .holes = {}, .has_sampling_gaps = false},
                        depths);
-  const test::TileFolder folder;
   const GridFrame frame{.size = size, .spacing_mm = 0.5, .first_x_mm = 0, .first_y_mm = 0};
-  const BandFill bands(
-      {.front = rowsOf(depths, size), .between = {}}, frame, {.has_sampling_gaps = false}, {},
-      {.memory_bytes = std::size_t{64} << 20U, .spill_folder = folder.path(), .threads = 1}, {});
+  BandFill bands({.front = rowsOf(depths, size), .between = {}}, frame,
+                 {.has_sampling_gaps = false}, {},
+                 {.memory_bytes = std::size_t{64} << 20U, .threads = 1}, {});
   bands.write(
       [&](int row, const float*, const CellStatus* origins) {
         const bool is_wall = (row > 253 && row < 259) || (row > 509 && row < 515);
