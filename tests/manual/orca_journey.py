@@ -299,7 +299,7 @@ def walk(listener, scan, home):
     if not step("Is the dialog gone? Where am I?", ["ctrl+i"], "Touching|In the air"):
         step("Leave the dialog", ["Escape"], "relievo frame")
     step("Preferences", ["ctrl+comma"], "Preferences")
-    step("Search them for the text size", ["type text size"], "Text size|Appearance")
+    step("Search them for the text size", ["type text size"], "Settings found: 1")
     step("Go to what was found", ["Tab"], "Text size|Appearance")
     step("Go on", ["Tab"], "Text size")
     step("Close them", ["Escape"], "relievo frame")

@@ -2,6 +2,7 @@
 #include "ui/dialogs/preferences_dialog.h"
 
 #include <algorithm>
+#include <numeric>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -86,6 +87,10 @@ PreferencesDialog::PreferencesDialog(Settings& settings, QWidget* parent)
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(reset, &QPushButton::clicked, this, &PreferencesDialog::resetPage);
   connect(words_, &QLineEdit::textChanged, this, &PreferencesDialog::search);
+  constexpr int kTypedMs = 600;
+  tells_found_.setSingleShot(true);
+  tells_found_.setInterval(kTypedMs);
+  connect(&tells_found_, &QTimer::timeout, this, [this] { Q_EMIT said(found_words_); });
   connect(pages_, &QListWidget::currentRowChanged, stack_, &QStackedWidget::setCurrentIndex);
   pages_->setCurrentRow(0);
   resizeToText(*this, {90, 26});
@@ -369,6 +374,13 @@ void PreferencesDialog::search(const QString& words) {
   if (first >= 0 && (now < 0 || found[static_cast<std::size_t>(now)] == 0)) {
     pages_->setCurrentRow(first);
   }
+  if (wanted.isEmpty()) {
+    tells_found_.stop();
+    return;
+  }
+  const int all = std::accumulate(found.begin(), found.end(), 0);
+  found_words_ = all == 0 ? nothing_->text() : tr("Settings found: %1").arg(all);
+  tells_found_.start();  // Not of every letter that is typed.
 }
 
 void PreferencesDialog::resetPage() {

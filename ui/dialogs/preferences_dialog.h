@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <QDialog>
+#include <QTimer>
 #include <vector>
 
 #include "ui/work/settings.h"
@@ -65,6 +66,8 @@ class PreferencesDialog : public QDialog {
   QListWidget* pages_;
   QStackedWidget* stack_;
   QLabel* nothing_;
+  QTimer tells_found_;   ///< Runs while somebody types what is searched.
+  QString found_words_;  ///< What it found, to be said.
   std::vector<Row> rows_;
   std::vector<std::pair<int, std::function<void()>>> resets_;  ///< Page, back to the default.
 };

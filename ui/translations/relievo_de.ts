@@ -11629,6 +11629,10 @@
         <source>Which plug-ins for haptic devices may run. A plug-in can do all that you can do: allow one only if you know where it is from. A file that changes must be allowed again</source>
         <translation>Welche Plugins für haptische Geräte laufen dürfen. Ein Plugin kann alles, was Sie können: Erlauben Sie eines nur, wenn Sie wissen, woher es stammt. Eine Datei, die sich ändert, muss neu erlaubt werden</translation>
     </message>
+    <message>
+        <source>Settings found: %1</source>
+        <translation>Gefundene Einstellungen: %1</translation>
+    </message>
 </context>
 <context>
     <name>relievo::PrepareDialog</name>
@@ -15197,6 +15201,10 @@
     <message>
         <source>%1 is saved</source>
         <translation>%1 ist gespeichert</translation>
+    </message>
+    <message>
+        <source>The message is closed.</source>
+        <translation>Die Meldung ist geschlossen.</translation>
     </message>
 </context>
 <context>

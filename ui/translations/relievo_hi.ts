@@ -11629,6 +11629,10 @@
         <source>Which plug-ins for haptic devices may run. A plug-in can do all that you can do: allow one only if you know where it is from. A file that changes must be allowed again</source>
         <translation>स्पर्श उपकरणों के कौन-से प्लगइन चल सकते हैं। प्लगइन वह सब कर सकता है जो आप कर सकते हैं: अनुमति तभी दें जब आप जानते हों कि वह कहाँ से है। बदली हुई फ़ाइल को फिर अनुमति चाहिए</translation>
     </message>
+    <message>
+        <source>Settings found: %1</source>
+        <translation>मिली सेटिंग्स: %1</translation>
+    </message>
 </context>
 <context>
     <name>relievo::PrepareDialog</name>
@@ -15197,6 +15201,10 @@
     <message>
         <source>%1 is saved</source>
         <translation>%1 सहेजी गई</translation>
+    </message>
+    <message>
+        <source>The message is closed.</source>
+        <translation>संदेश बंद है।</translation>
     </message>
 </context>
 <context>

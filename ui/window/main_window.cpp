@@ -156,8 +156,9 @@ void MainWindow::connectDocument() {
     showRecent();
     const QString open_now = tr("%1 is open.").arg(shownName(file));
     const bool can_touch = commands_.named(QStringLiteral("forces")) != nullptr;
-    messages_->announce(can_touch ? tr("%1 Press F5 to switch forces on.").arg(open_now)
-                                  : open_now);
+    // So much appears with it that a screen reader drops what is said at the same moment.
+    messages_->announceWhenCalm(can_touch ? tr("%1 Press F5 to switch forces on.").arg(open_now)
+                                          : open_now);
   });
   connect(&document_, &Document::fileChanged, heard, [this](const QString& file) {
     settings_.addRecentFile(file);

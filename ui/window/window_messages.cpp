@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/window/window_messages.h"
 
+#include <QTimer>
 #include <utility>
 
 #include "core/base/error.h"
@@ -13,13 +14,26 @@ namespace relievo {
 WindowMessages::WindowMessages(MessageStrip& strip, StatusFields& status)
     : strip_(strip), status_(status) {
   connect(&status_, &StatusFields::cancelAsked, this, &WindowMessages::cancelAsked);
-  connect(&strip_, &MessageStrip::dismissed, this, &WindowMessages::dismissed);
+  connect(&strip_, &MessageStrip::dismissed, this, [this] {
+    tell(tr("The message is closed."));  // Before the next one, if there is one.
+    Q_EMIT dismissed();
+  });
   connect(&strip_, &MessageStrip::shown, this, &WindowMessages::tell);
 }
 
 void WindowMessages::announce(const QString& text) {
   status_.set(StatusField::message, text);
   tell(text);
+}
+
+void WindowMessages::announceWhenCalm(const QString& text) {
+  status_.set(StatusField::message, text);
+  const QString spoken = forEars(text);
+  if (speaker_ && speaker_(spoken)) return;
+  constexpr int kCalmMs = 1200;
+  QTimer::singleShot(kCalmMs, this, [this, text, spoken] {
+    if (status_.text(StatusField::message) == text) status_.tell(spoken);
+  });
 }
 
 void WindowMessages::tell(const QString& text) {

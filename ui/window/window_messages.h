@@ -18,6 +18,9 @@ class WindowMessages : public QObject {
 
   /// In the status bar, and heard.
   void announce(const QString& text);
+  /// The same; the screen reader hears it when what appears at that moment was read, unless
+  /// another message came.
+  void announceWhenCalm(const QString& text);
   /// To whoever does not look: by who speaks, else by the screen reader.
   void tell(const QString& text);
   /// @param spoken  for the screen reader; empty: it was heard already

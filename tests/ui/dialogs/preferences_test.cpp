@@ -77,16 +77,23 @@ TEST_F(PreferencesTest, WordsFindASettingOnAnyPage) {
   PreferencesDialog& dialog = openDialog();
   auto* words = dialog.findChild<QLineEdit*>("preferences_words");
   auto* pages = dialog.findChild<QListWidget*>("preferences_pages");
+  QStringList said;
+  QObject::connect(&dialog, &PreferencesDialog::said,
+                   [&said](const QString& text) { said << text; });
   QTest::keyClicks(words, "red filter");
   EXPECT_TRUE(dialog.findChild<QCheckBox*>("pref_stereo_swap")->isVisible());
   EXPECT_FALSE(dialog.findChild<QComboBox*>("pref_stereo_kind")->isVisible());
   EXPECT_TRUE(pages->item(0)->isHidden());
+  EXPECT_TRUE(waitFor([&] { return !said.isEmpty(); }));
+  EXPECT_EQ(said, QStringList{"Settings found: 1"}) << "once, not with every letter";
   const QRect place = pages->geometry();
   words->setText("nothing of the kind");
   QApplication::processEvents();
   EXPECT_EQ(pages->x(), place.x()) << "the list of pages stays where it is";
   EXPECT_EQ(pages->width(), place.width());
   for (int i = 0; i < pages->count(); ++i) EXPECT_TRUE(pages->item(i)->isHidden());
+  EXPECT_TRUE(waitFor([&] { return said.size() == 2; }));
+  EXPECT_EQ(said.back(), "No setting has these words.");
   words->clear();
   for (int i = 0; i < pages->count(); ++i) EXPECT_FALSE(pages->item(i)->isHidden());
 }
