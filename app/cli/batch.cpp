@@ -230,11 +230,8 @@ std::string withCode(const std::exception& error) {
 
 /// Says why it came to nothing. Of several processes all end with the reason of one of them.
 /// @return  exit code
-int refuse(const std::exception& error) {
+int end(int exit_code, std::string sentence) {
   Exchange& all = batch::processes();
-  int exit_code = batch::exitCodeOf(error);
-  std::string sentence = withCode(error);
-  if (dynamic_cast<const OtherProcessStopped*>(&error) == nullptr) all.stop(exit_code, sentence);
   if (const std::optional<Exchange::Stopped>& stopped = all.stopped()) {
     exit_code = stopped->exit_code;
     sentence = stopped->sentence;
@@ -246,6 +243,16 @@ int refuse(const std::exception& error) {
   }
   batch::tell(sentence);
   return exit_code;
+}
+
+int refuse(int exit_code, const std::string& sentence) {
+  batch::processes().stop(exit_code, sentence);
+  return end(exit_code, sentence);
+}
+
+int refuse(const std::exception& error) {
+  if (dynamic_cast<const OtherProcessStopped*>(&error) != nullptr) return end(1, error.what());
+  return refuse(batch::exitCodeOf(error), withCode(error));
 }
 
 }  // namespace
@@ -363,11 +370,9 @@ int runBatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     // CLI11 has its own numbers; ours are 0 for help and 1 for every misuse.
     if (error.get_exit_code() == 0) return app.exit(error);
-    batch::tell(sentenceOf(error, app));
-    return 1;
+    return refuse(1, sentenceOf(error, app));
   } catch (const Error& error) {
-    batch::tell(withCode(error));
-    return batch::exitCodeOf(error);
+    return refuse(error);
   }
   try {
     for (const batch::Verb& verb : verbs) {

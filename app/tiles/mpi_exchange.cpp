@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <iostream>
+#include <new>
 #include <thread>
 
 namespace relievo {
 namespace {
+
+constexpr int kCannotRead = 2;
 
 int rankOfThis() {
   int rank = 0;
@@ -52,6 +56,18 @@ Mpi::~Mpi() {
 MpiExchange::MpiExchange() : Exchange(rankOfThis(), ranksOfAll()) {}
 
 std::vector<std::string> MpiExchange::gather(const std::string& mine) {
+  try {
+    return gathered(mine);
+  } catch (const std::bad_alloc&) {
+    // The others are in the middle of MPI's own steps, where nothing can be told them.
+    std::cerr << "relievo: Process " << rank() + 1 << " of " << ranks()
+              << " has no memory for what the others told. All end. Start fewer processes.\n";
+    MPI_Abort(MPI_COMM_WORLD, kCannotRead);
+    throw;
+  }
+}
+
+std::vector<std::string> MpiExchange::gathered(const std::string& mine) const {
   waitForAll();
   const std::uint64_t size = mine.size();
   std::vector<std::uint64_t> sizes(static_cast<std::size_t>(ranks()));

@@ -23,6 +23,7 @@ class MpiExchange : public Exchange {
 
  private:
   std::vector<std::string> gather(const std::string& mine) override;
+  std::vector<std::string> gathered(const std::string& mine) const;
 };
 
 }  // namespace relievo

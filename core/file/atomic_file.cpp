@@ -130,12 +130,12 @@ struct AtomicFile::Impl {
   OutputSet* set = nullptr;
 };
 
-AtomicFile::AtomicFile(const OutputFile& file, TemporaryName name)
+AtomicFile::AtomicFile(const OutputFile& file, TemporaryName name, LeftFiles left)
     : impl_(std::make_unique<Impl>()) {
   Impl& own = *impl_;
   own.set = file.set;
   own.place = requireReplaceable(file.path);
-  removeLeftFiles(folder());
+  if (left == LeftFiles::go) removeLeftFiles(folder());
   if (name == TemporaryName::none) own.file = unnamedIn(folder());
   if (own.file.get() >= 0) {
     own.written = throughProc(own.file.get());

@@ -48,6 +48,13 @@ enum class TemporaryName {
   beside,
 };
 
+/// Files in the folder of one that is written that somebody who was killed may have left.
+enum class LeftFiles {
+  go,
+  /// Several computers write there, and one does not know whether another's writer lives.
+  stay,
+};
+
 /// A file that is written beside its place and takes it at the end; it vanishes unless `commit` was
 /// called. So a failure leaves nothing half done, and what was there before: with its mode and its
 /// owner, and where the place is a symbolic link, behind it. What a killed process left in the
@@ -55,7 +62,8 @@ enum class TemporaryName {
 class AtomicFile {
  public:
   /// @throw WriteError  what is there must not be replaced
-  explicit AtomicFile(const OutputFile& file, TemporaryName name = TemporaryName::none);
+  explicit AtomicFile(const OutputFile& file, TemporaryName name = TemporaryName::none,
+                      LeftFiles left = LeftFiles::go);
   ~AtomicFile();
   AtomicFile(AtomicFile&&) noexcept;
   AtomicFile& operator=(AtomicFile&&) = delete;

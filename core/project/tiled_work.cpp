@@ -49,9 +49,9 @@ ReadFiles readFilesOf(const TiledWork& work, const std::vector<fs::path>& files,
                       Exchange& processes, const Task& task) {
   const fs::path parent = work.out.parent_path();
   const fs::path folder = parent.empty() ? fs::path(".") : parent;
-  if (files.size() == 1) return {.input = inputFile(files.front(), folder, task)};
   ReadFiles read;
   read.files = inputFiles(files, folder, processes, task);
+  if (files.size() == 1) return {.input = read.files.front()};
   // One name may stand for all; of several it is where the first is.
   const fs::path& name = work.names.front();
   const fs::path together = fs::is_directory(name) ? name : files.front().parent_path();

@@ -213,15 +213,15 @@ void BandFill::dropSeenThroughBands(int radius, const Task& task) {
         for (std::size_t i = 0; i < mask.size(); ++i) {
           mask[i] = isMeasured(before[start + i]) && !isMeasured(depths[start + i]) ? 1 : 0;
         }
-        return packed(mask);
+        const std::uint64_t points = pointsOf(mask, band);
+        return std::string(plainBytes(points)).append(packed(mask));
       },
       [&](int number, std::string_view found) {
         const Band band = bandOf(number, 0, 1);
-        const Mask mask = unpacked(found, cellsOf(band));
-        dropped_->setRows(band.first, mask);
-        for (int row = 0; row < band.rows; ++row) {
-          countSeenThrough(band.first + row, &mask[frame_.size.index({.col = 0, .row = row})]);
-        }
+        std::uint64_t points = 0;
+        PlainBytes(found).take(points);
+        seen_through_points_ += points;
+        takeSeenThrough(band, unpacked(found.substr(sizeof(points)), cellsOf(band)));
       });
   depths_ = [this](int first, int rows, float* out) {
     given_.front(first, rows, out);
@@ -232,18 +232,25 @@ void BandFill::dropSeenThroughBands(int radius, const Task& task) {
   };
 }
 
-void BandFill::countSeenThrough(int row, const std::uint8_t* dropped) {
-  std::vector<float> points;  // Read only where it is asked for.
-  for (int col = 0; col < frame_.size.cols; ++col) {
-    if (dropped[col] == 0) continue;
-    measured_.clear({.col = col, .row = row});
+std::uint64_t BandFill::pointsOf(const Mask& cells, const Band& band) const {
+  if (!given_.points || std::find(cells.begin(), cells.end(), 1) == cells.end()) return 0;
+  std::vector<float> points(cells.size());
+  given_.points(band.first, band.rows, points.data());
+  std::uint64_t all = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i] != 0) all += static_cast<std::uint64_t>(points[i]);
+  }
+  return all;
+}
+
+void BandFill::takeSeenThrough(const Band& band, const Mask& dropped) {
+  dropped_->setRows(band.first, dropped);
+  for (std::size_t i = 0; i < dropped.size(); ++i) {
+    if (dropped[i] == 0) continue;
+    const auto cols = static_cast<std::size_t>(frame_.size.cols);
+    measured_.clear(
+        {.col = static_cast<int>(i % cols), .row = band.first + static_cast<int>(i / cols)});
     ++seen_through_;
-    if (!given_.points) continue;
-    if (points.empty()) {
-      points.resize(static_cast<std::size_t>(frame_.size.cols));
-      given_.points(row, 1, points.data());
-    }
-    seen_through_points_ += static_cast<std::size_t>(points[static_cast<std::size_t>(col)]);
   }
 }
 
@@ -278,16 +285,7 @@ void BandFill::pullAll(const Task& task) {
         coarse.values.insert(coarse.values.end(), values.begin(), values.end());
         coarse.weights.insert(coarse.weights.end(), weights.begin(), weights.end());
       });
-  if (!processes_.isAlone()) {
-    const std::vector<std::string> told = processes_.share(plainBytes(lowest.kept()));
-    for (int rank = 0; rank < processes_.ranks(); ++rank) {
-      const std::string& one = told[static_cast<std::size_t>(rank)];
-      std::vector<float> values;
-      PlainBytes(one).take(values, one.size() / sizeof(float));
-      if (rank != processes_.rank()) lowest.add(values);
-    }
-  }
-  base_z_mm_ = source_.base_z_mm.value_or(lowest.quantile());
+  base_z_mm_ = source_.base_z_mm ? *source_.base_z_mm : lowest.quantile(processes_);
   std::vector<PushPullLayer> layers;
   layers.push_back(std::move(coarse));
   while (layers.back().size.cols > 1 || layers.back().size.rows > 1) {

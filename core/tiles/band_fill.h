@@ -88,7 +88,8 @@ class BandFill {
   void markMeasured(const Task& task);
   int gapRadius() const;
   void dropSeenThroughBands(int radius, const Task& task);
-  void countSeenThrough(int row, const std::uint8_t* dropped);
+  std::uint64_t pointsOf(const Mask& cells, const Band& band) const;
+  void takeSeenThrough(const Band& band, const Mask& dropped);
   void pullAll(const Task& task);
   void findHoles(int radius, const Task& task);
   void addBetween(const Band& band, std::vector<float>& depths) const;

@@ -250,25 +250,45 @@ std::uint64_t heldBytes(const PointFiles& stream, const Placed& placed, int thre
          2 * static_cast<std::uint64_t>(stream.keptBytes(threads));
 }
 
+/// Free bytes where a folder is; nothing: not known.
+std::optional<std::filesystem::space_info> spaceOf(const std::filesystem::path& folder) {
+  std::error_code unknown;
+  const auto space = std::filesystem::space(folder, unknown);
+  return unknown ? std::nullopt : std::optional(space);
+}
+
+/// @param job  where finished parts lie, of a new one as much as all of them take; null: nowhere
+void requireSpace(const GridFrame& frame, const SurfaceOptions& options,
+                  const LargeMapOptions& large, std::optional<std::uint64_t> points,
+                  const MemoryPlan& plan, const JobFolder* job) {
+  const std::filesystem::path folder = spillFolder(large);
+  const auto free = [](const auto& space) {
+    return space ? std::optional<std::uint64_t>(space->available) : std::nullopt;
+  };
+  const auto space = spaceOf(folder);
+  std::optional<std::uint64_t> to_spill = points;
+  if (points && job != nullptr) to_spill = 0;  // They lie in the job's folder.
+  std::uint64_t needed = diskBytes(PyramidRows::frames(frame, options.pyramid), to_spill, plan);
+  if (job != nullptr && job->isNew()) {
+    // Points as they are kept; heights, heights between and points of each cell; filled rows.
+    constexpr std::uint64_t kCell = 3 * sizeof(float) + sizeof(float) + 1;
+    const std::uint64_t kept = sizeof(CellPoint) * points.value_or(0) + kCell * frame.size.count();
+    const auto of_job = spaceOf(large.job.folder);
+    const bool is_same_disk = space && of_job && *space == *of_job;
+    if (is_same_disk) needed += kept;
+    requireDisk(frame, large.job.folder, kept, free(of_job));
+  }
+  requireDisk(frame, folder, needed, free(space));
+}
+
 /// What the work may take, asked before it; and the options with the number of threads in them.
 /// @param points, held  as diskBytes and planMemory @throw ArgumentError, WriteError
 MemoryPlan planWork(const GridFrame& frame, const SurfaceOptions& options, LargeMapOptions& large,
-                    std::optional<std::uint64_t> points,
+                    std::optional<std::uint64_t> points, const JobFolder* job,
                     const std::function<std::uint64_t(int threads)>& held) {
   const MemoryPlan plan = planMemory(frame, large, held);
   large.threads = plan.threads;
-  const std::filesystem::path folder = spillFolder(large);
-  std::error_code unknown;
-  const auto space = std::filesystem::space(folder, unknown);
-  MemoryPlan of_disk = plan;
-  const std::vector<GridFrame> frames = PyramidRows::frames(frame, options.pyramid);
-  std::uint64_t needed = 0;
-  if (!large.job.folder.empty()) {
-    of_disk.points_bytes = 0;                               // They all lie there ...
-    needed = (2 * sizeof(float) + 1) * frame.size.count();  // ... and the cells twice.
-  }
-  requireDisk(frame, folder, needed + diskBytes(frames, points, of_disk),
-              unknown ? std::nullopt : std::optional<std::uint64_t>(space.available));
+  requireSpace(frame, options, large, points, plan, job);
   return plan;
 }
 
@@ -339,7 +359,7 @@ LargeMap fromPoints(const std::vector<std::filesystem::path>& inputs, const Surf
   LargeMapOptions large = asked;
   const bool merges = options.rule && isMergeable(*options.rule);
   const MemoryPlan plan =
-      planWork(placed.frame, options, large, merges ? 0 : made.info.finite_points,
+      planWork(placed.frame, options, large, merges ? 0 : made.info.finite_points, job.get(),
                [&](int threads) { return heldBytes(stream, placed, threads); });
   TakeDepthRows on_rows;
   if (large.on_view) {
@@ -433,7 +453,7 @@ void writeForeign(LargeMap& map, Surface& facts, const RasterRows& rows,
   map.missing = in_use.missing();
   say(map.messages, in_use.messages());
   const GridFrame frame = frameOf(raster.size, scale.pixel_mm);
-  const MemoryPlan plan = planWork(frame, options, large, std::nullopt, {});
+  const MemoryPlan plan = planWork(frame, options, large, std::nullopt, job, {});
   map.seconds.read = secondsSince(start);
   const double lowest = scale.lowest(in_use.lowest(), in_use.highest());
   fillAndWrite(
@@ -488,7 +508,7 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
   GridFrame frame = frameOf(raster.size, raster.pixel);
   frame.first_x_mm = raster.first.x;
   frame.first_y_mm = raster.first.y;
-  planWork(frame, options, large, std::nullopt, {});
+  planWork(frame, options, large, std::nullopt, nullptr, {});
   map.seconds.read = secondsSince(start);
   if (large.processes->isFirst()) writeOwnMap(map, rows, frame, options, large, task);
   map.frames = PyramidRows::frames(frame, options.pyramid);

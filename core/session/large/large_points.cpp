@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <limits>
+#include <shared_mutex>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "core/base/failure.h"
@@ -364,8 +367,15 @@ void StoredDepths::comeFrom(std::function<DepthRows(int tile_row)> row, bool has
 
 void StoredDepths::require(int first_row, int rows) {
   for (int y = first_row / kTileSide; y * kTileSide < first_row + rows; ++y) {
-    if (is_here_[static_cast<std::size_t>(y)]) continue;
-    keep(row_(y));
+    const auto is_here = [&] { return is_here_[static_cast<std::size_t>(y)]; };
+    {
+      const std::shared_lock many(asks_);
+      if (is_here()) continue;
+    }
+    const DepthRows found = row_(y);  // Another thread may ask for it as well.
+    const std::unique_lock one(asks_);
+    if (is_here()) continue;
+    keep(found);
     is_here_[static_cast<std::size_t>(y)] = true;
   }
 }
@@ -376,8 +386,8 @@ RowsOf StoredDepths::of(const RowStore& store) {
       store.read(first, rows, out);
       return;
     }
-    const std::lock_guard one_at_a_time(asks_);
     require(first, rows);
+    const std::shared_lock many(asks_);
     store.read(first, rows, out);
   };
 }
@@ -391,6 +401,18 @@ BandDepths StoredDepths::rows() {
 }
 
 namespace {
+
+/// They were made by another process, and that it said so. A network's file system may remember for
+/// a while that they were not there.
+DepthRows rowsOfOthers(JobFolder& job, int tile_row, GridSize size) {
+  constexpr int kTries = 60;
+  constexpr std::chrono::seconds kPause{1};
+  for (int i = 0; i < kTries; ++i) {
+    if (i > 0) std::this_thread::sleep_for(kPause);
+    if (std::optional<DepthRows> rows = loadRows(job, tile_row, size)) return *std::move(rows);
+  }
+  throw failure<MessageId::spill_not_kept>(job.fileOf("heights"), std::strerror(EIO));
+}
 
 void sayTakenOver(LargeMap& map, const KnownParts& known, int rows, int all_rows) {
   map.taken_over = TakenOver{.points = known.points, .parts = known.parts, .rows = rows};
@@ -425,6 +447,7 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointFiles& stream
   RowsMaker maker(points, decided.rule.rule, size, job);
   if (processes.isAlone()) {
     for (int y = 0; y < maker.count(); ++y) {
+      task.check();
       const std::optional<DepthRows> left = maker.left(y);
       const DepthRows& found = left ? *left : maker.make(y, task);
       count(headOf(found));
@@ -442,11 +465,8 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointFiles& stream
       has_points = has_points || head.has_points != 0;
     }
     const auto from_folder = [front, frame = placed.frame, job](int tile_row) {
-      std::optional<DepthRows> rows = loadRows(*job, tile_row, frame.size);
-      if (!rows) {  // It was there just now.
-        throw failure<MessageId::spill_not_kept>(job->fileOf("heights"), std::strerror(EIO));
-      }
-      return front != nullptr ? withFront(*front, frame, *std::move(rows)) : *std::move(rows);
+      DepthRows rows = rowsOfOthers(*job, tile_row, frame.size);
+      return front != nullptr ? withFront(*front, frame, std::move(rows)) : rows;
     };
     depths->comeFrom(from_folder, has_between, has_points);
   }

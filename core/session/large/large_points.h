@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
+#include <shared_mutex>
 #include <vector>
 
 #include "core/base/grid.h"
@@ -76,7 +76,7 @@ class StoredDepths {
   BitRows steep_;
   std::function<DepthRows(int tile_row)> row_;
   std::vector<bool> is_here_;  ///< Rows of tiles.
-  std::mutex asks_;            ///< For rows that come from `row_`.
+  std::shared_mutex asks_;     ///< For rows that come from `row_`.
 };
 
 using TakeDepthRows = std::function<void(const DepthRows& rows)>;

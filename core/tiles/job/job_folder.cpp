@@ -76,11 +76,13 @@ void JobFolder::begin(const JobFacts& facts) {
     const std::string other = differing(facts);
     if (!other.empty()) throw failure<MessageId::job_of_other_work>(folder_, other);
   } else {
+    is_new_ = true;
     write(known, {textOf(facts)});
   }
   for (const char* const parts : kParts) {
     fs::create_directories(folder_ / parts, error);
     if (error) throw failure<MessageId::job_unit_not_kept>(folder_ / parts, error.message());
+    removeLeftFiles(folder_ / parts);
   }
 }
 
@@ -146,7 +148,8 @@ void JobFolder::keep(const std::string& part, std::initializer_list<std::string_
   const std::string footer = std::string(kMagic) + sumOf(part, content);
   const fs::path file = fileOf(part);
   try {
-    AtomicFile out(file);
+    // A folder of thousands is not looked through for each; who has the lock did it once.
+    AtomicFile out(file, TemporaryName::none, LeftFiles::stay);
     for (const std::string_view piece : content) out.write(piece);
     out.write(footer);
     out.commit();

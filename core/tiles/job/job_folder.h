@@ -43,6 +43,8 @@ class JobFolder {
   void keep(const std::string& part, std::initializer_list<std::string_view> content);
   std::filesystem::path fileOf(const std::string& part) const { return folder_ / part; }
 
+  /// Nothing was in it.
+  bool isNew() const noexcept { return is_new_; }
   int damaged() const noexcept { return damaged_; }  ///< Found by this process.
 
   /// Removes these parts of this and earlier processes: a folder's name.
@@ -61,6 +63,7 @@ class JobFolder {
   std::filesystem::path folder_;
   std::string sum_;  ///< Of the facts.
   OwnedFd lock_;
+  bool is_new_ = false;  ///< As the first process found it.
   std::atomic<int> damaged_ = 0;
 };
 

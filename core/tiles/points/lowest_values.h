@@ -6,6 +6,8 @@
 
 namespace relievo {
 
+class Exchange;
+
 /// A low quantile of values that come in pieces: only the lowest are kept. With linear
 /// interpolation between order statistics, position q (n - 1), as in fillDepths.
 class LowestValues {
@@ -18,14 +20,12 @@ class LowestValues {
   /// NaN are left out.
   void add(const std::vector<float>& values);
 
-  /// What is known of those added so far: for who adds it to others of the same count.
-  const std::vector<float>& kept() const noexcept { return lowest_; }
-
-  /// After all `count` values were added.
-  double quantile();
+  /// After all `count` values were added, each by one of the processes.
+  double quantile(Exchange& processes);
 
  private:
   void prune();
+  float kth(std::size_t k, Exchange& processes) const;
 
   double position_ = 0;
   std::size_t kept_ = 0;  ///< As many of the lowest are needed.

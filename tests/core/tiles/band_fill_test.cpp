@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "tests/core/tiles/job/thread_exchange.h"
 #include "tests/core/tiles/tile_fixtures.h"
 
 namespace relievo {
@@ -25,13 +27,11 @@ struct Case {
   int threads = 2;
 };
 
-void expectSameAsWholeMap(const Case& c, const FrontDepths& depths) {
-  const GridFrame frame{.size = c.size, .spacing_mm = 0.5, .first_x_mm = 0.25, .first_y_mm = 0.25};
-  const FillSource source{.has_sampling_gaps = c.has_sampling_gaps};
-  const FilledMap whole = fillDepths(depths, frame, source, c.holes);
-  BandFill bands({.front = rowsOf(depths, c.size), .between = {}}, frame, source, c.holes,
-                 {.memory_bytes = c.memory_bytes, .threads = c.threads}, {});
+GridFrame frameOf(GridSize size) {
+  return {.size = size, .spacing_mm = 0.5, .first_x_mm = 0.25, .first_y_mm = 0.25};
+}
 
+void expectSame(const Case& c, BandFill& bands, const FilledMap& whole) {
   EXPECT_EQ(bands.baseZMm(), whole.base_z_mm);
   EXPECT_EQ(bands.seenThrough(), whole.seen_through);
   ASSERT_EQ(bands.holes().size(), whole.holes.size());
@@ -58,6 +58,14 @@ void expectSameAsWholeMap(const Case& c, const FrontDepths& depths) {
   EXPECT_EQ(rows, c.size.rows);
   EXPECT_EQ(other_heights, 0U);
   EXPECT_EQ(other_origins, 0U);
+}
+
+void expectSameAsWholeMap(const Case& c, const FrontDepths& depths) {
+  const FillSource source{.has_sampling_gaps = c.has_sampling_gaps};
+  const FilledMap whole = fillDepths(depths, frameOf(c.size), source, c.holes);
+  BandFill bands({.front = rowsOf(depths, c.size), .between = {}}, frameOf(c.size), source, c.holes,
+                 {.memory_bytes = c.memory_bytes, .threads = c.threads}, {});
+  expectSame(c, bands, whole);
 }
 
 void expectSameAsWholeMap(const Case& c) {
@@ -151,6 +159,30 @@ TEST(BandFill, GivesTheSameBytesWhenDepthsDoNotFitIntoMemory) {
 TEST(BandFill, GivesTheSameBytesForEveryNumberOfThreads) {
   for (const int threads : {1, 3}) {
     expectSameAsWholeMap({.size = {300, 800}, .hit_share = 0.4, .holes = {}, .threads = threads});
+  }
+}
+
+TEST(BandFill, GivesTheSameBytesForEveryNumberOfProcesses) {
+  const Case c{.size = {300, 1500}, .hit_share = 0.4, .holes = {}};
+  FrontDepths depths = gappyDepths(c.size, c.hit_share, 7);
+  std::mt19937 random(3);
+  for (float& depth : depths) {
+    if (random() % 40 == 0) depth = -40;  // The back, seen through gaps.
+  }
+  const FilledMap whole = fillDepths(depths, frameOf(c.size), {}, c.holes);
+  ASSERT_GT(whole.seen_through, 1000U);
+  const std::vector<float> points(c.size.count(), 2.0F);
+  for (const int ranks : {2, 3, 5}) {
+    const test::TileFolder folder;
+    test::inThreads(ranks, [&](Exchange& processes) {
+      JobFolder job(folder / "job", {}, &processes);
+      BandFill bands(
+          {.front = rowsOf(depths, c.size), .between = {}, .points = rowsOf(points, c.size)},
+          frameOf(c.size), {}, c.holes, {.threads = 1, .processes = &processes, .job = &job}, {});
+      EXPECT_EQ(bands.seenThroughPoints(), 2 * whole.seen_through);
+      EXPECT_EQ(bands.fillIntoFolder({}), 0) << "nothing was there before";
+      if (processes.isFirst()) expectSame(c, bands, whole);
+    });
   }
 }
 

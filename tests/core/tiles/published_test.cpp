@@ -22,6 +22,7 @@
 #include "core/tiles/tile_layout.h"
 #include "tests/core/tiles/slow_web_server.h"
 #include "tests/core/tiles/tile_fixtures.h"
+#include "tests/core/tiles/vast_map.h"
 
 namespace relievo {
 namespace {
@@ -376,47 +377,12 @@ TEST_F(Publishing, ADamagedTileIsSaidAndTheCoarserLevelStays) {
 }
 
 TEST_F(Publishing, AMapOfTenToTheTwelveCellsIsOpenedByItsListAlone) {
-  constexpr int kSide = 1'000'000;
-  PublishedMap facts;
-  facts.spacing_mm = 1;
-  facts.low_mm = 0;
-  facts.high_mm = 3;
-  facts.parts = {TilePart::heights, TilePart::origins};
-  facts.view_from_file = ViewFromFile{}.m;
-  for (int side = kSide; side > 200; side = (side + 1) / 2) {
-    facts.levels.push_back({.cols = side, .rows = side});
-  }
-  facts.levels.push_back({.cols = 123, .rows = 123});
-  facts.cells_by_origin[static_cast<std::size_t>(CellStatus::outside)] = 1e12;
-  {
-    PublishedFolder out(published(), facts);
-    std::vector<float> heights(std::size_t{kTileSide} * kTileSide, 3.0F);
-    const auto bytes = std::as_bytes(std::span(heights));
-    const std::vector<std::byte> one(bytes.begin(), bytes.end());
-    const std::vector<std::byte> measured(bytesOf(TilePart::origins), std::byte{0});
-    for (int level = 0; level < static_cast<int>(facts.levels.size()); ++level) {
-      const GridSize size = facts.levels[static_cast<std::size_t>(level)];
-      // One tile in the middle of each.
-      const int across = TileLayout{size}.across();
-      const int middle = across / 2 * across + across / 2;
-      for (int pack = 0; pack < packsOf(size); ++pack) {
-        const std::vector<int> tiles = tilesOfPack(size, pack);
-        if (std::find(tiles.begin(), tiles.end(), middle) == tiles.end()) continue;
-        out.add(level, pack, [&](int tile) {
-          return tile == middle ? std::vector<std::vector<std::byte>>{one, measured}
-                                : std::vector<std::vector<std::byte>>{};
-        });
-      }
-    }
-    out.finish();
-  }
+  test::publishVastMap(published(), 3, [](double, double) { return 3.0; });
   const TiledMap map(published() / "map.json");
-  ASSERT_EQ(map.frames().front().size.cols, kSide);
+  ASSERT_EQ(map.frames().front().size.cols, test::kVastSide);
   for (int level = 0; level < static_cast<int>(map.frames().size()); ++level) {
     const GridFrame& frame = map.frames()[static_cast<std::size_t>(level)];
-    const TileLayout layout{frame.size};
-    const Cell middle{.col = layout.across() / 2 * kTileSide + 50,
-                      .row = frame.size.rows - 1 - (layout.across() / 2 * kTileSide + 50)};
+    const Cell middle{.col = frame.size.cols / 2, .row = frame.size.rows / 2};
     const double side = 20 * frame.spacing_mm;
     const RegionWindow window = map.window(
         at(frame.xMm(middle.col) - side / 2, frame.yMm(middle.row) - side / 2, side, level));

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/raster/colour_raster.h"
 #include "core/session/large/large_map.h"
 #include "core/tiles/tile_raster.h"
 #include "tests/core/io/las_sample.h"
@@ -65,6 +66,37 @@ std::string lasOf(const Raw& raw) {
   return test::lasFile(las);
 }
 
+/// With a colour for each point and an intensity.
+std::string colouredLasOf(const Raw& raw) {
+  test::Las las;
+  las.format = 2;
+  las.scale = {kScale, kScale, kScale};
+  las.raw = raw;
+  las.promised = las.legacy_promised = static_cast<std::uint32_t>(raw.size());
+  for (const auto& [x, y, z] : raw) {
+    std::string rest = test::bytesOf(static_cast<std::uint16_t>(x + y)) + std::string(6, '\0');
+    for (const std::int32_t channel : {x / 4, y / 4, z / 8}) {
+      rest += test::bytesOf(static_cast<std::uint16_t>(channel));
+    }
+    las.rest.push_back(rest);
+  }
+  return test::lasFile(las);
+}
+
+/// A body: a sphere of 100 mm across, seen from one side, and its back behind it.
+Raw closedCloud(int points) {
+  Raw raw;
+  for (int i = 0; i < points; ++i) {
+    const double z = 1 - 2 * (i + 0.5) / points, turn = i * 2.399963229728653;
+    const double across = std::sqrt(1 - z * z);
+    const auto stored = [](double place) {
+      return static_cast<std::int32_t>(std::lround((100 + 100 * place) / kScale));
+    };
+    raw.push_back({stored(across * std::cos(turn)), stored(across * std::sin(turn)), stored(z)});
+  }
+  return raw;
+}
+
 std::string lazOf(const Raw& raw) {
   test::Laz laz;
   for (const auto& point : raw) {
@@ -85,7 +117,9 @@ void write(const fs::path& file, const std::string& bytes) {
 std::string bytesOfMap(const fs::path& finest) {
   std::string all;
   for (int level = 0; fs::exists(levelFile(finest, level)); ++level) {
-    for (const fs::path& file : {levelFile(finest, level), originFile(levelFile(finest, level))}) {
+    const fs::path heights = levelFile(finest, level);
+    for (const fs::path& file :
+         {heights, originFile(heights), colourFileOf(heights), intensityFileOf(heights)}) {
       std::ifstream in(file, std::ios::binary);
       all.append(std::istreambuf_iterator<char>(in), {});
     }
@@ -184,7 +218,7 @@ TEST_F(Processes, WriteTheFilesOfOneForEveryRuleAndFormat) {
     SCOPED_TRACE(rule ? static_cast<int>(*rule) : -1);
     const std::string once = this->once(folder_ / "scan.las", optionsOf(rule));
     ASSERT_GT(once.size(), 1'000'000U);
-    for (const int ranks : {2, 3, 5}) {
+    for (const int ranks : rule ? std::vector{3} : std::vector{2, 3, 5}) {
       SCOPED_TRACE(ranks);
       ASSERT_TRUE(areFine(together(ranks, folder_ / "scan.las", optionsOf(rule))));
       EXPECT_TRUE(bytesOfMap(folder_ / "map.tif") == once);
@@ -199,6 +233,32 @@ TEST_F(Processes, WriteTheFilesOfOneForEveryRuleAndFormat) {
   std::printf("told to each other: %llu bytes, %.1f %% of the heights\n",
               static_cast<unsigned long long>(sent_bytes_),
               100 * static_cast<double>(sent_bytes_) / heights);
+}
+
+TEST_F(Processes, WriteTheColoursOfOne) {
+  write(folder_ / "scan.las", colouredLasOf(hardCloud(200'000)));
+  SurfaceOptions options = optionsOf(std::nullopt);
+  options.spacing_mm = 0.5;
+  const std::string once = this->once(folder_ / "scan.las", options);
+  EXPECT_TRUE(one_.has_colours && one_.has_intensities);
+  EXPECT_TRUE(fs::exists(colourFileOf(folder_ / "once.tif")));
+  ASSERT_TRUE(areFine(together(3, folder_ / "scan.las", options)));
+  EXPECT_TRUE(bytesOfMap(folder_ / "map.tif") == once);
+  expectSameReport();
+}
+
+TEST_F(Processes, WriteTheFilesOfOneForABodyWithABack) {
+  write(folder_ / "scan.las", lasOf(closedCloud(300'000)));
+  SurfaceOptions options = optionsOf(std::nullopt);
+  const std::string once = this->once(folder_ / "scan.las", options);
+  ASSERT_TRUE(one_.losses);
+  EXPECT_GT(one_.losses->hidden_share, 0.3) << "the back is not in the map";
+  for (const int ranks : {2, 3}) {
+    SCOPED_TRACE(ranks);
+    ASSERT_TRUE(areFine(together(ranks, folder_ / "scan.las", options)));
+    EXPECT_TRUE(bytesOfMap(folder_ / "map.tif") == once);
+    expectSameReport();
+  }
 }
 
 TEST_F(Processes, WriteTheFilesOfOneForARaster) {
