@@ -107,6 +107,9 @@ class Exhibition : public Journey {
   QString language_ = QStringLiteral("en");
 
  private:
+  /// The next sentence, "en|Welcome."; empty: none came. The name of a place, which is said
+  /// wherever a hand comes to rest, is passed over where another sentence is wanted.
+  QString next(const QString& wanted);
   void writePrograms();
   void writeObject();
   void writeExhibit();
