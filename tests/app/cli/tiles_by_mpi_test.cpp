@@ -2,13 +2,12 @@
 // relievo-tiles as people of clusters start it: by mpirun, some processes on one machine; and what
 // becomes of its work when one of them is killed.
 #include <fcntl.h>
-#include <gmock/gmock.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -27,7 +26,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using test::CommandResult;
 using test::runRelievo;
-using ::testing::HasSubstr;
 
 std::string bytesOfFile(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -62,11 +60,12 @@ class TilesByMpi : public test::CommandTest {
   }
   pid_t start(int ranks, const std::vector<std::string>& words) {
     std::vector<std::string> all{"mpirun", "-q", "-n", std::to_string(ranks),
-                                 RELIEVO_BINARY_DIR "/bin/relievo-tiles"};
+                                 std::string(RELIEVO_BINARY_DIR) + "/bin/relievo-tiles"};
     all.insert(all.end(), words.begin(), words.end());
     const pid_t child = ::fork();
     if (child != 0) return child;
     std::vector<char*> argv;
+    argv.reserve(all.size() + 1);
     for (std::string& word : all) argv.push_back(word.data());
     argv.push_back(nullptr);
     ::dup2(::open(path("out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);

@@ -40,6 +40,7 @@ class ThreadExchange : public Exchange {
 inline void inThreads(int ranks, const std::function<void(Exchange&)>& work) {
   MeetingPlace place(ranks);
   std::vector<std::jthread> threads;
+  threads.reserve(static_cast<std::size_t>(ranks));
   for (int rank = 0; rank < ranks; ++rank) {
     threads.emplace_back([&place, &work, rank] {
       ThreadExchange exchange(place, rank);
