@@ -402,8 +402,8 @@ BandDepths StoredDepths::rows() {
 
 namespace {
 
-/// They were made by another process, and that it said so. A network's file system may remember for
-/// a while that they were not there.
+/// Another process made them and said so. A network's file system may remember for a while that
+/// they were not there.
 DepthRows rowsOfOthers(JobFolder& job, int tile_row, GridSize size) {
   constexpr int kTries = 60;
   constexpr std::chrono::seconds kPause{1};

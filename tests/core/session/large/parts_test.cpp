@@ -22,19 +22,20 @@
 #include "core/base/error.h"
 #include "core/session/input_names.h"
 #include "core/session/large/large_map.h"
-#include "tests/core/io/las_sample.h"
-#include "tests/core/io/laz_sample.h"
-#include "tests/core/io/sample_files.h"
+#include "tests/core/session/raw_clouds.h"
 #include "tests/core/session/tiled_fixture.h"
 
 namespace relievo {
 namespace {
 
 namespace fs = std::filesystem;
-using Raw = std::vector<std::array<std::int32_t, 3>>;
+using test::lasOf;
+using test::lazOf;
+using test::Raw;
+using test::write;
 using ::testing::HasSubstr;
 
-constexpr double kScale = 1.0 / 512;
+constexpr double kScale = test::kRawScale;
 
 /// A relief of 1000 x 900 cells of 1/4 mm with a hole, a wall and a back, in rows as a scan has it.
 Raw relief(int points) {
@@ -53,26 +54,6 @@ Raw relief(int points) {
   return raw;
 }
 
-std::string lasOf(const Raw& raw) {
-  test::Las las;
-  las.scale = {kScale, kScale, kScale};
-  las.raw = raw;
-  las.promised = las.legacy_promised = static_cast<std::uint32_t>(raw.size());
-  return test::lasFile(las);
-}
-
-std::string lazOf(const Raw& raw) {
-  test::Laz laz;
-  for (const auto& point : raw) {
-    std::string record;
-    for (const std::int32_t stored : point) record += test::bytesOf(stored);
-    laz.records.push_back(record + std::string(8, '\x11'));
-  }
-  laz.scale = kScale;
-  laz.chunk_points = 5000;
-  return test::lazFile(laz).bytes;
-}
-
 std::string plyOf(const Raw& raw) {
   std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
                       std::to_string(raw.size()) +
@@ -81,10 +62,6 @@ std::string plyOf(const Raw& raw) {
     for (const std::int32_t stored : point) bytes += test::bytesOf(stored * kScale);
   }
   return bytes;
-}
-
-void write(const fs::path& file, const std::string& bytes) {
-  std::ofstream(file, std::ios::binary) << bytes;
 }
 
 std::string bytesOfFile(const fs::path& file) {

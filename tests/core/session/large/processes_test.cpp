@@ -18,9 +18,7 @@
 #include "core/io/raster/colour_raster.h"
 #include "core/session/large/large_map.h"
 #include "core/tiles/tile_raster.h"
-#include "tests/core/io/las_sample.h"
-#include "tests/core/io/laz_sample.h"
-#include "tests/core/io/sample_files.h"
+#include "tests/core/session/raw_clouds.h"
 #include "tests/core/session/tiled_fixture.h"
 #include "tests/core/tiles/job/thread_exchange.h"
 
@@ -28,10 +26,13 @@ namespace relievo {
 namespace {
 
 namespace fs = std::filesystem;
-using Raw = std::vector<std::array<std::int32_t, 3>>;
+using test::lasOf;
+using test::lazOf;
+using test::Raw;
+using test::write;
 using ::testing::HasSubstr;
 
-constexpr double kScale = 1.0 / 512;
+constexpr double kScale = test::kRawScale;
 constexpr int kCols = 1000, kRows = 900;  // Four rows of tiles of 1/4 mm.
 
 /// No easy cloud: emptiness winds from the map's border through all rows of tiles to its middle, a
@@ -56,14 +57,6 @@ Raw hardCloud(int points) {
                    static_cast<std::int32_t>(std::lround(z / kScale))});
   }
   return raw;
-}
-
-std::string lasOf(const Raw& raw) {
-  test::Las las;
-  las.scale = {kScale, kScale, kScale};
-  las.raw = raw;
-  las.promised = las.legacy_promised = static_cast<std::uint32_t>(raw.size());
-  return test::lasFile(las);
 }
 
 /// With a colour for each point and an intensity.
@@ -95,22 +88,6 @@ Raw closedCloud(int points) {
     raw.push_back({stored(across * std::cos(turn)), stored(across * std::sin(turn)), stored(z)});
   }
   return raw;
-}
-
-std::string lazOf(const Raw& raw) {
-  test::Laz laz;
-  for (const auto& point : raw) {
-    std::string record;
-    for (const std::int32_t stored : point) record += test::bytesOf(stored);
-    laz.records.push_back(record + std::string(8, '\x11'));
-  }
-  laz.scale = kScale;
-  laz.chunk_points = 5000;
-  return test::lazFile(laz).bytes;
-}
-
-void write(const fs::path& file, const std::string& bytes) {
-  std::ofstream(file, std::ios::binary) << bytes;
 }
 
 /// All files of a map, by name and content.
