@@ -15,6 +15,7 @@
 #include "app/cli/options/number_option.h"
 #include "app/cli/processes.h"
 #include "core/base/failure.h"
+#include "core/base/threads.h"
 #include "core/base/time_left.h"
 #include "core/io/raster/colour_raster.h"
 #include "core/project/caption.h"
@@ -24,7 +25,6 @@
 #include "core/session/large/large_map.h"
 #include "core/session/large/tiled_surface.h"
 #include "core/tiles/level_files.h"
-#include "core/tiles/threads.h"
 #include "core/tiles/tiled_map.h"
 
 namespace relievo::batch {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/tiles/job/exchange.h"
+#include "core/base/exchange.h"
 
 namespace relievo {
 

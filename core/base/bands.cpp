@@ -12,7 +12,7 @@ namespace relievo {
 namespace {
 
 constexpr std::size_t kCellsWorthAThread = 500'000;
-constexpr int kMostThreads = 4;  // Memory is the limit; more threads only take turns at it.
+constexpr int kMostThatPay = 4;  // Memory is the limit; more threads only take turns at it.
 
 }  // namespace
 
@@ -20,7 +20,7 @@ int threadsFor(std::size_t cells, int wanted) {
   if (wanted > 0) return wanted;
   const auto worth = static_cast<int>(std::min<std::size_t>(cells / kCellsWorthAThread, 64));
   static const int cores = usableCores();
-  return std::clamp(worth, 1, std::min(cores, kMostThreads));
+  return std::clamp(worth, 1, std::min(cores, kMostThatPay));
 }
 
 void parallelFor(int rows, int threads, const std::function<void(int first, int end)>& work) {

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "core/base/plain_bytes.h"
 #include "core/provenance/program.h"
 #include "core/provenance/provenance.h"
 #include "core/session/input_names.h"
-#include "core/tiles/job/plain_bytes.h"
 
 namespace relievo {
 namespace {

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "core/base/bands.h"
+#include "core/base/threads.h"
 #include "core/tiles/job/job_folder.h"
-#include "core/tiles/threads.h"
 
 namespace relievo {
 namespace {

@@ -12,13 +12,13 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "core/base/threads.h"
 #include "core/io/input_facts.h"
 #include "core/region/window_colours.h"
 #include "core/tiles/map/fetched_rows.h"
 #include "core/tiles/map/map_files.h"
 #include "core/tiles/map/tiled_facts.h"
 #include "core/tiles/published/published_tiles.h"
-#include "core/tiles/threads.h"
 #include "core/tiles/tile_cache.h"
 #include "core/tiles/tile_layout.h"
 

@@ -16,7 +16,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "core/tiles/threads.h"
+#include "core/base/threads.h"
 #include "ui/dialogs/depth_map_preview.h"
 #include "ui/dialogs/named_fields.h"
 #include "ui/dialogs/scan_choices.h"

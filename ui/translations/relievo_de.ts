@@ -7727,10 +7727,6 @@
         <translation>Die leeren Flächen der Karte sind so zerklüftet, dass sie allein mehr als den erlaubten Speicher brauchen. Nichts wurde gemacht. Erlauben Sie mehr Speicher, oder wählen Sie größere Zellen.</translation>
     </message>
     <message>
-        <source>Membranes over holes need the whole map in memory. Nothing was made. Choose another treatment of holes, or leave out --memory.</source>
-        <translation>Membranen über Löchern brauchen die ganze Karte im Speicher. Nichts wurde gemacht. Wählen Sie eine andere Behandlung der Löcher, oder lassen Sie --memory weg.</translation>
-    </message>
-    <message>
         <source>Points and heights that do not fit into memory cannot be kept in %1: %2. Nothing was made. Free some space there, write the result to another disk, or allow more memory.</source>
         <translation>Punkte und Höhen, die nicht in den Speicher passen, können nicht in %1 gehalten werden: %2. Nichts wurde gemacht. Schaffen Sie dort Platz, schreiben Sie das Ergebnis auf einen anderen Datenträger, oder erlauben Sie mehr Speicher.</translation>
     </message>

@@ -7727,10 +7727,6 @@
         <translation>मानचित्र के खाली क्षेत्र इतने कटे-फटे हैं कि वे अकेले ही अनुमत स्मृति से अधिक लेते हैं। कुछ नहीं बना। अधिक स्मृति की अनुमति दें, या बड़े खाने चुनें।</translation>
     </message>
     <message>
-        <source>Membranes over holes need the whole map in memory. Nothing was made. Choose another treatment of holes, or leave out --memory.</source>
-        <translation>छेदों पर झिल्लियों के लिए पूरा मानचित्र स्मृति में चाहिए। कुछ नहीं बना। छेदों के लिए दूसरा उपाय चुनें, या --memory छोड़ दें।</translation>
-    </message>
-    <message>
         <source>Points and heights that do not fit into memory cannot be kept in %1: %2. Nothing was made. Free some space there, write the result to another disk, or allow more memory.</source>
         <translation>जो बिंदु और ऊँचाइयाँ स्मृति में नहीं आतीं, वे %1 में नहीं रखी जा सकतीं: %2। कुछ नहीं बना। वहाँ जगह खाली करें, परिणाम दूसरी डिस्क पर लिखें, या अधिक स्मृति की अनुमति दें।</translation>
     </message>

@@ -39,10 +39,10 @@ CellStatus originOfHole(const Hole& hole, HoleRule rule);
 /// Does the choice ask for this hole to be filled?
 bool isToBeFilled(const Hole& hole, const HoleChoice& choice);
 
-/// Measured cells that the engine saw to be steep, and those from which the surface rises to one
-/// side and falls to the other by more than `kSteepRise`: walls that a cloud's points stand on one
-/// by one. Looks at the four neighbours.
-Mask steepCells(const CapturedDepths& depths, const Mask& measured, const GridFrame& frame);
+/// Marks cells from which the surface rises to one side and falls to the other by more than
+/// `kSteepRise`: walls that a cloud's points stand on one by one. Looks at the four neighbours.
+/// @param steep  what the engine saw to be steep stays so
+void markSteepCells(const float* depths, GridSize size, double spacing_mm, Mask& steep);
 
 /// With gaps that are known: cells that are measured, and those with a height between the points.
 Mask withBetween(Mask measured, const FrontDepths& between);

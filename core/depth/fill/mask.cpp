@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
+#include <utility>
 
 #include "core/base/bands.h"
 
@@ -92,32 +92,7 @@ class SquareSlide {
   bool dilate_;
 };
 
-/// Share of occupied cells per tile; only tiles that hold something.
-std::vector<double> tileOccupancy(const Mask& mask, GridSize size, int tile) {
-  std::vector<double> shares;
-  for (int row0 = 0; row0 + tile <= size.rows; row0 += tile) {
-    for (int col0 = 0; col0 + tile <= size.cols; col0 += tile) {
-      int ones = 0;
-      for (int row = row0; row < row0 + tile; ++row) {
-        for (int col = col0; col < col0 + tile; ++col) {
-          ones += mask[size.index({.col = col, .row = row})];
-        }
-      }
-      if (ones > 0) shares.push_back(static_cast<double>(ones) / (tile * tile));
-    }
-  }
-  return shares;
-}
-
-}  // namespace
-
-Mask closed(const Mask& mask, GridSize size, int radius) {
-  if (radius <= 0 || mask.empty()) return mask;
-  const auto r = static_cast<std::size_t>(radius);
-  const int threads = threadsFor(kWorkOfCell * size.count(), 0);
-  return SquareSlide(size, r, false)(SquareSlide(size, r, true)(mask, threads), threads);
-}
-
+/// Side of the squares whose occupancy is looked at; 0 if nothing is measured.
 int occupancySide(std::size_t measured_cells, GridSize size) {
   if (measured_cells == 0) return 0;
   // Tiles large enough to hold about 30 occupied cells on average.
@@ -126,11 +101,27 @@ int occupancySide(std::size_t measured_cells, GridSize size) {
   return std::clamp(static_cast<int>(std::ceil(std::sqrt(30 / share))), 4, longest);
 }
 
-int samplingGapRadius(const Mask& measured, GridSize size) {
-  const auto ones =
-      static_cast<std::size_t>(std::count(measured.begin(), measured.end(), std::uint8_t{1}));
-  if (ones == 0) return 0;
-  return samplingGapRadius(tileOccupancy(measured, size, occupancySide(ones, size)), size);
+}  // namespace
+
+Mask closed(const Mask& mask, GridSize size, int radius, int threads) {
+  if (radius <= 0 || mask.empty()) return mask;
+  const auto r = static_cast<std::size_t>(radius);
+  const int used = threadsFor(kWorkOfCell * size.count(), threads);
+  return SquareSlide(size, r, false)(SquareSlide(size, r, true)(mask, used), used);
+}
+
+int samplingGapRadius(const BitRows& measured) {
+  const GridSize size = measured.size();
+  const int side = occupancySide(measured.count(), size);
+  if (side == 0) return 0;
+  std::vector<double> shares;  // Not of squares that reach over the grid.
+  for (int row = 0; row + side <= size.rows; row += side) {
+    for (int col = 0; col + side <= size.cols; col += side) {
+      const int ones = measured.countInSquare({.col = col, .row = row}, side);
+      if (ones > 0) shares.push_back(static_cast<double>(ones) / (side * side));
+    }
+  }
+  return samplingGapRadius(std::move(shares), size);
 }
 
 int samplingGapRadius(std::vector<double> shares, GridSize size) {
@@ -148,46 +139,6 @@ int samplingGapRadius(std::vector<double> shares, GridSize size) {
   const double width = std::sqrt(9.2 / density);
   const int radius = static_cast<int>(std::ceil((width - 1) / 2));
   return std::clamp(radius, 0, std::max(size.cols, size.rows) / 8);
-}
-
-EmptyAreas emptyAreas(const Mask& mask, GridSize size) {
-  EmptyAreas areas;
-  areas.label.assign(mask.size(), -1);
-  std::vector<Cell> stack;
-  for (int row = 0; row < size.rows; ++row) {
-    const std::uint8_t* const cells = mask.data() + size.index({.col = 0, .row = row});
-    for (int col = 0; col < size.cols; ++col) {
-      // Nearly all are covered.
-      const void* const empty =
-          std::memchr(cells + col, 0, static_cast<std::size_t>(size.cols - col));
-      if (empty == nullptr) break;
-      col = static_cast<int>(static_cast<const std::uint8_t*>(empty) - cells);
-      const std::size_t start = size.index({.col = col, .row = row});
-      if (areas.label[start] >= 0) continue;
-      const int label = static_cast<int>(areas.cells.size());
-      areas.cells.push_back(0);
-      areas.at_border.push_back(false);
-      areas.label[start] = label;
-      stack.push_back({.col = col, .row = row});
-      while (!stack.empty()) {
-        const Cell cell = stack.back();
-        stack.pop_back();
-        ++areas.cells.back();
-        for (const Cell next : {Cell{cell.col - 1, cell.row}, Cell{cell.col + 1, cell.row},
-                                Cell{cell.col, cell.row - 1}, Cell{cell.col, cell.row + 1}}) {
-          if (!size.contains(next)) {
-            areas.at_border.back() = true;
-            continue;
-          }
-          const std::size_t index = size.index(next);
-          if (mask[index] != 0 || areas.label[index] >= 0) continue;
-          areas.label[index] = label;
-          stack.push_back(next);
-        }
-      }
-    }
-  }
-  return areas;
 }
 
 }  // namespace relievo

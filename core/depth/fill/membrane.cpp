@@ -25,13 +25,12 @@ constexpr std::array<Weighted, 4> kMixed{
 
 class Plate {
  public:
-  Plate(const std::vector<float>& values, const Mask& known, const std::vector<std::size_t>& hole,
-        GridSize size)
-      : values_(values), known_(known), size_(size), right_(Eigen::VectorXd::Zero(count(hole))) {
-    unknown_of_cell_.reserve(hole.size());
-    for (const std::size_t cell : hole) {
-      unknown_of_cell_.emplace(cell, static_cast<int>(unknown_of_cell_.size()));
-    }
+  Plate(const std::vector<std::size_t>& hole, const Rim& rim, GridSize size)
+      : size_(size), right_(Eigen::VectorXd::Zero(count(hole))) {
+    cells_.reserve(hole.size() + rim.size());
+    int unknown = 0;
+    for (const std::size_t cell : hole) cells_.emplace(cell, Height{.unknown = unknown++});
+    for (const auto& [cell, z] : rim) cells_.emplace(cell, Height{.z = z});
     for (const std::size_t cell : hole) {
       const auto cols = static_cast<std::size_t>(size.cols);
       const Cell at{.col = static_cast<int>(cell % cols), .row = static_cast<int>(cell / cols)};
@@ -44,7 +43,7 @@ class Plate {
 
   /// Empty where the rim does not determine the plate.
   Eigen::VectorXd solved() const {
-    const auto count = static_cast<Eigen::Index>(unknown_of_cell_.size());
+    const Eigen::Index count = right_.size();
     Eigen::SparseMatrix<double> matrix(count, count);
     matrix.setFromTriplets(entries_.begin(), entries_.end());
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
@@ -62,10 +61,11 @@ class Plate {
     return static_cast<Eigen::Index>(hole.size());
   }
 
-  int unknownAt(std::size_t cell) const {
-    const auto found = unknown_of_cell_.find(cell);
-    return found == unknown_of_cell_.end() ? -1 : found->second;
-  }
+  /// One of the unknowns, or known.
+  struct Height {
+    int unknown = -1;
+    float z = 0;
+  };
 
   /// One squared difference of the energy, unless a cell of it has no height at all.
   void add(std::span<const Weighted> difference, Cell at, std::size_t for_cell) {
@@ -76,14 +76,14 @@ class Plate {
       const Cell cell{.col = at.col + w.dcol, .row = at.row + w.drow};
       if (!size_.contains(cell)) return;
       const std::size_t index = size_.index(cell);
-      const int unknown = unknownAt(index);
-      if (unknown >= 0) {
+      const auto found = cells_.find(index);
+      if (found == cells_.end()) return;
+      const Height& height = found->second;
+      if (height.unknown >= 0) {
         if (count == 0 && index != for_cell) return;
-        unknowns[count++] = {unknown, w.weight};
-      } else if (known_[index] != 0) {
-        fixed += w.weight * static_cast<double>(values_[index]);
+        unknowns[count++] = {height.unknown, w.weight};
       } else {
-        return;
+        fixed += w.weight * static_cast<double>(height.z);
       }
     }
     for (std::size_t i = 0; i < count; ++i) {
@@ -95,27 +95,24 @@ class Plate {
     }
   }
 
-  const std::vector<float>& values_;
-  const Mask& known_;
   GridSize size_;
-  std::unordered_map<std::size_t, int> unknown_of_cell_;
+  std::unordered_map<std::size_t, Height> cells_;
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::VectorXd right_;
 };
 
 }  // namespace
 
-bool fillWithMembrane(std::vector<float>& values, const Mask& known,
-                      const std::vector<std::size_t>& hole, GridSize size, const Task& task) {
+std::vector<float> membraneOver(const std::vector<std::size_t>& hole, const Rim& rim, GridSize size,
+                                const Task& task) {
   task.check();
-  if (hole.empty() || hole.size() > kMostMembraneCells) return false;
-  const Eigen::VectorXd heights = Plate(values, known, hole, size).solved();
-  if (heights.size() == 0) return false;
+  if (hole.empty() || hole.size() > kMostMembraneCells) return {};
+  const Eigen::VectorXd solved = Plate(hole, rim, size).solved();
   task.check();
-  for (std::size_t i = 0; i < hole.size(); ++i) {
-    values[hole[i]] = static_cast<float>(heights[static_cast<Eigen::Index>(i)]);
-  }
-  return true;
+  std::vector<float> heights(static_cast<std::size_t>(solved.size()));
+  std::transform(solved.begin(), solved.end(), heights.begin(),
+                 [](double z) { return static_cast<float>(z); });
+  return heights;
 }
 
 }  // namespace relievo

@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
-#include "core/base/bands.h"
-
 namespace relievo {
 namespace {
-
-constexpr std::size_t kWorkOfCell = 2;  // A cell here is as much work as so many of others.
 
 /// Push: bilinear value of the coarse grid under a fine cell; fine cell f lies at (f - 0.5) / 2.
 float coarseValue(const PushPullLayer& coarse, Cell fine) {
@@ -32,6 +29,17 @@ float coarseValue(const PushPullLayer& coarse, Cell fine) {
   };
   return (1 - v) * ((1 - u) * at(c0, r0) + u * at(c1, r0)) +
          v * ((1 - u) * at(c0, r1) + u * at(c1, r1));
+}
+
+/// Calls take(index) for every 0. In most rows there are few.
+template <class Take>
+void forZeros(std::span<const std::uint8_t> mask, const Take& take) {
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    const void* const zero = std::memchr(&mask[i], 0, mask.size() - i);
+    if (zero == nullptr) return;
+    i = static_cast<std::size_t>(static_cast<const std::uint8_t*>(zero) - mask.data());
+    for (; i < mask.size() && mask[i] == 0; ++i) take(i);
+  }
 }
 
 /// From sums of weighted values to means.
@@ -85,46 +93,47 @@ void pushInto(PushPullLayer& fine, const PushPullLayer& coarse) {
   }
 }
 
-void pushPull(std::vector<float>& values, const Mask& known, GridSize size, const Task& task) {
-  // As `pulled` and `pushInto`, with the mask for the weights of the finest layer.
-  std::vector<PushPullLayer> layers(1);
-  layers[0].size = {.cols = (size.cols + 1) / 2, .rows = (size.rows + 1) / 2};
-  layers[0].values.assign(layers[0].size.count(), 0.0F);
-  layers[0].weights.assign(layers[0].size.count(), 0.0F);
-  const int threads = threadsFor(kWorkOfCell * size.count(), 0);
-  parallelFor(layers[0].size.rows, threads, [&](int first, int end) {
-    for (int row = 2 * first; row < std::min(2 * end, size.rows); ++row) {
-      if (row % 64 == 0) task.check();
-      for (int col = 0; col < size.cols; ++col) {
-        const std::size_t from = size.index({.col = col, .row = row});
-        if (known[from] == 0) continue;
-        const std::size_t to = layers[0].size.index({.col = col / 2, .row = row / 2});
-        layers[0].values[to] += values[from];
-        layers[0].weights[to] += 1;
-      }
+PushPullLayer pulledFrom(std::span<const float> values, const Mask& known, GridSize size) {
+  PushPullLayer coarse;
+  coarse.size = {.cols = (size.cols + 1) / 2, .rows = (size.rows + 1) / 2};
+  coarse.values.assign(coarse.size.count(), 0.0F);
+  coarse.weights.assign(coarse.size.count(), 0.0F);
+  const auto pairs = static_cast<std::size_t>(size.cols / 2);
+  for (int row = 0; row < size.rows; ++row) {
+    const std::size_t from = size.index({.col = 0, .row = row});
+    const float* const z = &values[from];
+    const std::uint8_t* const counts = &known[from];
+    const std::size_t to = coarse.size.index({.col = 0, .row = row / 2});
+    float* const sums = &coarse.values[to];
+    float* const weights = &coarse.weights[to];
+    const auto add = [&](std::size_t cell, std::size_t fine) {
+      sums[cell] += counts[fine] != 0 ? z[fine] : 0.0F;
+      weights[cell] += static_cast<float>(counts[fine]);
+    };
+    for (std::size_t i = 0; i < pairs; ++i) {
+      add(i, 2 * i);
+      add(i, 2 * i + 1);
     }
-  });
-  finishPull(layers[0]);
-  while (layers.back().size.cols > 1 || layers.back().size.rows > 1) {
-    task.check();
-    layers.push_back(pulled(layers.back()));
+    if (size.cols % 2 != 0) add(pairs, 2 * pairs);
   }
-  for (std::size_t level = layers.size() - 1; level-- > 0;) {
-    task.check();
-    pushInto(layers[level], layers[level + 1]);
-  }
-  parallelFor(size.rows, threads, [&](int first, int end) {
-    for (int row = first; row < end; ++row) {
-      if (row % 64 == 0) task.check();
-      for (int col = 0; col < size.cols; ++col) {
-        const std::size_t i = size.index({.col = col, .row = row});
-        if (known[i] == 0) values[i] = coarseValue(layers[0], {.col = col, .row = row});
-      }
-    }
-  });
+  finishPull(coarse);
+  return coarse;
 }
 
-void keepWithinNeighbours(std::vector<float>& values, Mask known, const Mask& gaps, GridSize size) {
+void pushIntoUnknown(std::vector<float>& values, const Mask& known, GridSize size,
+                     const PushPullLayer& coarse) {
+  for (int row = 0; row < size.rows; ++row) {
+    forZeros(std::span(known).subspan(size.index({.col = 0, .row = row}),
+                                      static_cast<std::size_t>(size.cols)),
+             [&](std::size_t col) {
+               const Cell cell{.col = static_cast<int>(col), .row = row};
+               values[size.index(cell)] = coarseValue(coarse, cell);
+             });
+  }
+}
+
+void keepWithinNeighbours(std::vector<float>& values, Mask&& known, const Mask& gaps,
+                          GridSize size) {
   constexpr int kEnough = 4;
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < gaps.size(); ++i) {

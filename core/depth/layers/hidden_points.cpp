@@ -267,10 +267,11 @@ class GapWindow {
 /// cell has a neighbour within `radius` that stands before it; only those are looked at closely.
 template <class Drops>
 std::size_t dropWhere(FrontDepths& depths, const GridFrame& frame, int radius, const Task& task,
-                      Drops&& drops) {
+                      int threads, Drops&& drops) {
   std::vector<std::size_t> hidden;
   std::mutex joining;
-  parallelFor(frame.size.rows, threadsFor(kWorkOfCell * depths.size(), 0), [&](int first, int end) {
+  const int used = threadsFor(kWorkOfCell * depths.size(), threads);
+  parallelFor(frame.size.rows, used, [&](int first, int end) {
     const std::vector<float> highest = highestAround(depths, frame.size, radius, first, end);
     const std::size_t offset = frame.size.index({.col = 0, .row = first});
     std::vector<std::size_t> mine;
@@ -292,12 +293,12 @@ std::size_t dropWhere(FrontDepths& depths, const GridFrame& frame, int radius, c
 }  // namespace
 
 std::size_t dropSeenThrough(FrontDepths& depths, const GridFrame& frame, int radius,
-                            const Task& task) {
+                            const Task& task, int threads) {
   std::size_t dropped = 0;
   // Twice: without the first pass's cells the rest stands out better.
   for (int pass = 0; pass < kSeeThroughPasses; ++pass) {
     const std::size_t now =
-        dropWhere(depths, frame, std::max(radius, kDensityReach), task, [&](Cell cell) {
+        dropWhere(depths, frame, std::max(radius, kDensityReach), task, threads, [&](Cell cell) {
           const GapWindow around(depths, frame, cell);
           if (around.isOpen()) return false;
           const std::optional<bool> is_gap = around.isGap();

@@ -17,9 +17,10 @@ namespace relievo {
 /// Cells with a clear way of `kGapReach` cells in three of eight directions are never emptied.
 /// To be used only where the data leave sampling gaps. Looks `seeThroughReach` cells around.
 /// @param radius  of the neighbourhood that counts in sparse parts, cells, >= 1
+/// @param threads  as threadsFor wants them
 /// @return cells emptied @throw Cancelled
 std::size_t dropSeenThrough(FrontDepths& depths, const GridFrame& frame, int radius,
-                            const Task& task = {});
+                            const Task& task = {}, int threads = 0);
 
 inline constexpr double kSeeThroughCells = 4;
 inline constexpr int kSeeThroughPasses = 2;

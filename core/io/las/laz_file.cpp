@@ -86,7 +86,8 @@ Packing readPacking(std::string_view record, LazLayout& layout, const LasHeader&
                     const std::filesystem::path& file) {
   constexpr std::size_t kFixed = 34, kEach = 6;
   if (record.size() < kFixed) refuse(file, said<MessageId::refused_laz_record_cut>());
-  const Packing packing{numberAt<std::uint16_t>(record, 0), numberAt<std::uint32_t>(record, 12)};
+  Packing packing{numberAt<std::uint16_t>(record, 0), numberAt<std::uint32_t>(record, 12)};
+  if (packing.chunk_points == 0) packing.chunk_points = kVariable;  // LASzip reads it so.
   if (packing.compressor < kOneStream || packing.compressor > kLayers ||
       numberAt<std::uint16_t>(record, 2) != 0) {
     throwReadError(file, said<MessageId::refused_laz_way>(packing.compressor),

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/base/threads.h"
 #include "core/message/catalogue.h"
-#include "core/tiles/threads.h"
 
 namespace relievo {
 namespace {

@@ -10,7 +10,10 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "core/base/plain_bytes.h"
+#include "core/depth/fill/band_fill.h"
 #include "core/depth/fill/losses.h"
+#include "core/depth/fill/membrane.h"
 #include "core/depth/rules/point_rule.h"
 #include "core/depth/rules/rasterize.h"
 #include "core/io/file_check.h"
@@ -29,10 +32,8 @@
 #include "core/session/source/missing_height.h"
 #include "core/session/source/raster_in_use.h"
 #include "core/session/source/source_in_use.h"
-#include "core/tiles/band_fill.h"
 #include "core/tiles/colours/colour_files.h"
 #include "core/tiles/job/job_parts.h"
-#include "core/tiles/job/plain_bytes.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/points/scatter.h"
 
@@ -195,15 +196,17 @@ void fillAndWrite(LargeMap& map, const DepthSource& source, const SurfaceOptions
                   const LargeMapOptions& large, const MemoryPlan& plan, JobFolder* job,
                   const std::function<ViewFromFile(double base_z_mm)>& view, const Task& task) {
   const auto start = Clock::now();
+  std::optional<JobBands> kept;
+  if (job != nullptr) kept.emplace(*job);
   std::optional<BandFill> fill(std::in_place, source.depths, source.frame, source.fill,
                                options.holes,
                                BandOptions{.memory_bytes = plan.depths_bytes,
                                            .threads = large.threads,
                                            .processes = large.processes,
-                                           .job = job},
+                                           .keeper = kept ? &*kept : nullptr},
                                task);
   TakenOver& taken_over = map.taken_over ? *map.taken_over : map.taken_over.emplace();
-  if (!large.processes->isAlone()) taken_over.filled = fill->fillIntoFolder(task);
+  if (!large.processes->isAlone()) taken_over.filled = fill->fillForOthers(task);
   map.seconds.fill = secondsSince(start);
   map.view_from_file = view(fill->baseZMm());
   map.holes = fill->holes();
@@ -281,12 +284,22 @@ void requireSpace(const GridFrame& frame, const SurfaceOptions& options,
   requireDisk(frame, folder, needed, free(space));
 }
 
+/// What the largest hole that may get a membrane takes while it is solved.
+std::uint64_t membraneBytes(const GridFrame& frame, const HoleChoice& holes) {
+  if (holes.rule != HoleRule::membrane) return 0;
+  const double cells = holes.max_area_mm2 / frame.spacing_mm / frame.spacing_mm;
+  const auto most = static_cast<double>(std::min(kMostMembraneCells, frame.size.count()));
+  return kMembraneCellBytes * static_cast<std::uint64_t>(std::clamp(cells, 0.0, most));
+}
+
 /// What the work may take, asked before it; and the options with the number of threads in them.
 /// @param points, held  as diskBytes and planMemory @throw ArgumentError, WriteError
 MemoryPlan planWork(const GridFrame& frame, const SurfaceOptions& options, LargeMapOptions& large,
                     std::optional<std::uint64_t> points, const JobFolder* job,
                     const std::function<std::uint64_t(int threads)>& held) {
-  const MemoryPlan plan = planMemory(frame, large, held);
+  const std::uint64_t membranes = membraneBytes(frame, options.holes);
+  const MemoryPlan plan =
+      planMemory(frame, large, [&](int threads) { return membranes + (held ? held(threads) : 0); });
   large.threads = plan.threads;
   requireSpace(frame, options, large, points, plan, job);
   return plan;

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "core/base/exchange.h"
 #include "core/base/origin.h"
 #include "core/base/task.h"
 #include "core/io/import.h"
 #include "core/session/surface.h"
-#include "core/tiles/job/exchange.h"
 #include "core/tiles/job/job_folder.h"
 
 namespace relievo {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/base/failure.h"
+#include "core/base/threads.h"
 #include "core/tiles/colours/band_colours.h"
-#include "core/tiles/threads.h"
 #include "core/tiles/tile_layout.h"
 #include "core/tiles/tile_store.h"
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "core/base/plain_bytes.h"
 #include "core/depth/rules/point_rule.h"
 #include "core/io/file_check.h"
 #include "core/message/catalogue.h"
@@ -21,7 +22,6 @@
 #include "core/session/large/large_memory.h"
 #include "core/session/loss_report.h"
 #include "core/tiles/job/job_parts.h"
-#include "core/tiles/job/plain_bytes.h"
 #include "core/tiles/tile_layout.h"
 
 namespace relievo {

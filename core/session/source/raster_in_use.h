@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/base/task.h"
+#include "core/depth/fill/band_fill.h"
 #include "core/io/raster/raster_rows.h"
 #include "core/message/message.h"
 #include "core/session/nodata.h"
-#include "core/tiles/band_fill.h"
 
 namespace relievo {
 

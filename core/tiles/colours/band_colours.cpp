@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/tiles/threads.h"
+#include "core/base/threads.h"
 #include "core/tiles/tile_layout.h"
 
 namespace relievo {

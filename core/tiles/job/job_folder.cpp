@@ -12,10 +12,10 @@
 #include <iterator>
 #include <system_error>
 
+#include "core/base/exchange.h"
 #include "core/base/failure.h"
 #include "core/file/atomic_file.h"
 #include "core/hash/sha256.h"
-#include "core/tiles/job/exchange.h"
 
 namespace relievo {
 namespace {

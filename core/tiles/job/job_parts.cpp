@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "core/tiles/job/exchange.h"
-#include "core/tiles/job/plain_bytes.h"
+#include "core/base/exchange.h"
+#include "core/base/plain_bytes.h"
 
 namespace relievo {
 namespace {
@@ -119,18 +119,18 @@ void keepRows(JobFolder& job, int tile_row, const DepthRows& rows) {
             plainBytes(rows.steep), plainBytes(rows.points)});
 }
 
-bool loadBand(JobFolder& job, int tile_row, std::size_t cells, FilledBand& band) {
+bool JobBands::load(int number, std::size_t cells, FilledBand& band) {
   const std::optional<std::string> content =
-      job.load(nameOf("filled", static_cast<std::uint64_t>(tile_row)));
+      job_.load(nameOf("filled", static_cast<std::uint64_t>(number)));
   if (!content) return false;
   PlainBytes bytes(*content);
   return bytes.take(band.heights_mm, cells) && bytes.take(band.origins, cells) &&
          bytes.rest().empty();
 }
 
-void keepBand(JobFolder& job, int tile_row, const FilledBand& band) {
-  job.keep(nameOf("filled", static_cast<std::uint64_t>(tile_row)),
-           {plainBytes(band.heights_mm), plainBytes(band.origins)});
+void JobBands::keep(int number, const FilledBand& band) {
+  job_.keep(nameOf("filled", static_cast<std::uint64_t>(number)),
+            {plainBytes(band.heights_mm), plainBytes(band.origins)});
 }
 
 namespace {

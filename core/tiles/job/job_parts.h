@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/task.h"
+#include "core/depth/fill/band_fill.h"
 #include "core/tiles/job/job_folder.h"
 #include "core/tiles/points/scatter.h"
 #include "core/tiles/tile_store.h"
@@ -44,15 +45,17 @@ std::optional<DepthRows> loadRows(JobFolder& job, int tile_row, GridSize map);
 /// @throw WriteError
 void keepRows(JobFolder& job, int tile_row, const DepthRows& rows);
 
-/// A row of tiles as the finest level has it.
-struct FilledBand {
-  std::vector<float> heights_mm;
-  std::vector<CellStatus> origins;
+/// Rows of tiles as the finest level has them.
+class JobBands : public BandKeeper {
+ public:
+  /// @param job  must stay
+  explicit JobBands(JobFolder& job) : job_(job) {}
+  bool load(int number, std::size_t cells, FilledBand& band) override;
+  void keep(int number, const FilledBand& band) override;
+
+ private:
+  JobFolder& job_;
 };
-/// @param cells  that it has @return  whether it is there [any thread]
-bool loadBand(JobFolder& job, int tile_row, std::size_t cells, FilledBand& band);
-/// [any thread] @throw WriteError
-void keepBand(JobFolder& job, int tile_row, const FilledBand& band);
 
 /// Points and files that were there already.
 struct KnownParts {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/tiles/job/exchange.h"
-#include "core/tiles/job/plain_bytes.h"
-#include "core/tiles/threads.h"
+#include "core/base/exchange.h"
+#include "core/base/plain_bytes.h"
+#include "core/base/threads.h"
 
 namespace relievo {
 namespace {

@@ -13,7 +13,7 @@
 
 namespace relievo {
 
-class Exchange;  // core/tiles/job/exchange.h
+class Exchange;  // core/base/exchange.h
 
 /// Points that can be had block by block, by their number, on any thread: PointStream of core/io,
 /// or points in memory.

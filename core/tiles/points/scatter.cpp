@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/threads.h"
 #include "core/depth/rules/grid_points.h"
 #include "core/depth/rules/rule_choice.h"
-#include "core/tiles/threads.h"
 #include "core/tiles/tile_rows.h"
 
 namespace relievo {

@@ -14,12 +14,12 @@
 #include <utility>
 
 #include "core/base/failure.h"
+#include "core/base/threads.h"
 #include "core/file/atomic_file.h"
 #include "core/file/output_set.h"
 #include "core/hash/sha256.h"
 #include "core/io/file_check.h"
 #include "core/tiles/published/published_tiles.h"
-#include "core/tiles/threads.h"
 #include "core/tiles/tile_layout.h"
 #include "core/tiles/tiled_map.h"
 

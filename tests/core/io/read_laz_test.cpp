@@ -117,6 +117,8 @@ TEST(ReadLaz, ChunksOfAnyNumberOfPointsAndNoChunksAtAll) {
     Laz laz = wandering(format, 2000, kAnyChunks);
     laz.chunks = {1, 700, 2, 1297};
     EXPECT_EQ(unpacked(lazFile(laz).bytes).records, joined(laz.records)) << format;
+    laz.chunk_points = 0;  // So some programs say it.
+    EXPECT_EQ(unpacked(lazFile(laz).bytes).records, joined(laz.records)) << format;
   }
   Laz stream = wandering(1, 2000);
   stream.one_stream = true;
@@ -491,6 +493,15 @@ TEST_F(LazFiles, CopcIsReadWhole) {
   const Scan scan = load(lazFile(laz).bytes);
   const Scan plain = importScan(folder_.write("plain.las", lasOf(laz)));
   EXPECT_EQ(scan.points, plain.points);
+}
+
+TEST_F(LazFiles, CopcWhoseRecordNamesNoSizeOfChunksIsReadWhole) {
+  Laz laz = pyramid();
+  const Scan plain = importScan(folder_.write("plain.las", lasOf(laz)));
+  laz.chunk_points = 0;
+  const std::filesystem::path file = folder_.write("made.laz", lazFile(laz).bytes);
+  EXPECT_EQ(importScan(file).points, plain.points);
+  EXPECT_THAT(PointStream(file).cheapSample(40), ElementsAre(PointRange{400, 40}));
 }
 
 TEST_F(LazFiles, HierarchiesThatCannotBeAreRefused) {

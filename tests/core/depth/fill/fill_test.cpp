@@ -141,13 +141,13 @@ TEST(FillDepths, SamplingGapsOfAScatteredCloudAreFilledAndItsHoleIsKept) {
 }
 
 TEST(FillDepths, PointsOnARegularGridNeedNoGapClosing) {
-  Mask all(10000, 1);
-  EXPECT_EQ(samplingGapRadius(all, {.cols = 100, .rows = 100}), 0);
+  BitRows all({.cols = 100, .rows = 100});
+  all.setRows(0, Mask(10000, 1));
+  EXPECT_EQ(samplingGapRadius(all), 0);
   for (int row = 40; row < 44; ++row) {
-    for (int col = 40; col < 44; ++col)
-      all[GridSize{.cols = 100, .rows = 100}.index({.col = col, .row = row})] = 0;
+    for (int col = 40; col < 44; ++col) all.clear(Cell{.col = col, .row = row});
   }
-  EXPECT_EQ(samplingGapRadius(all, {.cols = 100, .rows = 100}), 0);
+  EXPECT_EQ(samplingGapRadius(all), 0);
 }
 
 TEST(FillDepths, TheBackOfASparseCloudDoesNotShowThroughItsFront) {
@@ -328,12 +328,13 @@ TEST(SteepCells, WallsThatRiseOrFallAreSteepAndStepsAreNot) {
   const auto steep = [&](std::vector<float> line, bool along_rows) {
     GridFrame f = frame;
     if (!along_rows) std::swap(f.size.cols, f.size.rows);
-    CapturedDepths depths;
+    FrontDepths depths;
     for (std::size_t i = 0; i < f.size.count(); ++i) {
       const std::size_t cols = static_cast<std::size_t>(f.size.cols);
-      depths.front.push_back(line[along_rows ? i % cols : i / cols]);
+      depths.push_back(line[along_rows ? i % cols : i / cols]);
     }
-    const Mask cells = steepCells(depths, Mask(f.size.count(), 1), f);
+    Mask cells(f.size.count());
+    markSteepCells(depths.data(), f.size, f.spacing_mm, cells);
     std::vector<int> found;
     for (std::size_t k = 0; k < line.size(); ++k) {
       found.push_back(cells[f.size.index(along_rows ? Cell{.col = static_cast<int>(k), .row = 1}

@@ -255,6 +255,26 @@ TEST(LargeMap, TakesRastersWithHoles) {
   EXPECT_EQ(tiled.levelMap({0}).origins, map.origins);
 }
 
+TEST(LargeMap, LaysMembranesAsTheMapInMemoryDoesAndCountsTheirMemory) {
+  const test::TileFolder folder;
+  const test::Las las = bigLas(3'000'000);  // Its hole has 20 000 cells.
+  writeLas(folder / "scan.las", las);
+  SurfaceOptions options = test::topOptions(PointRule::median);
+  options.holes = {.rule = HoleRule::membrane, .max_area_mm2 = 1300};
+  const Surface whole = makeSurface(scanOf(las), options, rasterize);
+  ASSERT_EQ(whole.holes.size(), 1U);
+  ASSERT_TRUE(whole.holes[0].filled);
+  LargeMapOptions large{
+      .file = folder / "map.tif", .memory_bytes = kTinyBudget, .threads = 2, .on_view = {}};
+  EXPECT_THROW(makeLargeMap(folder / "scan.las", options, large), ArgumentError);
+  large.memory_bytes += 50'000'000;
+  const LargeMap made = makeLargeMap(folder / "scan.las", options, large);
+  EXPECT_TRUE(made.holes.at(0).filled);
+  const TiledMap tiled(folder / "map.tif");
+  EXPECT_TRUE(tiled.levelMap({0}).heights_mm == whole.map.heights_mm);
+  EXPECT_TRUE(tiled.levelMap({0}).origins == whole.map.origins);
+}
+
 TEST(LargeMap, TakesARasterThatIsLargerThanItsBudgetToTheSameBytes) {
   const test::TileFolder folder;
   constexpr int kSide = 6000;  // 144 MB of floats; a GeoTIFF of them in memory took 180 MB.

@@ -20,7 +20,7 @@
 #include "core/tiles/tile_raster.h"
 #include "tests/core/session/raw_clouds.h"
 #include "tests/core/session/tiled_fixture.h"
-#include "tests/core/tiles/job/thread_exchange.h"
+#include "tests/core/base/thread_exchange.h"
 
 namespace relievo {
 namespace {

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/tiles/job/exchange.h"
+#include "core/base/exchange.h"
 
 namespace relievo::test {
 

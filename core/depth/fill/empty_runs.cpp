@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/tiles/empty_runs.h"
+#include "core/depth/fill/empty_runs.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <numeric>
 #include <utility>
 
 #include "core/base/failure.h"
+#include "core/depth/fill/grid_rows.h"
 
 namespace relievo {
 
@@ -23,17 +26,32 @@ void EmptyRuns::unite(std::uint32_t a, std::uint32_t b) {
   if (a != b) parents_[std::max(a, b)] = std::min(a, b);
 }
 
-void EmptyRuns::addRow(const std::uint8_t* mask) {
+void EmptyRuns::addRows(std::string_view packed) {
+  std::vector<std::uint64_t> words(BitRows::wordsPerRow(size_.cols));
+  const std::size_t bytes = words.size() * sizeof(std::uint64_t);
+  for (std::size_t at = 0; at + bytes <= packed.size(); at += bytes) {
+    std::memcpy(words.data(), packed.data() + at, bytes);
+    addRow(words);
+  }
+}
+
+void EmptyRuns::addRow(const std::vector<std::uint64_t>& words) {
   const std::size_t below = row_starts_.size() < 2 ? 0 : row_starts_[row_starts_.size() - 2];
   const std::size_t start = runs_.size();
   std::size_t under = below;
-  for (int col = 0; col < size_.cols;) {
-    if (mask[col] != 0) {
-      ++col;
-      continue;
+  // The first column from `col` on that is covered or, else, that is empty.
+  const auto next = [&](int col, bool covered) {
+    auto from = static_cast<std::size_t>(col);
+    for (; from < static_cast<std::size_t>(size_.cols); from = (from / 64 + 1) * 64) {
+      const std::uint64_t bits = (covered ? words[from / 64] : ~words[from / 64]) >> from % 64;
+      if (bits == 0) continue;
+      return std::min(static_cast<int>(from) + std::countr_zero(bits), size_.cols);
     }
+    return size_.cols;
+  };
+  for (int col = next(0, false); col < size_.cols; col = next(col, false)) {
     Run run{.first_col = col};
-    while (col < size_.cols && mask[col] == 0) ++col;
+    col = next(col, true);
     run.end_col = col;
     if (runs_.size() >= UINT32_MAX) {
       throw failure<MessageId::map_holes_too_many>();
@@ -41,6 +59,7 @@ void EmptyRuns::addRow(const std::uint8_t* mask) {
     const auto number = static_cast<std::uint32_t>(runs_.size());
     runs_.push_back(run);
     parents_.push_back(number);
+    empty_cells_ += static_cast<std::size_t>(run.end_col - run.first_col);
     while (under < start && runs_[under].end_col <= run.first_col) ++under;
     for (std::size_t i = under; i < start && runs_[i].first_col < run.end_col; ++i) {
       unite(number, static_cast<std::uint32_t>(i));
@@ -50,8 +69,7 @@ void EmptyRuns::addRow(const std::uint8_t* mask) {
 }
 
 void EmptyRuns::join() {
-  // The root of an area is its first run, so areas are numbered by their first cell, as in
-  // emptyAreas.
+  // The root of an area is its first run, so areas are numbered by their first cell.
   for (std::uint32_t i = 0; i < runs_.size(); ++i) {
     runs_[i].area = parents_[i] == i ? areas_++ : runs_[parents_[i]].area;
   }

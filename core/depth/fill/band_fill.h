@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -10,40 +10,65 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/exchange.h"
 #include "core/base/grid.h"
+#include "core/base/origin.h"
 #include "core/base/task.h"
+#include "core/depth/fill/empty_runs.h"
 #include "core/depth/fill/fill.h"
+#include "core/depth/fill/grid_rows.h"
 #include "core/depth/fill/mask.h"
-#include "core/tiles/empty_runs.h"
-#include "core/tiles/job/exchange.h"
-#include "core/tiles/job/job_parts.h"
-#include "core/tiles/row_store.h"
+#include "core/depth/fill/plates.h"
+#include "core/depth/fill/push_pull.h"
 
 namespace relievo {
 
+/// Rows of the finished map: heights above the base plane and origins.
+struct FilledBand {
+  std::vector<float> heights_mm;
+  std::vector<CellStatus> origins;
+};
+
+/// Where finished bands are kept, so that work that stopped goes on with them.
+class BandKeeper {
+ public:
+  BandKeeper() = default;
+  BandKeeper(const BandKeeper&) = delete;
+  BandKeeper& operator=(const BandKeeper&) = delete;
+  virtual ~BandKeeper() = default;
+
+  /// @param cells  that the band has @return  whether it is there [any thread]
+  virtual bool load(int number, std::size_t cells, FilledBand& band) = 0;
+  /// [any thread] @throw WriteError
+  virtual void keep(int number, const FilledBand& band) = 0;
+};
+
 struct BandOptions {
-  std::size_t memory_bytes = std::size_t{512} << 20U;  ///< For empty cells that touch each other.
-  int threads = 0;                ///< 0: as many as there are cores, at most 4.
+  std::size_t memory_bytes = std::size_t{512} << 20U;  ///< For empty cells and rims of holes.
+  int threads = 0;                                     ///< 0: as many as there are cores.
+  int rows = 256;                 ///< Of a band, a multiple of 8. The bytes are those of any.
   Exchange* processes = nullptr;  ///< Of which each fills some bands; null: this one alone.
-  JobFolder* job = nullptr;  ///< Where filled bands are kept; null: nowhere. @pre several: some
+  BandKeeper* keeper = nullptr;   ///< Of filled bands; null: none. @pre several processes: some
 };
 
 /// CapturedDepths by rows; each must stay valid and may be called on any thread.
 struct BandDepths {
-  RowsOf front;                    ///< NaN where nothing was hit.
-  RowsOf between;                  ///< Null if the rule gives none.
-  const BitRows* steep = nullptr;  ///< What the engine saw to be steep.
+  GridRows front;                  ///< NaN where nothing was hit.
+  GridRows between;                ///< None if the rule gives none.
+  const BitRows* steep = nullptr;  ///< What the engine saw to be steep; known with `front`.
   bool one_layer = false;          ///< Nothing shows through.
   RowsOf points = {};              ///< In each cell; null if not known.
 };
 
-/// fillDepths of core/depth for maps that do not fit into memory: the same steps, each on bands of
-/// rows with as many rows around them as the step looks at, and so the same bytes (a hole's centre:
-/// to rounding). Memory: bands, one bit per cell, the runs of empty cells.
+/// From raw front depths to a depth map, wherever they lie (memory, files, several processes): each
+/// step works on bands of rows with as many rows around them as it looks at, and gives the same
+/// bytes for bands of any height. What is told between bands is one bit per cell, the runs of empty
+/// cells, a 64th of the cells of push-pull, and the rims of membranes. fillDepths of fill.h is this
+/// with everything in memory. docs/adr/0233.
 class BandFill {
  public:
   /// Finds gaps, holes and the base plane; several processes find them together. [worker]
-  /// @throw ArgumentError  no cell was hit, or membranes are asked for. WriteError, Cancelled
+  /// @throw ArgumentError  no cell was hit. WriteError, Cancelled, OtherProcessStopped
   BandFill(BandDepths depths, const GridFrame& frame, const FillSource& source,
            const HoleChoice& choice, const BandOptions& options, const Task& task);
 
@@ -53,17 +78,21 @@ class BandFill {
   /// Points in these cells, if they are known.
   std::size_t seenThroughPoints() const noexcept { return seen_through_points_; }
 
-  /// Each of several processes fills its bands into the folder, and waits for the others. [worker]
+  /// Each of several processes fills its bands and keeps them, and waits for the others. [worker]
   /// @return  how many bands of all were there before @throw WriteError, Cancelled,
   /// OtherProcessStopped
-  int fillIntoFolder(const Task& task);
+  int fillForOthers(const Task& task);
 
   /// Gives the finished rows, lowest first: heights above the base plane and origins, `cols` each.
   /// [worker] @throw WriteError, Cancelled and what `take` throws
   using TakeRow = std::function<void(int row, const float* heights_mm, const CellStatus* origins)>;
   void write(const TakeRow& take, const Task& task);
-  /// How many bands of these `write` found in the folder.
+  /// How many bands of these `write` found kept.
   int bandsThere() const noexcept { return bands_there_; }
+
+  /// The whole map at once. @param heights_mm, origins  room for all cells [worker]
+  /// @throw Cancelled
+  void fillInto(float* heights_mm, CellStatus* origins, const Task& task) const;
 
  private:
   struct Band {
@@ -72,8 +101,17 @@ class BandFill {
   };
   Band bandOf(int number, int margin, int align) const noexcept;
   int bandCount() const noexcept;
+  GridSize sizeOf(const Band& band) const noexcept;      ///< With the rows around.
   std::size_t cellsOf(const Band& band) const noexcept;  ///< Of the result.
-  std::vector<float> read(const RowsOf& rows, const Band& band) const;
+  std::size_t startOf(const Band& band) const noexcept;  ///< Of the result, in the rows around.
+
+  /// Depths of a band and around: in memory anyway, or read.
+  struct Depths {
+    std::vector<float> read;
+    const float* at = nullptr;
+  };
+  Depths depthsOf(const Band& band) const;
+  std::vector<float> readDepths(const Band& band) const;
 
   /// Where the work is and how far: a step's words and the part of them that this is.
   struct Step {
@@ -86,21 +124,23 @@ class BandFill {
   void forBands(const Step& step, const Task& task, const MakeBand& make, const TakeBand& take);
 
   void markMeasured(const Task& task);
-  int gapRadius() const;
   void dropSeenThroughBands(int radius, const Task& task);
   std::uint64_t pointsOf(const Mask& cells, const Band& band) const;
-  void takeSeenThrough(const Band& band, const Mask& dropped);
-  void pullAll(const Task& task);
+  void requireRoom() const;
   void findHoles(int radius, const Task& task);
+  bool needsPull() const noexcept;
+  void pullAll(const Task& task);
+  void layMembranes(const Task& task);
   void addBetween(const Band& band, std::vector<float>& depths) const;
-  void markSteep(const Band& band, std::vector<CellStatus>& origins) const;
+  void placeOrigins(const Band& band, CellStatus* origins) const;
+  void markSteep(const Band& band, CellStatus* origins) const;
   Mask gapsOf(const Band& band, const Mask& known) const;
+  std::vector<float> completed(const Band& band) const;
+  void fillBand(int number, float* heights_mm, CellStatus* origins) const;
   FilledBand filledBand(int number) const;
   bool isKept(int number, FilledBand& band) const;
-  void placeOrigins(const Band& band, std::vector<CellStatus>& origins) const;
 
   BandDepths given_;
-  RowsOf depths_;  ///< given_.front; later without what was seen through gaps.
   Alone alone_;
   Exchange& processes_;
   GridFrame frame_;
@@ -115,8 +155,8 @@ class BandFill {
   std::size_t seen_through_ = 0, seen_through_points_ = 0;
   EmptyRuns empty_;
   EmptyRuns::Enclosed enclosed_;
-  struct CoarseLayer;
-  std::shared_ptr<CoarseLayer> coarse_;
+  std::optional<PushPullLayer> coarse_;  ///< Completed; none if nothing is asked of it.
+  Plates plates_;
 };
 
 }  // namespace relievo

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/base/grid.h"
@@ -12,13 +13,14 @@
 namespace relievo {
 
 /// The 4-connected areas of empty cells of a mask that comes row by row, lowest first, kept as runs
-/// of cells: emptyAreas of core/depth for maps whose labels would not fit into memory.
+/// of cells: labels of all cells would not fit into memory.
 class EmptyRuns {
  public:
   explicit EmptyRuns(GridSize size) : size_(size) {}
 
-  /// The next row of the mask, 0 where empty. After the last one call `join`.
-  void addRow(const std::uint8_t* mask);
+  /// The next rows of the mask, 0 where empty. After the last one call `join`.
+  /// @param packed  as packedRows gives them
+  void addRows(std::string_view packed);
   void join();
 
   /// A run of empty cells of one row, and the number of its area.
@@ -35,12 +37,15 @@ class EmptyRuns {
     std::vector<std::ptrdiff_t> hole_of_area;
   };
   Enclosed enclosed(const GridFrame& frame) const;
+  /// Cells of all areas.
+  std::size_t emptyCells() const noexcept { return empty_cells_; }
 
   std::size_t bytes() const noexcept {
     return runs_.capacity() * sizeof(Run) + parents_.capacity() * sizeof(std::uint32_t);
   }
 
  private:
+  void addRow(const std::vector<std::uint64_t>& words);
   std::uint32_t rootOf(std::uint32_t run);
   void unite(std::uint32_t a, std::uint32_t b);
 
@@ -49,6 +54,7 @@ class EmptyRuns {
   std::vector<std::size_t> row_starts_{0};
   std::vector<std::uint32_t> parents_;  ///< Of runs; the smaller number is the parent.
   std::uint32_t areas_ = 0;
+  std::size_t empty_cells_ = 0;
 };
 
 }  // namespace relievo

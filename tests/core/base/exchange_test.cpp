@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What processes that make one map together tell each other, and how all end when one does.
-#include "core/tiles/job/exchange.h"
+#include "core/base/exchange.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <mutex>
 
-#include "tests/core/tiles/job/thread_exchange.h"
+#include "tests/core/base/thread_exchange.h"
 
 namespace relievo {
 namespace {

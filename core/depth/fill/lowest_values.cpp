@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/tiles/points/lowest_values.h"
+#include "core/depth/fill/lowest_values.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
+#include "core/base/exchange.h"
 #include "core/base/failure.h"
-#include "core/tiles/job/exchange.h"
-#include "core/tiles/job/plain_bytes.h"
+#include "core/base/plain_bytes.h"
 
 namespace relievo {
 
@@ -21,20 +21,29 @@ LowestValues::LowestValues(std::size_t count, double q)
   kept_ = std::min(count, static_cast<std::size_t>(position_) + 2);
 }
 
-void LowestValues::prune() {
-  const auto last = lowest_.begin() + static_cast<std::ptrdiff_t>(kept_) - 1;
-  std::nth_element(lowest_.begin(), last, lowest_.end());
-  limit_ = *last;
-  lowest_.resize(kept_);
+/// @pre more than are needed
+void LowestValues::prune(std::vector<float>& values) const {
+  const auto last = values.begin() + static_cast<std::ptrdiff_t>(kept_) - 1;
+  std::nth_element(values.begin(), last, values.end());
+  values.resize(kept_);
 }
 
-void LowestValues::add(const std::vector<float>& values) {
-  constexpr std::size_t kSlack = 65536;
+void LowestValues::add(std::span<const float> values) {
+  constexpr std::size_t kSlack = 4096;
+  std::vector<float> mine;
+  float limit = limit_;
   for (const float value : values) {
-    if (std::isnan(value) || value > limit_) continue;
-    lowest_.push_back(value);
-    if (lowest_.size() >= 2 * kept_ + kSlack) prune();
+    if (!(value <= limit)) continue;  // Nor NaN.
+    mine.push_back(value);
+    if (mine.size() < 2 * kept_ + kSlack) continue;
+    prune(mine);
+    limit = mine.back();
   }
+  const std::lock_guard one_at_a_time(adds_);
+  lowest_.insert(lowest_.end(), mine.begin(), mine.end());
+  if (lowest_.size() <= kept_) return;
+  prune(lowest_);
+  limit_ = lowest_.back();
 }
 
 namespace {
@@ -69,6 +78,12 @@ std::size_t binOf(const std::vector<std::uint64_t>& mine, std::size_t& k, Exchan
 /// By counting twice: the upper and the lower half of each value. So processes tell each other how
 /// many there are, however many that is.
 float LowestValues::kth(std::size_t k, Exchange& processes) const {
+  if (processes.isAlone()) {
+    std::vector<float> all = lowest_;
+    const auto at = all.begin() + static_cast<std::ptrdiff_t>(k);
+    std::nth_element(all.begin(), at, all.end());
+    return *at;
+  }
   std::vector<std::uint64_t> counts(kBins);
   for (const float value : lowest_) ++counts[keyOf(value) >> 16U];
   const std::size_t upper = binOf(counts, k, processes);
@@ -82,7 +97,6 @@ float LowestValues::kth(std::size_t k, Exchange& processes) const {
 }
 
 double LowestValues::quantile(Exchange& processes) {
-  if (lowest_.size() > kept_) prune();
   const auto below = static_cast<std::size_t>(position_);
   const auto low = static_cast<double>(kth(below, processes));
   const double part = position_ - static_cast<double>(below);

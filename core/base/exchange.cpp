@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/tiles/job/exchange.h"
+#include "core/base/exchange.h"
 
 #include <algorithm>
 

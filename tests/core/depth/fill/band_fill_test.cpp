@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/tiles/band_fill.h"
+#include "core/depth/fill/band_fill.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/core/tiles/job/thread_exchange.h"
+#include "core/tiles/job/job_parts.h"
+#include "tests/core/depth/fill/whole_fill.h"
+#include "tests/core/base/thread_exchange.h"
 #include "tests/core/tiles/tile_fixtures.h"
 
 namespace relievo {
@@ -62,7 +64,11 @@ void expectSame(const Case& c, BandFill& bands, const FilledMap& whole) {
 
 void expectSameAsWholeMap(const Case& c, const FrontDepths& depths) {
   const FillSource source{.has_sampling_gaps = c.has_sampling_gaps};
-  const FilledMap whole = fillDepths(depths, frameOf(c.size), source, c.holes);
+  const FilledMap whole = test::fillWholeMap(depths, frameOf(c.size), source, c.holes);
+  const FilledMap in_memory = fillDepths(depths, frameOf(c.size), source, c.holes);
+  EXPECT_TRUE(in_memory.map.heights_mm == whole.map.heights_mm);
+  EXPECT_TRUE(in_memory.map.origins == whole.map.origins);
+  EXPECT_EQ(in_memory.base_z_mm, whole.base_z_mm);
   BandFill bands({.front = rowsOf(depths, c.size), .between = {}}, frameOf(c.size), source, c.holes,
                  {.memory_bytes = c.memory_bytes, .threads = c.threads}, {});
   expectSame(c, bands, whole);
@@ -169,18 +175,20 @@ TEST(BandFill, GivesTheSameBytesForEveryNumberOfProcesses) {
   for (float& depth : depths) {
     if (random() % 40 == 0) depth = -40;  // The back, seen through gaps.
   }
-  const FilledMap whole = fillDepths(depths, frameOf(c.size), {}, c.holes);
+  const FilledMap whole = test::fillWholeMap(depths, frameOf(c.size), {}, c.holes);
   ASSERT_GT(whole.seen_through, 1000U);
   const std::vector<float> points(c.size.count(), 2.0F);
   for (const int ranks : {2, 3, 5}) {
     const test::TileFolder folder;
     test::inThreads(ranks, [&](Exchange& processes) {
       JobFolder job(folder / "job", {}, &processes);
+      JobBands kept(job);
       BandFill bands(
           {.front = rowsOf(depths, c.size), .between = {}, .points = rowsOf(points, c.size)},
-          frameOf(c.size), {}, c.holes, {.threads = 1, .processes = &processes, .job = &job}, {});
+          frameOf(c.size), {}, c.holes, {.threads = 1, .processes = &processes, .keeper = &kept},
+          {});
       EXPECT_EQ(bands.seenThroughPoints(), 2 * whole.seen_through);
-      EXPECT_EQ(bands.fillIntoFolder({}), 0) << "nothing was there before";
+      EXPECT_EQ(bands.fillForOthers({}), 0) << "nothing was there before";
       if (processes.isFirst()) expectSame(c, bands, whole);
     });
   }
@@ -195,6 +203,117 @@ TEST(BandFill, TreatsHolesAsChosen) {
                           .hit_share = 0.9,
                           .holes = {.rule = HoleRule::interpolate, .max_area_mm2 = area}});
   }
+}
+
+/// A relief with holes of many sizes, some across the border of bands at row 256, one of them
+/// large, and gaps between its points.
+FrontDepths depthsWithHoles(GridSize size) {
+  FrontDepths depths = gappyDepths(size, 0.9, 3);
+  std::mt19937 random(17);
+  const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  for (int hole = 0; hole < 60; ++hole) {
+    const int side = hole == 0 ? 60 : 5 + below(14);
+    const Cell lowest{.col = below(size.cols - side),
+                      .row = hole % 4 == 0 ? 256 - side / 2 : below(size.rows - side)};
+    for (int row = lowest.row; row < lowest.row + side; ++row) {
+      for (int col = lowest.col; col < lowest.col + side - row % 3; ++col) {
+        depths[size.index({.col = col, .row = row})] = std::numeric_limits<float>::quiet_NaN();
+      }
+    }
+  }
+  return depths;
+}
+
+TEST(BandFill, LaysTheMembranesOfTheWholeMap) {
+  const GridSize size{.cols = 420, .rows = 600};
+  const FrontDepths depths = depthsWithHoles(size);
+  for (const double area : {10.0, 200.0, 1e6}) {
+    for (const bool gaps : {true, false}) {
+      SCOPED_TRACE(area);
+      expectSameAsWholeMap({.size = size,
+                            .hit_share = 0.9,
+                            .holes = {.rule = HoleRule::membrane, .max_area_mm2 = area},
+                            .has_sampling_gaps = gaps},
+                           depths);
+    }
+  }
+}
+
+TEST(BandFill, LaysTheSameMembranesForEveryNumberOfProcesses) {
+  const GridSize size{.cols = 300, .rows = 1100};
+  const FrontDepths depths = depthsWithHoles(size);
+  const HoleChoice choice{.rule = HoleRule::membrane, .max_area_mm2 = 500};
+  const FilledMap whole = test::fillWholeMap(depths, frameOf(size), {}, choice);
+  const auto filled = std::count_if(whole.holes.begin(), whole.holes.end(),
+                                    [](const Hole& hole) { return hole.filled; });
+  ASSERT_GT(filled, 20);
+  ASSERT_LT(filled, static_cast<std::ptrdiff_t>(whole.holes.size()));
+  for (const int ranks : {2, 3}) {
+    const test::TileFolder folder;
+    test::inThreads(ranks, [&](Exchange& processes) {
+      JobFolder job(folder / "job", {}, &processes);
+      JobBands kept(job);
+      BandFill bands({.front = rowsOf(depths, size), .between = {}}, frameOf(size), {}, choice,
+                     {.threads = 2, .processes = &processes, .keeper = &kept}, {});
+      bands.fillForOthers({});
+      if (processes.isFirst()) {
+        expectSame({.size = size, .hit_share = 0.9, .holes = choice}, bands, whole);
+      }
+    });
+  }
+}
+
+TEST(BandFill, GivesTheSameBytesForBandsOfAnyHeight) {
+  const GridSize size{.cols = 200, .rows = 500};
+  const FrontDepths depths = depthsWithHoles(size);
+  const HoleChoice choice{.rule = HoleRule::membrane, .max_area_mm2 = 100};
+  const FilledMap whole = test::fillWholeMap(depths, frameOf(size), {}, choice);
+  for (const int rows : {8, 72, 504, 1024}) {
+    SCOPED_TRACE(rows);
+    BandFill bands({.front = GridRows::inMemory(depths, size), .between = {}}, frameOf(size), {},
+                   choice, {.threads = 2, .rows = rows}, {});
+    expectSame({.size = size, .hit_share = 0.9, .holes = choice}, bands, whole);
+  }
+}
+
+TEST(BandFill, HeightsBetweenThePointsAndWhatIsSteepAreThoseOfTheWholeMap) {
+  const GridSize size{.cols = 333, .rows = 600};
+  CapturedDepths depths(gappyDepths(size, 0.5, 5));
+  depths.between = gappyDepths(size, 0.97, 6);
+  depths.steep.assign(size.count(), 0);
+  for (std::size_t i = 0; i < size.count(); i += 3) depths.steep[i] = 1;
+  BitRows steep(size);
+  steep.setRows(0, depths.steep);
+  const FrontDepths front = depths.front;
+  const FrontDepths between = depths.between;
+  for (const bool known : {true, false}) {
+    SCOPED_TRACE(known);
+    const FillSource source{.gaps_are_known = known};
+    const FilledMap whole = test::fillWholeMap(CapturedDepths(depths), frameOf(size), source, {});
+    const FilledMap in_memory = fillDepths(CapturedDepths(depths), frameOf(size), source, {});
+    EXPECT_TRUE(in_memory.map.heights_mm == whole.map.heights_mm);
+    EXPECT_TRUE(in_memory.map.origins == whole.map.origins);
+    BandFill bands(
+        {.front = rowsOf(front, size), .between = rowsOf(between, size), .steep = &steep},
+        frameOf(size), source, {}, {.threads = 2}, {});
+    expectSame({.size = size, .hit_share = 0.5, .holes = {}}, bands, whole);
+    EXPECT_GT(std::count(whole.map.origins.begin(), whole.map.origins.end(), CellStatus::steep),
+              1000);
+  }
+}
+
+TEST(BandFill, SaysWhenTheHolesTakeMoreThanTheMemory) {
+  const GridSize size{.cols = 420, .rows = 600};
+  const FrontDepths depths = depthsWithHoles(size);
+  const auto fill = [&](HoleRule rule, std::size_t bytes) {
+    BandFill({.front = rowsOf(depths, size), .between = {}}, frameOf(size), {},
+             {.rule = rule, .max_area_mm2 = 1e6}, {.memory_bytes = bytes}, {});
+  };
+  constexpr std::size_t kRuns = 200'000, kRims = 2'000'000;
+  EXPECT_NO_THROW(fill(HoleRule::base, kRuns));
+  EXPECT_THROW(fill(HoleRule::base, kRuns / 100), ArgumentError);
+  EXPECT_THROW(fill(HoleRule::membrane, kRuns), ArgumentError);
+  EXPECT_NO_THROW(fill(HoleRule::membrane, kRims));
 }
 
 TEST(BandFill, LeavesRastersWithoutSamplingGapsAsTheyAre) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/tiles/threads.h"
+#include "core/base/threads.h"
 
 #include <algorithm>
 
