@@ -90,11 +90,11 @@ std::vector<float> BandFill::readDepths(const Band& band) const {
 
 BandFill::Depths BandFill::depthsOf(const Band& band) const {
   Depths depths;
-  if (given_.front.all != nullptr && !dropped_) {
-    depths.at = given_.front.all + frame_.size.index({.col = 0, .row = band.from});
-  } else {
+  if (dropped_) {
     depths.read = readDepths(band);
     depths.at = depths.read.data();
+  } else {
+    depths.at = given_.front.rows(band.from, band.to - band.from, frame_.size, depths.read);
   }
   return depths;
 }
@@ -233,9 +233,9 @@ void BandFill::findHoles(int radius, const Task& task) {
         const GridSize size = sizeOf(band);
         Mask mask = measured_.bytes(band.from, size.rows);
         if (source_.gaps_are_known && given_.between) {
-          std::vector<float> between(size.count());
-          given_.between.read(band.from, size.rows, between.data());
-          mask = withBetween(std::move(mask), between);
+          std::vector<float> read;
+          const float* const between = given_.between.rows(band.from, size.rows, frame_.size, read);
+          mask = withBetween(std::move(mask), {between, size.count()});
         }
         mask = closed(mask, size, radius, 1);
         return packedRows(std::span(mask).subspan(startOf(band), cellsOf(band)), size.cols);
@@ -332,17 +332,15 @@ void BandFill::layMembranes(const Task& task) {
 /// points: in one that showed the back the rule found the back.
 void BandFill::addBetween(const Band& band, std::vector<float>& depths) const {
   if (!given_.between) return;
-  std::vector<float> between(depths.size());
-  given_.between.read(band.from, band.to - band.from, between.data());
-  if (dropped_) {
-    const Mask dropped = dropped_->bytes(band.from, band.to - band.from);
-    for (std::size_t i = 0; i < dropped.size(); ++i) {
-      if (dropped[i] != 0) between[i] = kNothing;
-    }
-  }
+  std::vector<float> read;
+  const float* const between =
+      given_.between.rows(band.from, band.to - band.from, frame_.size, read);
+  Mask dropped;
+  if (dropped_) dropped = dropped_->bytes(band.from, band.to - band.from);
   const auto take = [&](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-      depths[i] = depths[i] == depths[i] ? depths[i] : between[i];
+      const bool stays = depths[i] == depths[i] || (!dropped.empty() && dropped[i] != 0);
+      depths[i] = stays ? depths[i] : between[i];
     }
   };
   for (int row = band.from; row < band.to; ++row) {
@@ -380,14 +378,8 @@ void BandFill::markSteep(const Band& band, CellStatus* origins) const {
                     .from = std::max(0, band.first - 1),
                     .to = std::min(frame_.size.rows, band.first + band.rows + 1)};
   std::vector<float> read;
-  const float* depths = nullptr;
-  if (given_.front.all != nullptr) {
-    depths = given_.front.all + frame_.size.index({.col = 0, .row = around.from});
-  } else {
-    read.resize(sizeOf(around).count());
-    given_.front.read(around.from, around.to - around.from, read.data());
-    depths = read.data();
-  }
+  const float* const depths =
+      given_.front.rows(around.from, around.to - around.from, frame_.size, read);
   Mask steep;
   if (given_.steep != nullptr) {
     steep = given_.steep->bytes(around.from, around.to - around.from);

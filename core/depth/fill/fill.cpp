@@ -30,7 +30,7 @@ NumberArgument squareMm(double area_mm2) {
 
 }  // namespace
 
-Mask withBetween(Mask measured, const FrontDepths& between) {
+Mask withBetween(Mask measured, std::span<const float> between) {
   for (std::size_t i = 0; i < between.size(); ++i) {
     measured[i] |= static_cast<std::uint8_t>(between[i] == between[i] ? 1 : 0);
   }

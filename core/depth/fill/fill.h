@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/grid.h"
@@ -45,7 +46,7 @@ bool isToBeFilled(const Hole& hole, const HoleChoice& choice);
 void markSteepCells(const float* depths, GridSize size, double spacing_mm, Mask& steep);
 
 /// With gaps that are known: cells that are measured, and those with a height between the points.
-Mask withBetween(Mask measured, const FrontDepths& between);
+Mask withBetween(Mask measured, std::span<const float> between);
 inline constexpr int kCrackRadius = 1;  ///< Closing radius there, cells.
 
 /// E202: "2 of 3 holes filled. ..." if the choice asked for filling and a hole was left; else

@@ -60,6 +60,14 @@ GridRows GridRows::inMemory(std::span<const float> values, GridSize size) {
   return rows;
 }
 
+const float* GridRows::rows(int first_row, int count, GridSize size,
+                            std::vector<float>& buffer) const {
+  if (all != nullptr) return all + size.index({.col = 0, .row = first_row});
+  buffer.resize(size.index({.col = 0, .row = count}));
+  read(first_row, count, buffer.data());
+  return buffer.data();
+}
+
 BitRows::BitRows(GridSize size)
     : size_(size),
       words_per_row_(wordsPerRow(size.cols)),

@@ -28,6 +28,8 @@ struct GridRows {
   /// @param values  must stay where they are; empty: no such grid
   static GridRows inMemory(std::span<const float> values, GridSize size);
   explicit operator bool() const noexcept { return static_cast<bool>(read); }
+  /// The rows where they are, or read into `buffer`.
+  const float* rows(int first_row, int count, GridSize size, std::vector<float>& buffer) const;
 };
 
 /// One bit per cell of a grid: a 32nd of its heights, so that questions about the whole mask (how

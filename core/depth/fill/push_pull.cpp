@@ -31,14 +31,18 @@ float coarseValue(const PushPullLayer& coarse, Cell fine) {
          v * ((1 - u) * at(c0, r1) + u * at(c1, r1));
 }
 
-/// Calls take(index) for every 0. In most rows there are few.
+/// Calls take(index) for every 0. In most rows there are few, so eight are looked at together.
 template <class Take>
 void forZeros(std::span<const std::uint8_t> mask, const Take& take) {
-  for (std::size_t i = 0; i < mask.size(); ++i) {
-    const void* const zero = std::memchr(&mask[i], 0, mask.size() - i);
-    if (zero == nullptr) return;
-    i = static_cast<std::size_t>(static_cast<const std::uint8_t*>(zero) - mask.data());
-    for (; i < mask.size() && mask[i] == 0; ++i) take(i);
+  constexpr std::uint64_t kAllOnes = 0x0101010101010101U;
+  for (std::size_t first = 0; first < mask.size(); first += 8) {
+    const std::size_t count = std::min<std::size_t>(8, mask.size() - first);
+    std::uint64_t eight = kAllOnes;
+    std::memcpy(&eight, &mask[first], count);
+    if (eight == kAllOnes) continue;
+    for (std::size_t i = first; i < first + count; ++i) {
+      if (mask[i] == 0) take(i);
+    }
   }
 }
 

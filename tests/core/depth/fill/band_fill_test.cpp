@@ -224,6 +224,21 @@ FrontDepths depthsWithHoles(GridSize size) {
   return depths;
 }
 
+TEST(BandFill, InterpolatesTheHolesOfARasterThatHasNoGaps) {
+  const GridSize size{.cols = 300, .rows = 600};
+  FrontDepths depths = gappyDepths(size, 1, 3);
+  for (int row = 240; row < 270; ++row) {
+    for (int col = 100; col < 160; ++col) {
+      depths[size.index({.col = col, .row = row})] = std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  expectSameAsWholeMap({.size = size,
+                        .hit_share = 1,
+                        .holes = {.rule = HoleRule::interpolate, .max_area_mm2 = 1e6},
+                        .has_sampling_gaps = false},
+                       depths);
+}
+
 TEST(BandFill, LaysTheMembranesOfTheWholeMap) {
   const GridSize size{.cols = 420, .rows = 600};
   const FrontDepths depths = depthsWithHoles(size);
