@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <ranges>
 #include <span>
+#include <utility>
 
 #include "core/base/bands.h"
 #include "core/base/failure.h"
@@ -38,10 +40,6 @@ LargeArray<float> reduced(const PyramidOptions& options, std::span<const float> 
   return reducedBy(options, in, size, out_size, task);
 }
 
-GridSize reducedSize(GridSize size, double factor) {
-  return {.cols = reducedCount(size.cols, factor), .rows = reducedCount(size.rows, factor)};
-}
-
 bool isCoarsest(GridSize size, const PyramidOptions& options) {
   return size.cols <= options.coarsest_samples && size.rows <= options.coarsest_samples;
 }
@@ -60,7 +58,6 @@ void requireFactor(GridSize size, const PyramidOptions& options) {
   }
 }
 
-/// Holes and outside take part with the base plane's height, also in maps from elsewhere.
 PyramidLevel baseLevel(const DepthMap& map, const PyramidOptions& options, const Task& task) {
   const GridSize size = map.frame.size;
   PyramidLevel level{.frame = map.frame, .heights_mm = {}, .measured = {}};
@@ -72,11 +69,7 @@ PyramidLevel baseLevel(const DepthMap& map, const PyramidOptions& options, const
       const float* const heights = &map.heights_mm[at];
       const CellStatus* const origins = &map.origins[at];
       float* const out = &level.heights_mm[at];
-      for (int i = 0; i < size.cols; ++i) {
-        const bool on_base =
-            origins[i] == CellStatus::base_plane || origins[i] == CellStatus::outside;
-        out[i] = on_base ? 0.0F : heights[i];
-      }
+      for (int i = 0; i < size.cols; ++i) out[i] = heightForLevels(origins[i], heights[i]);
     }
   });
   return level;
@@ -89,30 +82,41 @@ LargeArray<float> firstShares(const DepthMap& map, const PyramidOptions& options
     return halvedShares(map.origins, size, out_size, options.threads, task);
   }
   LargeArray<float> measured(map.origins.size());
-  std::transform(map.origins.begin(), map.origins.end(), measured.begin(),
-                 [](CellStatus origin) { return origin == CellStatus::measured ? 1.0F : 0.0F; });
+  std::transform(map.origins.begin(), map.origins.end(), measured.begin(), measuredForLevels);
   return reducedBy(options, measured, size, out_size, task);
 }
 
 }  // namespace
 
+GridSize reducedSize(GridSize size, double factor) {
+  return {.cols = reducedCount(size.cols, factor), .rows = reducedCount(size.rows, factor)};
+}
+
+std::vector<GridFrame> levelFrames(const GridFrame& map, const PyramidOptions& options) {
+  std::vector<GridFrame> frames{map};
+  while (!isCoarsest(frames.back().size, options)) {
+    GridFrame coarse = frames.back();
+    coarse.size = reducedSize(coarse.size, options.factor);
+    coarse.spacing_mm =
+        map.spacing_mm * std::pow(options.factor, static_cast<double>(frames.size()));
+    frames.push_back(coarse);
+  }
+  return frames;
+}
+
 Pyramid buildPyramid(const DepthMap& map, const PyramidOptions& options, const Task& task) {
-  const double factor = options.factor;
   requireFactor(map.frame.size, options);
-  Pyramid pyramid{.factor = factor, .levels = {}};
+  Pyramid pyramid{.factor = options.factor, .levels = {}};
   pyramid.levels.push_back(baseLevel(map, options, task));
-  while (!isCoarsest(pyramid.levels.back().frame.size, options)) {
+  for (const GridFrame& frame : levelFrames(map.frame, options) | std::views::drop(1)) {
     const PyramidLevel& fine = pyramid.levels.back();
     const GridSize size = fine.frame.size;
     PyramidLevel coarse;
-    coarse.frame = fine.frame;
-    coarse.frame.size = reducedSize(size, factor);
-    coarse.frame.spacing_mm =
-        map.frame.spacing_mm * std::pow(factor, static_cast<double>(pyramid.levels.size()));
-    coarse.heights_mm = reduced(options, fine.heights_mm, size, coarse.frame.size, task);
+    coarse.frame = frame;
+    coarse.heights_mm = reduced(options, fine.heights_mm, size, frame.size, task);
     coarse.measured = pyramid.levels.size() == 1
-                          ? firstShares(map, options, coarse.frame.size, task)
-                          : reduced(options, fine.measured, size, coarse.frame.size, task);
+                          ? firstShares(map, options, frame.size, task)
+                          : reduced(options, fine.measured, size, frame.size, task);
     pyramid.levels.push_back(std::move(coarse));
   }
   return pyramid;

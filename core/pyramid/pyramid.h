@@ -39,6 +39,21 @@ struct Pyramid {
 /// could fold back as vibration; at most 0.3 for every M. @param factor  in (1, 8]
 double gainAtNyquist(double factor);
 
+/// Size of the next coarser level.
+GridSize reducedSize(GridSize size, double factor);
+/// Which levels a map of this frame has, finest first. @pre factor in [kLeastFactor, kMostFactor]
+std::vector<GridFrame> levelFrames(const GridFrame& map, const PyramidOptions& options);
+
+// What a cell of the map gives to the levels: holes and outside the base plane's height, also in
+// maps from elsewhere.
+inline float heightForLevels(CellStatus origin, float height_mm) noexcept {
+  const bool on_base = origin == CellStatus::base_plane || origin == CellStatus::outside;
+  return on_base ? 0.0F : height_mm;
+}
+inline float measuredForLevels(CellStatus origin) noexcept {
+  return origin == CellStatus::measured ? 1.0F : 0.0F;
+}
+
 /// [worker]
 /// @throw ArgumentError  factor outside (1, 8], or so near to 1 that the levels outgrow memory
 /// @throw Cancelled

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/failure.h"
-#include "core/pyramid/kernel.h"
 
 namespace relievo {
 namespace {
@@ -42,24 +41,11 @@ struct PyramidRows::Step {
   std::vector<float> out_heights, out_measured;
 };
 
-GridSize PyramidRows::reducedSize(GridSize size, double factor) {
-  return {.cols = reducedCount(size.cols, factor), .rows = reducedCount(size.rows, factor)};
-}
-
 std::vector<GridFrame> PyramidRows::frames(const GridFrame& map, const PyramidOptions& options) {
   if (!(options.factor >= kLeastFactor) || !(options.factor <= kMostFactor)) {
     throw failure<MessageId::tiles_pyramid_factor>();
   }
-  std::vector<GridFrame> frames{map};
-  while (frames.back().size.cols > options.coarsest_samples ||
-         frames.back().size.rows > options.coarsest_samples) {
-    GridFrame coarse = frames.back();
-    coarse.size = reducedSize(coarse.size, options.factor);
-    coarse.spacing_mm =
-        map.spacing_mm * std::pow(options.factor, static_cast<double>(frames.size()));
-    frames.push_back(coarse);
-  }
-  return frames;
+  return levelFrames(map, options);
 }
 
 PyramidRows::PyramidRows(const GridFrame& map, const PyramidOptions& options, TakeRow take)
@@ -124,10 +110,8 @@ void PyramidRows::give(std::size_t level, const float* heights, const float* mea
 void PyramidRows::add(const float* heights_mm, const CellStatus* origins) {
   keepOrigins(origins);
   for (std::size_t i = 0; i < heights_.size(); ++i) {
-    measured_[i] = origins[i] == CellStatus::measured ? 1.0F : 0.0F;
-    // Holes and outside take part with the base plane's height, as in buildPyramid.
-    const bool on_base = origins[i] == CellStatus::base_plane || origins[i] == CellStatus::outside;
-    heights_[i] = on_base ? 0.0F : heights_mm[i];
+    measured_[i] = measuredForLevels(origins[i]);
+    heights_[i] = heightForLevels(origins[i], heights_mm[i]);
   }
   ++rows_added_;
   give(0, heights_.data(), measured_.data());

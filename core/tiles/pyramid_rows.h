@@ -33,9 +33,6 @@ class PyramidRows {
   /// @throw ArgumentError  factor outside (1, 8]
   static std::vector<GridFrame> frames(const GridFrame& map, const PyramidOptions& options);
 
-  /// Size of the next coarser level.
-  static GridSize reducedSize(GridSize size, double factor);
-
   /// @param take  gets the rows of every level, each level's in order
   PyramidRows(const GridFrame& map, const PyramidOptions& options, TakeRow take);
   ~PyramidRows();

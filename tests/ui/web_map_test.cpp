@@ -127,6 +127,51 @@ TEST_F(WebMapTest, AProjectKeepsTheAddressAndOpensItAgain) {
   EXPECT_EQ(document().provenanceIn(file).input.file, server_->address());
 }
 
+TEST_F(WebMapTest, ARecordingOfItIsReplayedOnItAndFindsItAgain) {
+  open(address());
+  goTo(100, 120);
+  ASSERT_TRUE(waitForLevel(0));
+  EXPECT_TRUE(recordingHeader(document(), path(QStringLiteral("touch.csv"))).contains(address()))
+      << "what a recording is found by";
+  TouchRecording recording;
+  recording.name = "touch.csv";
+  for (int i = 0; i <= 100; ++i) {
+    TouchRow row;
+    row.t_s = 0.01 * i;
+    row.hip = row.proxy = {100 + 0.01 * i, 120, 2};
+    row.window_id = document().window()->id;
+    recording.rows.push_back(row);
+  }
+  recording.windows = {{document().window()->id, document().window()->region, 1, true}};
+  recording.input = server_->address();
+  recording.input_sha256 = document().fileSha256().toStdString();
+  recording.state = projectJson(document().project());
+  window().controllers().replays.setReader(
+      [&recording](const std::filesystem::path&, const Task&) { return recording; });
+  ReplayControl& control = window().controllers().replays.control();
+  const auto replay = [&] { window().replay(path(QStringLiteral("touch.csv"))); };
+  replay();
+  ASSERT_TRUE(waitFor([&] { return control.showing(); })) << window().message().toStdString();
+  EXPECT_DOUBLE_EQ(window().detailView().sceneState().probe->proxy.x, 100);
+  control.close();
+  // From another object, while its server says nothing.
+  openRelief();
+  server_->stop();
+  replay();
+  QPushButton* open_input = nullptr;
+  ASSERT_TRUE(waitFor([&] {
+    for (auto* button : window().findChildren<QPushButton*>()) {
+      if (button->text().contains("input") && button->isVisible()) open_input = button;
+    }
+    return open_input != nullptr;
+  })) << window().message().toStdString();
+  EXPECT_FALSE(control.showing());
+  QTest::mouseClick(open_input, Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return control.showing(); })) << window().message().toStdString();
+  EXPECT_TRUE(document().surface()->tiles->isRemote());
+  EXPECT_DOUBLE_EQ(document().project().region.x_mm, 100);
+}
+
 TEST_F(WebMapTest, AProjectOfAnAddressThatIsNewHereAsksFirst) {
   Project project;
   project.file = server_->address();

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/tiles/pyramid_rows.h"
+#include "core/pyramid/pyramid.h"
 
 namespace relievo {
 
@@ -25,7 +25,7 @@ void TiledFacts::layOut(const GridFrame& finest, const std::vector<GridSize>& si
 
 std::optional<std::size_t> TiledFacts::oddLevel() const {
   for (std::size_t l = 1; l < frames.size(); ++l) {
-    if (!(frames[l].size == PyramidRows::reducedSize(frames[l - 1].size, factor))) return l;
+    if (!(frames[l].size == reducedSize(frames[l - 1].size, factor))) return l;
   }
   return std::nullopt;
 }
