@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <ranges>
 #include <span>
 #include <utility>
 
@@ -108,7 +107,9 @@ Pyramid buildPyramid(const DepthMap& map, const PyramidOptions& options, const T
   requireFactor(map.frame.size, options);
   Pyramid pyramid{.factor = options.factor, .levels = {}};
   pyramid.levels.push_back(baseLevel(map, options, task));
-  for (const GridFrame& frame : levelFrames(map.frame, options) | std::views::drop(1)) {
+  const std::vector<GridFrame> frames = levelFrames(map.frame, options);
+  while (pyramid.levels.size() < frames.size()) {
+    const GridFrame& frame = frames[pyramid.levels.size()];
     const PyramidLevel& fine = pyramid.levels.back();
     const GridSize size = fine.frame.size;
     PyramidLevel coarse;

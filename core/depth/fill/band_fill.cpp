@@ -125,7 +125,9 @@ BandFill::BandFill(BandDepths depths, const GridFrame& frame, const FillSource& 
 
 void BandFill::forBands(const Step& step, const Task& task, const MakeBand& make,
                         const TakeBand& take) {
-  const auto [first, end] = processes_.partOf(bandCount());
+  const std::pair<int, int> part = processes_.partOf(bandCount());
+  const int first = part.first;
+  const int end = part.second;
   std::vector<std::string> made(static_cast<std::size_t>(threads_));
   std::string mine;
   orderedPipeline(
@@ -472,7 +474,9 @@ bool BandFill::isKept(int number, FilledBand& band) const {
 }
 
 int BandFill::fillForOthers(const Task& task) {
-  const auto [first, end] = processes_.partOf(bandCount());
+  const std::pair<int, int> part = processes_.partOf(bandCount());
+  const int first = part.first;
+  const int end = part.second;
   std::atomic<int> there = 0;
   orderedPipeline(
       end - first, threads_,
