@@ -8,11 +8,13 @@
 #include <cmath>
 #include <condition_variable>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <initializer_list>
 #include <mutex>
 #include <random>
+#include <span>
 
 #include "core/base/failure.h"
 #include "core/tiles/level_files.h"
@@ -201,6 +203,48 @@ TEST_F(Publishing, ReplacesNothingAndLeavesNothingHalfDone) {
   // Into an empty folder.
   fs::create_directory(folder_ / "empty");
   EXPECT_EQ(publish(original, folder_ / "empty", {}).tiles, done_.tiles);
+}
+
+/// Other heights in the place of a tile that unpack as well: only its checksum tells.
+/// @return  whether some were found that take as many bytes
+bool falsify(std::string& pack, const TileRecord& record) {
+  const std::span stored(reinterpret_cast<const std::byte*>(pack.data()) + record.at, record.bytes);
+  auto tile = unpackedTile(stored, TilePart::heights);
+  for (std::size_t cell = 0; tile && cell < 300; ++cell) {
+    std::vector<std::byte> other = *tile;
+    other[4 * cell] ^= std::byte{1};  // The last bit of one height.
+    const std::vector<std::byte> bytes = packedTile(other, TilePart::heights);
+    if (bytes.size() != record.bytes) continue;
+    std::memcpy(pack.data() + record.at, bytes.data(), bytes.size());
+    return true;
+  }
+  return false;
+}
+
+TEST_F(Publishing, RefusesATileThatUnpacksAndIsNotTheOneThatWasPublished) {
+  publishMap({.cols = 2300, .rows = 2300});
+  const Region fine = at(100, 80, 20, 0);
+  EXPECT_NO_THROW(TiledMap(published() / "map.json").window(fine));
+  const fs::path file = published() / "L0.p0.tiles";
+  std::string pack;
+  {
+    std::ifstream in(file, std::ios::binary);
+    pack.assign(std::istreambuf_iterator<char>(in), {});
+  }
+  int falsified = 0;
+  for (std::size_t tile = 0; tile < kPackTiles; ++tile) {
+    TileRecord record;  // Heights come first of the two parts.
+    std::memcpy(&record, pack.data() + 2 * tile * sizeof(record), sizeof(record));
+    falsified += record.bytes > 0 && falsify(pack, record) ? 1 : 0;
+  }
+  ASSERT_GT(falsified, 20);
+  std::ofstream(file, std::ios::binary).write(pack.data(), static_cast<long>(pack.size()));
+  const auto refusal =
+      refusalOf<FileError>([&] { TiledMap(published() / "map.json").window(fine); });
+  EXPECT_NE(refusal.find("damaged"), std::string::npos) << refusal;
+  test::SlowWebServer server(published(), {});
+  const TiledMap web(webMap(server.address()).manifest);
+  EXPECT_THROW(web.window(fine), FileError) << "nor over the web";
 }
 
 TEST_F(Publishing, RefusesWhatIsDamagedOrGone) {
