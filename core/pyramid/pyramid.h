@@ -41,7 +41,7 @@ double gainAtNyquist(double factor);
 
 /// Size of the next coarser level.
 GridSize reducedSize(GridSize size, double factor);
-/// Which levels a map of this frame has, finest first. @pre factor in [kLeastFactor, kMostFactor]
+/// Which levels a map of this frame has, finest first. @pre factor > 1
 std::vector<GridFrame> levelFrames(const GridFrame& map, const PyramidOptions& options);
 
 // What a cell of the map gives to the levels: holes and outside the base plane's height, also in

@@ -77,9 +77,11 @@ std::vector<ViewMm> sampleOf(const FromCorner& points) {
 /// beside it, and strays, make a cell look steep that is not; so does noise, by which the front may
 /// be off at both sides, across itself.
 bool isGentle(const FrontSurface& front, double x_mm, double y_mm, double spacing_mm) {
+  // Sideways it may be off as much: what lies no farther than that from the border of the cell may
+  // be beyond it.
+  const double half = spacing_mm / 2 - std::min(2 * front.noiseMm(), spacing_mm / 4);
   const double off_mm = 2 * front.noiseMm() * std::hypot(1.0, kSteepRise);
-  const auto limit = static_cast<float>(kSteepRise * spacing_mm + off_mm);
-  const double half = spacing_mm / 2;
+  const auto limit = static_cast<float>(kSteepRise * 2 * half + off_mm);
   const float across = front.depthAt(x_mm + half, y_mm) - front.depthAt(x_mm - half, y_mm);
   const float along = front.depthAt(x_mm, y_mm + half) - front.depthAt(x_mm, y_mm - half);
   return std::abs(across) <= limit && std::abs(along) <= limit;  // Not for NaN.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
@@ -115,12 +114,25 @@ BandFill::BandFill(BandDepths depths, const GridFrame& frame, const FillSource& 
   // A back can hide all gaps: then no cell is empty, and the radius is 0.
   int radius = looks_for_gaps ? samplingGapRadius(measured_) : 0;
   if (looks_for_gaps && !given_.one_layer) {
+    widenBands(seeThroughReach(radius + 1));
     dropSeenThroughBands(radius + 1, task);
     radius = samplingGapRadius(measured_);
   }
-  findHoles(source_.gaps_are_known ? kCrackRadius : radius, task);
+  if (source_.gaps_are_known) radius = kCrackRadius;
+  options_.rows = options.rows;
+  widenBands(2 * radius);
+  findHoles(radius, task);
+  options_.rows = options.rows;
   pullAll(task);
   if (choice_.rule == HoleRule::membrane) layMembranes(task);
+}
+
+/// In memory bands may be as high as pays for so many rows around them; elsewhere their height is
+/// that of what is kept.
+void BandFill::widenBands(int around) {
+  if (given_.front.all != nullptr) {
+    options_.rows = std::max(options_.rows, 4 * around / kPullRows * kPullRows);
+  }
 }
 
 void BandFill::forBands(const Step& step, const Task& task, const MakeBand& make,
@@ -310,14 +322,15 @@ void BandFill::pullAll(const Task& task) {
 void BandFill::layMembranes(const Task& task) {
   plates_ = Plates(empty_, enclosed_, frame_.size);
   if (plates_.empty()) return;
+  requireRoom();
   forBands(
-      {.words = "Filling holes"}, task,
+      {.words = "Filling holes", .from = 0, .to = 0.5}, task,
       [&](int number) {
         const Band own = bandOf(number, 0, 1);
         std::vector<Plates::RimCell> cells = plates_.rimCells(own.first, own.first + own.rows);
         if (cells.empty()) return std::string();
         const Band band = bandOf(number, 2 * kPullRows, kPullRows);
-        const std::vector<float> depths = completed(band);
+        const std::vector<float> depths = completed(band, task);
         const std::size_t before = frame_.size.index({.col = 0, .row = band.from});
         for (Plates::RimCell& one : cells) one.z_mm = depths[one.cell - before];
         return std::string(plainBytes(cells));
@@ -411,7 +424,7 @@ Mask BandFill::gapsOf(const Band& band, const Mask& known) const {
 
 /// Depths of a band where every cell has one that gets one from those around it.
 /// @param band  with 2 kPullRows around, from a multiple of kPullRows on; there they are off
-std::vector<float> BandFill::completed(const Band& band) const {
+std::vector<float> BandFill::completed(const Band& band, const Task& task) const {
   // Push-pull is off by one coarse row at a band's border; beyond it neighbours must be right.
   static_assert(kNeighbourRounds <= kPullRows);
   const GridSize size = sizeOf(band);
@@ -421,14 +434,17 @@ std::vector<float> BandFill::completed(const Band& band) const {
   Mask known = measuredOf(depths.data(), depths.size());
   std::vector<PushPullLayer> layers = pulledLayers(depths, known, size);
   layers.back() = rowsOfLayer(*coarse_, band.from / kPullRows, layers.back().size.rows);
+  task.check();
   for (std::size_t l = layers.size() - 1; l-- > 0;) pushInto(layers[l], layers[l + 1]);
   pushIntoUnknown(depths, known, size, layers[0]);
+  task.check();
   const Mask gaps = gapsOf(band, known);
   keepWithinNeighbours(depths, std::move(known), gaps, size);
   return depths;
 }
 
-void BandFill::fillBand(int number, float* heights_mm, CellStatus* origins) const {
+void BandFill::fillBand(int number, float* heights_mm, CellStatus* origins,
+                        const Task& task) const {
   const Band own = bandOf(number, 0, 1);
   const std::size_t count = cellsOf(own);
   placeOrigins(own, origins);
@@ -438,7 +454,7 @@ void BandFill::fillBand(int number, float* heights_mm, CellStatus* origins) cons
     depths = depthsOf(own);
   } else {
     const Band band = bandOf(number, 2 * kPullRows, kPullRows);
-    depths.read = completed(band);
+    depths.read = completed(band, task);
     plates_.take(band.from, band.to - band.from, depths.read.data());
     depths.at = depths.read.data() + startOf(band);
   }
@@ -455,16 +471,16 @@ void BandFill::fillInto(float* heights_mm, CellStatus* origins, const Task& task
       [&](int, int number) {
         task.check();
         const std::size_t start = frame_.size.index({.col = 0, .row = bandOf(number, 0, 1).first});
-        fillBand(number, heights_mm + start, origins + start);
+        fillBand(number, heights_mm + start, origins + start, task);
       },
       [&](int, int number) { task.report("Filling gaps", 0.5 + 0.5 * number / bandCount()); });
 }
 
-FilledBand BandFill::filledBand(int number) const {
+FilledBand BandFill::filledBand(int number, const Task& task) const {
   const std::size_t count = cellsOf(bandOf(number, 0, 1));
   FilledBand made{.heights_mm = std::vector<float>(count), .origins = {}};
   made.origins.resize(count);
-  fillBand(number, made.heights_mm.data(), made.origins.data());
+  fillBand(number, made.heights_mm.data(), made.origins.data(), task);
   return made;
 }
 
@@ -486,7 +502,7 @@ int BandFill::fillForOthers(const Task& task) {
         if (isKept(first + number, band)) {
           ++there;
         } else {
-          options_.keeper->keep(first + number, filledBand(first + number));
+          options_.keeper->keep(first + number, filledBand(first + number, task));
         }
       },
       [&](int, int number) { task.report("Filling gaps", 0.5 + 0.5 * number / (end - first)); });
@@ -511,7 +527,7 @@ void BandFill::write(const TakeRow& take, const Task& task) {
           ++there;
           return;
         }
-        band = filledBand(number);
+        band = filledBand(number, task);
         if (options_.keeper != nullptr) options_.keeper->keep(number, band);
       },
       [&](int place, int number) {

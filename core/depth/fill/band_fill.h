@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -123,6 +122,7 @@ class BandFill {
   /// All bands, each made by the process that has it, taken by all.
   void forBands(const Step& step, const Task& task, const MakeBand& make, const TakeBand& take);
 
+  void widenBands(int around);
   void markMeasured(const Task& task);
   void dropSeenThroughBands(int radius, const Task& task);
   std::uint64_t pointsOf(const Mask& cells, const Band& band) const;
@@ -135,9 +135,9 @@ class BandFill {
   void placeOrigins(const Band& band, CellStatus* origins) const;
   void markSteep(const Band& band, CellStatus* origins) const;
   Mask gapsOf(const Band& band, const Mask& known) const;
-  std::vector<float> completed(const Band& band) const;
-  void fillBand(int number, float* heights_mm, CellStatus* origins) const;
-  FilledBand filledBand(int number) const;
+  std::vector<float> completed(const Band& band, const Task& task) const;
+  void fillBand(int number, float* heights_mm, CellStatus* origins, const Task& task) const;
+  FilledBand filledBand(int number, const Task& task) const;
   bool isKept(int number, FilledBand& band) const;
 
   BandDepths given_;

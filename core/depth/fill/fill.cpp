@@ -19,8 +19,10 @@ constexpr std::size_t kWorkOfCell = 8;  // A cell here is as much work as so man
 /// Rows of a band where everything is in memory: a band for each thread, and more where those would
 /// leave the caches.
 int rowsInMemory(GridSize size, int threads) {
-  constexpr int kMultiple = 8, kMost = 512;
-  const int rows = std::clamp((size.rows + threads - 1) / threads, 1, kMost);
+  constexpr int kMultiple = 8, kFewest = 128, kMost = 512;
+  constexpr int kCells = 1 << 21;
+  const int most = std::clamp(kCells / std::max(size.cols, 1), kFewest, kMost);
+  const int rows = std::clamp((size.rows + threads - 1) / threads, 1, most);
   return (rows + kMultiple - 1) / kMultiple * kMultiple;
 }
 

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <string>
 
 #include "core/base/exchange.h"
 #include "core/base/failure.h"
@@ -41,7 +42,7 @@ void LowestValues::add(std::span<const float> values) {
   }
   const std::lock_guard one_at_a_time(adds_);
   lowest_.insert(lowest_.end(), mine.begin(), mine.end());
-  if (lowest_.size() <= kept_) return;
+  if (lowest_.size() < 2 * kept_ + kSlack) return;
   prune(lowest_);
   limit_ = lowest_.back();
 }
@@ -97,6 +98,7 @@ float LowestValues::kth(std::size_t k, Exchange& processes) const {
 }
 
 double LowestValues::quantile(Exchange& processes) {
+  if (lowest_.size() > kept_) prune(lowest_);
   const auto below = static_cast<std::size_t>(position_);
   const auto low = static_cast<double>(kth(below, processes));
   const double part = position_ - static_cast<double>(below);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
+#include <utility>
 
 #include "core/base/bands.h"
 #include "core/base/plain_bytes.h"
@@ -18,6 +20,9 @@ Plates::Plates(const EmptyRuns& runs, EmptyRuns::Enclosed& enclosed, GridSize si
     plate_of_hole_[hole] = static_cast<std::ptrdiff_t>(plates_.size());
     plates_.push_back({.hole = hole, .places = {}, .rim = {}, .z_mm = {}});
   }
+  constexpr std::size_t kBytesOfBlocks = 64;  // Of the system, for what a plate holds.
+  bytes_ = plate_of_hole_.size() * sizeof(plate_of_hole_[0]) +
+           plates_.size() * (sizeof(Plate) + kBytesOfBlocks);
   if (plates_.empty()) return;
   std::vector<std::size_t> cells(plates_.size());
   for (int row = 0; row < size.rows; ++row) {
@@ -97,42 +102,66 @@ std::vector<float> Plates::solved(const Plate& plate, const Task& task) const {
 }
 
 void Plates::solve(Exchange& processes, int threads, const Task& task) {
-  const auto [first, end] = processes.partOf(static_cast<int>(plates_.size()));
-  const auto at = [this](int number) -> Plate& {
-    return plates_[static_cast<std::size_t>(number)];
+  // The largest come first: whoever is free takes one, and processes take them in turn.
+  const auto ranks = static_cast<std::size_t>(processes.ranks());
+  const auto mine = [&](std::size_t number) -> Plate* {
+    const std::size_t at = number * ranks + static_cast<std::size_t>(processes.rank());
+    return at < plates_.size() ? &plates_[at] : nullptr;
   };
-  std::atomic<int> next = first;  // The largest come first: whoever is free takes one.
-  parallelFor(threads, threads, [&, end = end](int, int) {
-    for (int number = next++; number < end; number = next++) {
-      at(number).z_mm = solved(at(number), task);
+  std::atomic<std::size_t> next = 0;
+  std::mutex large_ones;  // One at a time, for their memory.
+  parallelFor(threads, threads, [&](int first, int) {
+    for (std::size_t number = next++; Plate* const plate = mine(number); number = next++) {
+      if (first == 0) {  // On the thread that called.
+        task.report("Filling holes", 0.5 + 0.5 * static_cast<double>(number * ranks) /
+                                               static_cast<double>(plates_.size()));
+      }
+      constexpr std::size_t kLarge = 20'000;
+      std::unique_lock alone(large_ones, std::defer_lock);
+      if (enclosed_->holes[plate->hole].cells > kLarge) alone.lock();
+      plate->z_mm = solved(*plate, task);
+      plate->rim = {};
     }
   });
-  std::string mine;
-  for (int number = first; number < end; ++number) {
-    const std::uint64_t count = at(number).z_mm.size();
-    mine.append(plainBytes(count)).append(plainBytes(at(number).z_mm));
+  if (!processes.isAlone()) tellOthers(processes);
+  for (const Plate& plate : plates_) {
+    enclosed_->holes[plate.hole].filled = !plate.z_mm.empty();
   }
-  std::string all;
-  for (const std::string& one : processes.share(mine)) all += one;
-  PlainBytes bytes(all);
-  for (Plate& plate : plates_) {
+}
+
+void Plates::tellOthers(Exchange& processes) {
+  const auto ranks = static_cast<std::size_t>(processes.ranks());
+  std::string mine;
+  for (auto at = static_cast<std::size_t>(processes.rank()); at < plates_.size(); at += ranks) {
+    const std::uint64_t count = plates_[at].z_mm.size();
+    mine.append(plainBytes(count)).append(plainBytes(plates_[at].z_mm));
+  }
+  const std::vector<std::string> told = processes.share(mine);
+  std::vector<PlainBytes> bytes(told.begin(), told.end());
+  for (std::size_t at = 0; at < plates_.size(); ++at) {
     std::uint64_t count = 0;
-    bytes.take(count);
-    bytes.take(plate.z_mm, count);
-    plate.rim = {};
-    enclosed_->holes[plate.hole].filled = count > 0;
+    bytes[at % ranks].take(count);
+    bytes[at % ranks].take(plates_[at].z_mm, count);
+    plates_[at].rim = {};
   }
 }
 
 void Plates::take(int first_row, int rows, float* depths) const {
-  for (const Plate& plate : plates_) {
-    if (plate.z_mm.empty()) continue;
-    auto place = std::lower_bound(plate.places.begin(), plate.places.end(), first_row,
-                                  [](const Place& one, int row) { return one.row < row; });
-    for (; place != plate.places.end() && place->row < first_row + rows; ++place) {
+  if (plates_.empty()) return;
+  for (int row = first_row; row < first_row + rows; ++row) {
+    for (const EmptyRuns::Run& run : runs_->row(row)) {
+      const std::ptrdiff_t hole = enclosed_->hole_of_area[run.area];
+      const std::ptrdiff_t at = hole < 0 ? -1 : plate_of_hole_[static_cast<std::size_t>(hole)];
+      if (at < 0 || plates_[static_cast<std::size_t>(at)].z_mm.empty()) continue;
+      const Plate& plate = plates_[static_cast<std::size_t>(at)];
+      const auto place =
+          std::lower_bound(plate.places.begin(), plate.places.end(), std::pair(row, run.first_col),
+                           [](const Place& one, const std::pair<int, int>& wanted) {
+                             return std::pair(one.row, one.first_col) < wanted;
+                           });
       const auto from = plate.z_mm.begin() + static_cast<std::ptrdiff_t>(place->start);
-      std::copy(from, from + (place->end_col - place->first_col),
-                depths + size_.index({.col = place->first_col, .row = place->row - first_row}));
+      std::copy(from, from + (run.end_col - run.first_col),
+                depths + size_.index({.col = run.first_col, .row = row - first_row}));
     }
   }
 }

@@ -40,7 +40,8 @@ class Plates {
   void add(std::string_view rim_cells);
 
   /// When all rims are there; a hole whose rim determines no membrane is not filled. Several
-  /// processes solve some each. [owner] @throw Cancelled, OtherProcessStopped
+  /// processes solve some each. Large ones are solved one at a time. [owner]
+  /// @throw Cancelled, OtherProcessStopped
   void solve(Exchange& processes, int threads, const Task& task);
 
   /// Replaces the cells of rows first_row ... that a membrane covers. [any thread]
@@ -59,6 +60,7 @@ class Plates {
     std::vector<float> z_mm;
   };
   std::vector<float> solved(const Plate& plate, const Task& task) const;
+  void tellOthers(Exchange& processes);
 
   const EmptyRuns* runs_ = nullptr;
   EmptyRuns::Enclosed* enclosed_ = nullptr;

@@ -2,7 +2,6 @@
 #include "core/depth/fill/push_pull.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <utility>

@@ -25,8 +25,9 @@ std::size_t dropSeenThrough(FrontDepths& depths, const GridFrame& frame, int rad
 inline constexpr double kSeeThroughCells = 4;
 inline constexpr int kSeeThroughPasses = 2;
 inline constexpr int kGapReach = 16;
+/// Of the neighbours of a cell at kGapReach, too, is asked what they are.
 inline constexpr int seeThroughReach(int radius) {
-  return kSeeThroughPasses * (radius > kGapReach ? radius : kGapReach);
+  return kSeeThroughPasses * (radius > kGapReach + 1 ? radius : kGapReach + 1);
 }
 
 }  // namespace relievo

@@ -36,6 +36,7 @@
 #include "core/tiles/job/job_parts.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/points/scatter.h"
+#include "core/tiles/tile_layout.h"
 
 namespace relievo {
 namespace {
@@ -202,6 +203,7 @@ void fillAndWrite(LargeMap& map, const DepthSource& source, const SurfaceOptions
                                options.holes,
                                BandOptions{.memory_bytes = plan.depths_bytes,
                                            .threads = large.threads,
+                                           .rows = kTileSide,
                                            .processes = large.processes,
                                            .keeper = kept ? &*kept : nullptr},
                                task);

@@ -204,14 +204,16 @@ TEST(ClosedCloud, TheGridIsThatOfThePointsThatAreSeen) {
 }
 
 /// A plate of 60 x 60 mm at 40 mm over ground of 100 x 100 mm at 0.
-std::optional<FrontSurface> plateOverGround() {
+std::optional<FrontSurface> plateOverGround(int count = 40'000, double noise_mm = 0) {
   std::vector<ViewMm> points;
   std::mt19937 random(11);
   std::uniform_real_distribution<double> place(0, 100);
-  for (int i = 0; i < 40'000; ++i) {
+  std::normal_distribution<double> normal(0, 1);
+  const auto noise = [&] { return noise_mm > 0 ? noise_mm * normal(random) : 0; };
+  for (int i = 0; i < count; ++i) {
     const ViewMm p{place(random), place(random), 0};
     const bool is_under = std::max(std::abs(p.x - 50), std::abs(p.y - 50)) < 30;
-    points.push_back({p.x, p.y, is_under && i % 2 == 0 ? 40.0 : 0.0});
+    points.push_back({p.x + noise(), p.y + noise(), (is_under && i % 2 == 0 ? 40.0 : 0) + noise()});
   }
   return frontOf([&](const auto& take) { take(points); }, points,
                  {.min = {0, 0, 0}, .max = {100, 100, 40}}, points.size(), {});
@@ -240,6 +242,32 @@ TEST(ClosedCloud, ACellIsWhatTheFrontIsThere) {
   EXPECT_EQ(depths.steep[at(25, 25)], 0);
   EXPECT_EQ(depths.steep[at(4, 25)], 0);
   EXPECT_EQ(depths.steep[at(10, 25)], 1);
+}
+
+// By its noise the plate seems to end a little before its edge.
+TEST(ClosedCloud, ACellBesideAStepIsNotSteepByNoise) {
+  const auto front = plateOverGround(400'000, 0.3);
+  ASSERT_TRUE(front);
+  EXPECT_GT(front->noiseMm(), 0.03);
+  const GridFrame frame{.size = {.cols = 221, .rows = 221}, .spacing_mm = 100.0 / 220};
+  CapturedDepths depths;
+  depths.front.assign(frame.size.count(), 40);
+  depths.steep.assign(frame.size.count(), 1);
+  addFront(*front, frame, depths);
+  int beside = 0;
+  int steep = 0;
+  for (int row = 0; row < frame.size.rows; ++row) {
+    for (int col = 0; col < frame.size.cols; ++col) {
+      const double off =
+          std::max(std::abs(frame.spacing_mm * col - 50), std::abs(frame.spacing_mm * row - 50));
+      const double inside = (30 - off) / frame.spacing_mm;
+      if (inside < 0 || inside > 0.5) continue;
+      ++beside;
+      steep += depths.steep[frame.size.index({.col = col, .row = row})];
+    }
+  }
+  ASSERT_GT(beside, 500);
+  EXPECT_LT(steep, beside / 8) << beside;
 }
 
 TEST(ClosedCloud, NoiseAsksForACoarserGrid) {

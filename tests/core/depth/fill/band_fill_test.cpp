@@ -5,13 +5,15 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "core/tiles/job/job_parts.h"
-#include "tests/core/depth/fill/whole_fill.h"
+#include "core/tiles/row_store.h"
 #include "tests/core/base/thread_exchange.h"
+#include "tests/core/depth/fill/whole_fill.h"
 #include "tests/core/tiles/tile_fixtures.h"
 
 namespace relievo {
@@ -69,6 +71,8 @@ void expectSameAsWholeMap(const Case& c, const FrontDepths& depths) {
   EXPECT_TRUE(in_memory.map.heights_mm == whole.map.heights_mm);
   EXPECT_TRUE(in_memory.map.origins == whole.map.origins);
   EXPECT_EQ(in_memory.base_z_mm, whole.base_z_mm);
+  EXPECT_EQ(in_memory.seen_through, whole.seen_through);
+  EXPECT_EQ(in_memory.holes.size(), whole.holes.size());
   BandFill bands({.front = rowsOf(depths, c.size), .between = {}}, frameOf(c.size), source, c.holes,
                  {.memory_bytes = c.memory_bytes, .threads = c.threads}, {});
   expectSame(c, bands, whole);
@@ -158,8 +162,54 @@ TEST(BandFill, GivesTheSameBytesWhereTheGapsAreWide) {
 }
 
 TEST(BandFill, GivesTheSameBytesWhenDepthsDoNotFitIntoMemory) {
-  expectSameAsWholeMap(
-      {.size = {500, 700}, .hit_share = 0.4, .holes = {}, .memory_bytes = 300'000});
+  const Case c{.size = {500, 700}, .hit_share = 0.4, .holes = {}, .memory_bytes = 300'000};
+  const FrontDepths depths = gappyDepths(c.size, c.hit_share, 7);
+  const test::TileFolder folder;
+  RowStore spilled(c.size, 0, folder.path());
+  spilled.write(0, c.size.rows, depths.data());
+  BandFill bands(
+      {.front = RowsOf([&](int first, int rows, float* out) { spilled.read(first, rows, out); }),
+       .between = {}},
+      frameOf(c.size), {}, c.holes, {.memory_bytes = c.memory_bytes, .threads = c.threads}, {});
+  expectSame(c, bands, test::fillWholeMap(depths, frameOf(c.size), {}, c.holes));
+}
+
+TEST(BandFill, GivesTheSameBytesForMapsOfFewRowsOrColumns) {
+  for (const GridSize size : {GridSize{1, 40}, GridSize{40, 1}, GridSize{2, 9}, GridSize{7, 7},
+                              GridSize{65, 17}, GridSize{64, 300}, GridSize{63, 5}}) {
+    SCOPED_TRACE(std::to_string(size.cols) + " x " + std::to_string(size.rows));
+    for (const double hit : {0.3, 0.7, 1.0}) {
+      FrontDepths depths = gappyDepths(size, hit, 11);
+      depths.back() = 20;  // Something is measured.
+      for (const bool gaps : {true, false}) {
+        expectSameAsWholeMap({.size = size,
+                              .hit_share = hit,
+                              .holes = {.rule = HoleRule::interpolate, .max_area_mm2 = 1e6},
+                              .has_sampling_gaps = gaps},
+                             depths);
+      }
+    }
+  }
+}
+
+// Where there is a back, pass after pass looks at neighbours of neighbours: more rows than a low
+// band has.
+TEST(BandFill, LooksThroughGapsAsTheWholeMapDoesHoweverLowItsBandsAre) {
+  const GridSize size{.cols = 600, .rows = 400};
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    for (const double hit : {0.03, 0.55, 0.65, 0.75}) {
+      SCOPED_TRACE(hit);
+      FrontDepths depths = gappyDepths(size, hit, seed);
+      std::mt19937 random(seed);
+      for (float& depth : depths) {
+        if (random() % 12 == 0) depth = -40;
+      }
+      const FilledMap whole = test::fillWholeMap(depths, frameOf(size), {}, {});
+      BandFill bands({.front = rowsOf(depths, size), .between = {}}, frameOf(size), {}, {},
+                     {.threads = 2, .rows = 8}, {});
+      expectSame({.size = size, .hit_share = hit, .holes = {}}, bands, whole);
+    }
+  }
 }
 
 TEST(BandFill, GivesTheSameBytesForEveryNumberOfThreads) {
