@@ -149,6 +149,7 @@ void BandFill::forBands(const Step& step, const Task& task, const MakeBand& make
         made[static_cast<std::size_t>(place)] = make(first + number);
       },
       [&](int place, int number) {
+        task.check();  // Whoever stops the work hears of no other step.
         task.report(step.words, step.from + (step.to - step.from) * number / (end - first));
         const std::string& found = made[static_cast<std::size_t>(place)];
         if (processes_.isAlone()) {
@@ -158,6 +159,7 @@ void BandFill::forBands(const Step& step, const Task& task, const MakeBand& make
           mine.append(plainBytes(size)).append(found);
         }
       });
+  task.check();
   if (processes_.isAlone()) return;
   const std::vector<std::string> told = processes_.share(mine);
   int number = 0;
@@ -473,7 +475,11 @@ void BandFill::fillInto(float* heights_mm, CellStatus* origins, const Task& task
         const std::size_t start = frame_.size.index({.col = 0, .row = bandOf(number, 0, 1).first});
         fillBand(number, heights_mm + start, origins + start, task);
       },
-      [&](int, int number) { task.report("Filling gaps", 0.5 + 0.5 * number / bandCount()); });
+      [&](int, int number) {
+        task.check();
+        task.report("Filling gaps", 0.5 + 0.5 * number / bandCount());
+      });
+  task.check();
 }
 
 FilledBand BandFill::filledBand(int number, const Task& task) const {
@@ -505,7 +511,10 @@ int BandFill::fillForOthers(const Task& task) {
           options_.keeper->keep(first + number, filledBand(first + number, task));
         }
       },
-      [&](int, int number) { task.report("Filling gaps", 0.5 + 0.5 * number / (end - first)); });
+      [&](int, int number) {
+        task.check();
+        task.report("Filling gaps", 0.5 + 0.5 * number / (end - first));
+      });
   int all_there = 0;
   for (const std::string& one : processes_.share(plainBytes(there.load()))) {
     int of_one = 0;
@@ -531,6 +540,7 @@ void BandFill::write(const TakeRow& take, const Task& task) {
         if (options_.keeper != nullptr) options_.keeper->keep(number, band);
       },
       [&](int place, int number) {
+        task.check();
         task.report("Writing levels", static_cast<double>(number) / bandCount());
         const FilledBand& filled = bands[static_cast<std::size_t>(place)];
         const Band band = bandOf(number, 0, 1);

@@ -123,6 +123,7 @@ void Plates::solve(Exchange& processes, int threads, const Task& task) {
       plate->rim = {};
     }
   });
+  task.check();
   if (!processes.isAlone()) tellOthers(processes);
   for (const Plate& plate : plates_) {
     enclosed_->holes[plate.hole].filled = !plate.z_mm.empty();
