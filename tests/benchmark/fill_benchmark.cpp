@@ -65,7 +65,9 @@ std::vector<Input> inputs(int side) {
   const FillSource raster{.has_sampling_gaps = false};
   all.push_back({"a raster", relief(side, 1, 0, false), raster});
   all.push_back({"a raster with holes", relief(side, 1, 0, true), raster});
-  all.push_back({"the same, interpolated", relief(side, 1, 0, true), raster,
+  all.push_back({"the same, interpolated",
+                 relief(side, 1, 0, true),
+                 raster,
                  {.rule = HoleRule::interpolate, .max_area_mm2 = 1e9}});
   all.push_back({"a cloud of 2.5 points a cell", relief(side, 0.92, 0.02, true)});
   all.push_back({"a cloud of 0.4 points a cell", relief(side, 0.3, 0.02, true)});
@@ -74,7 +76,9 @@ std::vector<Input> inputs(int side) {
   between.depths.one_layer = true;
   between.source.gaps_are_known = true;
   all.push_back(std::move(between));
-  all.push_back({"membranes over small holes", pierced(side), raster,
+  all.push_back({"membranes over small holes",
+                 pierced(side),
+                 raster,
                  {.rule = HoleRule::membrane, .max_area_mm2 = 40}});
   return all;
 }
@@ -92,9 +96,8 @@ void compare(const Input& input, int side) {
       CapturedDepths depths = input.depths;
       const auto start = std::chrono::steady_clock::now();
       made[by_bands] =
-          by_bands == 1
-              ? fillDepths(std::move(depths), frame, input.source, input.holes)
-              : test::fillWholeMap(std::move(depths), frame, input.source, input.holes);
+          by_bands == 1 ? fillDepths(std::move(depths), frame, input.source, input.holes)
+                        : test::fillWholeMap(std::move(depths), frame, input.source, input.holes);
       const std::chrono::duration<double, std::milli> taken =
           std::chrono::steady_clock::now() - start;
       best[by_bands] = std::min(best[by_bands], taken.count());

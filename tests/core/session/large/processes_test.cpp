@@ -18,9 +18,9 @@
 #include "core/io/raster/colour_raster.h"
 #include "core/session/large/large_map.h"
 #include "core/tiles/tile_raster.h"
+#include "tests/core/base/thread_exchange.h"
 #include "tests/core/session/raw_clouds.h"
 #include "tests/core/session/tiled_fixture.h"
-#include "tests/core/base/thread_exchange.h"
 
 namespace relievo {
 namespace {
